@@ -1,0 +1,67 @@
+# Every library that we use, grouped by the rooms that need it.
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(Eigen3 REQUIRED)
+find_library(DNNL_LIBRARY dnnl REQUIRED)
+find_path(DNNL_INCLUDE_DIR dnnl.h REQUIRED)
+
+# Ceres drags ATLAS into an executable, and a program's libraries are searched in the order of linking: whichever libblas
+# stands first serves LibTorch. The system's own choice (an alternative, OpenBLAS where it is installed) comes first here.
+find_library(SYSTEM_BLAS NAMES libblas.so.3 REQUIRED)
+find_library(SYSTEM_LAPACK NAMES liblapack.so.3 REQUIRED)
+add_library(system_blas INTERFACE)
+target_link_libraries(system_blas INTERFACE -Wl,--push-state,--no-as-needed ${SYSTEM_BLAS} ${SYSTEM_LAPACK} -Wl,--pop-state)
+
+add_library(base_libraries INTERFACE)
+target_link_libraries(base_libraries INTERFACE fmt::fmt spdlog::spdlog nlohmann_json::nlohmann_json
+                      tomlplusplus::tomlplusplus OpenSSL::Crypto Threads::Threads)
+
+find_package(OpenMesh REQUIRED)
+find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)
+add_library(mesh_libraries INTERFACE)
+target_link_libraries(mesh_libraries INTERFACE Eigen3::Eigen OpenMeshCore)
+target_include_directories(mesh_libraries SYSTEM INTERFACE ${NANOFLANN_INCLUDE_DIR})
+
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+add_library(image_libraries INTERFACE)
+target_link_libraries(image_libraries INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
+
+find_package(LibArchive REQUIRED)
+add_library(archive_libraries INTERFACE)
+target_link_libraries(archive_libraries INTERFACE LibArchive::LibArchive)
+
+if(NOT DAUMIER_SANITIZE)
+  find_package(Torch REQUIRED)
+  find_package(Ceres REQUIRED)
+  find_package(CLI11 REQUIRED)
+  find_package(ONNX REQUIRED)
+  if(NOT TARGET ONNX::onnx)  # Debian 12 exports the targets without a namespace.
+    add_library(ONNX::onnx ALIAS onnx)
+    add_library(ONNX::onnx_proto ALIAS onnx_proto)
+  endif()
+
+  add_library(torch_libraries INTERFACE)
+  target_link_libraries(torch_libraries INTERFACE system_blas ${TORCH_LIBRARIES})
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    # at::parallel_for in our own files is serial unless they are compiled with OpenMP, in the run-time that LibTorch uses.
+    find_package(OpenMP REQUIRED)
+    target_link_libraries(torch_libraries INTERFACE OpenMP::OpenMP_CXX)
+  endif()
+
+  add_library(solver_libraries INTERFACE)
+  target_link_libraries(solver_libraries INTERFACE Ceres::ceres)
+  add_library(onnx_libraries INTERFACE)
+  target_link_libraries(onnx_libraries INTERFACE ONNX::onnx ONNX::onnx_proto)
+  target_compile_definitions(onnx_libraries INTERFACE ONNX_NAMESPACE=onnx ONNX_ML=1)
+  add_library(cli_libraries INTERFACE)
+  target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)
+endif()
+
+find_package(GTest REQUIRED)
+if(DAUMIER_BENCH)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,35 @@
+# Language level, warnings, compiler cache, linker and sanitizers: what every target shares.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+
+option(DAUMIER_CCACHE "Compile through ccache where it is installed" OFF)
+option(DAUMIER_SANITIZE "Build the rooms without LibTorch under ASan and UBSan" OFF)
+option(DAUMIER_BENCH "Build the benchmarks" OFF)
+set(DAUMIER_DEBUG_INFO "" CACHE STRING "Debug information of release builds, for example -g1")
+
+add_compile_options(-Wall -Wextra ${DAUMIER_DEBUG_INFO})
+
+find_program(ccache_program ccache)
+if(DAUMIER_CCACHE AND ccache_program)
+  # Precompiled headers only hit the cache under these rules.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${ccache_program})
+endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
+else()
+  add_compile_options(-fpch-preprocess)
+endif()
+
+find_program(mold_program mold)
+if(mold_program)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+if(DAUMIER_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

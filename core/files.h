@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace daumier {
+
+/// The whole file. @throws Error naming the file and the cause.
+std::string ReadFile(const std::filesystem::path& path);
+
+/// Writes under a temporary name beside `path`, flushes to disk, then renames: readers see the old file or the whole new one.
+/// @throws Error naming the file and the cause (no such folder, no permission, disk full); nothing is left behind then.
+void WriteFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Lower-case hexadecimal SHA-256 of bytes / of a file's content.
+std::string Sha256(std::string_view bytes);
+std::string Sha256OfFile(const std::filesystem::path& path);
+
+/// A read-only memory mapping of a whole file.
+class MappedFile {
+ public:
+  explicit MappedFile(const std::filesystem::path& path);
+  ~MappedFile();
+  MappedFile(MappedFile&& other) noexcept;
+  MappedFile& operator=(MappedFile&& other) noexcept;
+
+  std::string_view bytes() const { return {data_, size_}; }
+
+ private:
+  const char* data_ = nullptr;
+  size_t size_ = 0;
+};
+
+/// Creates a folder and its parents. @throws Error naming the path and the cause.
+void MakeDirectory(const std::filesystem::path& path);
+
+}  // namespace daumier

@@ -1,0 +1,36 @@
+#pragma once
+#include "core/json.h"
+#include "core/options.h"
+#include "faces/face_database.h"
+
+#include <string>
+#include <vector>
+
+namespace daumier::datasets {
+
+struct SplitOptions {
+  std::string kind = "person";
+  double validation = 0.1;
+  double test = 0.15;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("kind", kind, Choices{{"person", "random"}}, "person: all faces of a person on one side; random: any face anywhere, as in the paper.");
+    visit("validation", validation, Range{0.0, 0.5}, "Share of persons (or faces) on which choices are made.");
+    visit("test", test, Range{0.01, 0.5}, "Share of persons (or faces) that only `daumier eval` reads.");
+  }
+};
+
+/// Face indices of a database, each sorted, disjoint, together all faces.
+struct Split {
+  std::vector<int> train, validation, test;
+};
+
+/// Deterministic in seed. Every non-zero share gets at least one person (or face).
+/// @throws Error if there are too few persons for the shares.
+Split MakeSplit(const faces::FaceDatabase& database, const SplitOptions& options, uint64_t seed);
+
+/// For manifests: for each side the number of faces, the persons (split person) and a checksum of the face indices.
+Json SplitToJson(const faces::FaceDatabase& database, const Split& split);
+
+}  // namespace daumier::datasets

@@ -1,0 +1,60 @@
+#pragma once
+#include "core/manifest.h"
+#include "core/safetensors.h"
+#include "faces/face_model.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace daumier::faces {
+
+/// Which face of a database: all indices 0-based; level 0 is not exaggerated, expression 0 is neutral.
+struct FaceId {
+  int person;
+  int level;
+  int expression;
+  bool operator==(const FaceId&) const = default;
+};
+
+/// A folder of faces on disk: manifest.json (kind "faces"), template.safetensors, template.json, and a shard a person
+/// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`).
+/// Face index = (person * num_levels + level) * num_expressions + expression.
+class FaceDatabase {
+ public:
+  /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its checksum
+  /// unless `verify` is false.
+  explicit FaceDatabase(const std::filesystem::path& directory, bool verify = true);
+
+  int num_persons() const { return num_persons_; }
+  int num_levels() const { return num_levels_; }
+  int num_expressions() const { return static_cast<int>(expression_names_.size()); }
+  int num_faces() const { return num_persons_ * num_levels_ * num_expressions(); }
+  int num_vertices() const { return face_template_.num_vertices(); }
+
+  FaceId id(int face) const;
+  int index(const FaceId& id) const;
+  /// Vertices of a face, 3V floats (x0 y0 z0 x1 ...), mapped from disk.
+  std::span<const float> vertices(int face) const;
+  geometry::Points points(int face) const;
+
+  const FaceTemplate& face_template() const { return face_template_; }
+  const std::vector<std::string>& expression_names() const { return expression_names_; }
+  const Manifest& manifest() const { return manifest_; }
+  const std::filesystem::path& directory() const { return directory_; }
+
+ private:
+  std::filesystem::path directory_;
+  Manifest manifest_;
+  FaceTemplate face_template_;
+  std::vector<std::string> expression_names_;
+  int num_persons_ = 0, num_levels_ = 0;
+  std::vector<SafetensorsFile> shards_;
+};
+
+/// Writes / reads template.safetensors and template.json in `directory`. Returns name -> checksum of the files written.
+std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory, const FaceTemplate& face_template);
+FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory);
+
+}  // namespace daumier::faces

@@ -1,0 +1,70 @@
+#pragma once
+#include "core/json.h"
+#include "core/random.h"
+#include "faces/annotation.h"
+#include "geometry/mesh.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace daumier::faces {
+
+/// What stays the same for all faces of a source.
+struct FaceTemplate {
+  std::string source;                     ///< "makehuman", "ict".
+  Json provenance;                        ///< {name, version, checksum, licence}, copied into manifests and model cards.
+  geometry::Points neutral;               ///< Mean neutral face, V x 3, cm, y up, facing +z.
+  geometry::Triangles triangles;          ///< The open surface: holes at lips, eyes and neck.
+  geometry::Triangles closing_triangles;  ///< Close lips and eyes for rendering; never part of a metric. Uses existing vertices.
+  int num_eye_closing_triangles = 0;      ///< The first so many of closing_triangles close the eyes, the rest the mouth.
+  Annotation annotation;
+
+  int num_vertices() const { return static_cast<int>(neutral.rows()); }
+};
+
+/// Millimetres of error per centimetre of the source: 200 mm / (height of the mean neutral face from landmark 8, the chin, to the
+/// hairline vertex, along y). One scale a database; no scaling of single faces.
+double MillimetresPerCm(const FaceTemplate& face_template);
+
+/// How a group of identity weights is drawn.
+struct IdentityControl {
+  enum class Kind {
+    kGaussian,  ///< shapes = {s}:          w_s ~ N(0, sigma^2)
+    kBipolar,   ///< shapes = {minus, plus}: x ~ N(0, sigma^2) clamped to [-1, 1]; the shape of its sign gets |x|; -1: no shape
+    kSimplex,   ///< shapes = {s...}:       weights >= 0 that sum to 1, Dirichlet(1 / sigma)
+  };
+  std::string name;
+  Kind kind = Kind::kGaussian;
+  std::vector<int> shapes;
+  double sigma = 1.0;
+};
+
+/// A named face expression as weights of the linear expression shapes.
+struct Expression {
+  std::string name;
+  Eigen::VectorXf weights;  ///< num_expression_shapes
+};
+
+/// A linear face: vertices = neutral + sum_s a_s identity_shape_s + sum_e b_e expression_shape_e.
+struct FaceModel {
+  FaceTemplate face_template;
+  Eigen::MatrixXf identity_shapes;  ///< 3V x S, displacements in cm, coordinates of a vertex next to each other (x0 y0 z0 x1 ...).
+  std::vector<IdentityControl> identity_controls;
+  bool align_identities = false;    ///< Macro shapes also move and scale the head: similarity-align identities to the neutral.
+  std::vector<std::string> expression_shape_names;
+  Eigen::MatrixXf expression_shapes;  ///< 3V x E
+  std::vector<Expression> expressions;  ///< The first is "neutral".
+};
+
+/// Identity weights of a random person, S. `spread` multiplies every sigma.
+Eigen::VectorXf DrawIdentity(const FaceModel& model, Rng& rng, double spread = 1.0);
+
+/// Neutral face of an identity, aligned if the model asks for it. @throws Error if the number of weights differs.
+geometry::Points IdentityFace(const FaceModel& model, const Eigen::VectorXf& identity_weights);
+
+/// The displacement of an expression, 3V. @throws Error if the number of weights differs.
+Eigen::VectorXf ExpressionOffset(const FaceModel& model, const Eigen::VectorXf& expression_weights);
+
+}  // namespace daumier::faces

@@ -1,0 +1,29 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace daumier::render {
+
+/// H x W x C bytes, row-major, row 0 on top, RGB where C is 3 and grey where C is 1. Pixel (row, column) covers
+/// [column, column + 1) x [row, row + 1); its centre is at (column + 0.5, row + 0.5). sRGB-encoded.
+struct Image {
+  int height = 0, width = 0, channels = 0;
+  std::vector<uint8_t> pixels;
+
+  Image() = default;
+  Image(int height, int width, int channels, uint8_t value = 255);
+  uint8_t& at(int row, int column, int channel = 0) { return pixels[(size_t(row) * width + column) * channels + channel]; }
+  uint8_t at(int row, int column, int channel = 0) const { return pixels[(size_t(row) * width + column) * channels + channel]; }
+};
+
+using Rgb = std::array<uint8_t, 3>;
+
+/// @throws Error naming file and cause.
+Image ReadImage(const std::filesystem::path& path);
+/// PNG or JPEG by the extension, atomic. @throws Error naming file and cause.
+void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality = 88);
+
+}  // namespace daumier::render
