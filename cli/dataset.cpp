@@ -1,0 +1,73 @@
+#include "cli/verb.h"
+#include "core/options.h"
+#include "datasets/build/faces.h"
+#include "datasets/build/sketches.h"
+#include "datasets/build/stats.h"
+#include "eval/gallery.h"
+
+#include <memory>
+
+namespace daumier::cli {
+
+namespace {
+
+struct BuildArguments {
+  ConfigArguments config;
+  std::filesystem::path out;
+};
+
+/// A builder of datasets: a config of type Options becomes the folder --out.
+template <class Options>
+std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, const std::string& summary,
+                                 void (*build)(const Options&, const std::filesystem::path&)) {
+  auto arguments = std::make_shared<BuildArguments>();
+  CLI::App* command = parent.add_subcommand(name, summary);
+  AddConfigArguments(*command, arguments->config);
+  command->add_option("--out", arguments->out, "Folder to write; a build that was stopped goes on there")->required();
+  command->footer("Options:\n" + HelpText<Options>());
+  return [arguments, build] {
+    build(ParseOptions<Options>(arguments->config.Load(), arguments->config.file.string()), arguments->out);
+  };
+}
+
+std::function<void()> AddStats(CLI::App& parent) {
+  struct Arguments {
+    std::filesystem::path directory;
+    bool as_json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = parent.add_subcommand("stats", "Counts, licences, principal components for 99 % of the variance");
+  command->add_option("directory", arguments->directory, "A folder of faces")->required();
+  command->add_flag("--json", arguments->as_json, "Machine-readable");
+  return [arguments] { PrintResult(datasets::FaceStatistics(arguments->directory), arguments->as_json); };
+}
+
+std::function<void()> AddGallery(CLI::App& parent) {
+  auto options = std::make_shared<eval::GalleryOptions>();
+  CLI::App* command = parent.add_subcommand("gallery", "Pictures of a database: identities, expressions, levels, curves, sketches");
+  command->add_option("faces", options->faces, "A folder of faces")->required();
+  command->add_option("sketches", options->sketches, "Its folder of sketches");
+  command->add_option("--out", options->out, "Folder to write")->required();
+  return [options] { eval::WriteGallery(*options); };
+}
+
+}  // namespace
+
+Verb DatasetVerb() {
+  return {"dataset", "Build faces and sketches, look at them, count them", [](CLI::App& command) {
+            command.require_subcommand(1);
+            const std::vector<std::pair<std::string, std::function<void()>>> actions = {
+                {"faces", AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
+                {"sketches", AddBuilder<datasets::SketchesOptions>(command, "sketches", "A sketch of every face of a database",
+                                                                   datasets::BuildSketches)},
+                {"stats", AddStats(command)},
+                {"gallery", AddGallery(command)}};
+            return [&command, actions] {
+              for (const auto& [name, run] : actions) {
+                if (command.got_subcommand(name)) run();
+              }
+            };
+          }};
+}
+
+}  // namespace daumier::cli

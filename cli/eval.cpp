@@ -1,0 +1,34 @@
+#include "cli/verb.h"
+#include "eval/sketch_eval.h"
+#include "eval/table.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+namespace daumier::cli {
+
+Verb EvalVerb() {
+  return {"eval", "Errors of a run in millimetres beside the free baselines, with pictures", [](CLI::App& command) {
+            struct Arguments {
+              std::filesystem::path run, out;
+              std::string split = "test";
+              bool as_json = false;
+            };
+            auto arguments = std::make_shared<Arguments>();
+            command.add_option("run", arguments->run, "Run folder")->required();
+            command.add_option("--split", arguments->split, "test, validation or train")
+                ->check(CLI::IsMember({"test", "validation", "train"}))
+                ->capture_default_str();
+            command.add_option("--out", arguments->out, "Report folder; RUN/report by default");
+            command.add_flag("--json", arguments->as_json, "Machine-readable");
+            return [arguments] {
+              const auto out = arguments->out.empty() ? arguments->run / "report" : arguments->out;
+              const Json metrics = eval::EvaluateSketchRun(arguments->run, arguments->split, out);
+              PrintResult(metrics, arguments->as_json);
+              if (!arguments->as_json) fmt::print("pictures: {}\n", (out / "index.html").string());
+            };
+          }};
+}
+
+}  // namespace daumier::cli

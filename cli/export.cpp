@@ -1,0 +1,24 @@
+#include "cli/verb.h"
+#include "export/sketch_export.h"
+
+#include <memory>
+
+namespace daumier::cli {
+
+Verb ExportVerb() {
+  return {"export", "Write a run as ONNX with parity report and model card", [](CLI::App& command) {
+            struct Arguments {
+              std::filesystem::path run, out;
+              bool as_json = false;
+            };
+            auto arguments = std::make_shared<Arguments>();
+            command.add_option("run", arguments->run, "Run folder")->required();
+            command.add_option("--out", arguments->out, "Folder to write")->required();
+            command.add_flag("--json", arguments->as_json, "Machine-readable");
+            return [arguments] {
+              PrintResult(exporting::ExportSketchRun(arguments->run, arguments->out), arguments->as_json);
+            };
+          }};
+}
+
+}  // namespace daumier::cli

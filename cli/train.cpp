@@ -1,0 +1,30 @@
+#include "cli/verb.h"
+#include "core/options.h"
+#include "train/sketch_recipe.h"
+
+#include <memory>
+
+namespace daumier::cli {
+
+Verb TrainVerb() {
+  return {"train", "Train a network from a config into a run folder", [](CLI::App& command) {
+            struct Arguments {
+              ConfigArguments config;
+              std::filesystem::path out;
+              bool resume = false;
+              std::string device = "cpu";
+            };
+            auto arguments = std::make_shared<Arguments>();
+            command.add_option("config", arguments->config.file, "TOML file of the run")->required();
+            command.add_option("overrides", arguments->config.overrides, "key=value or table.key=value, in TOML syntax");
+            command.add_option("--out", arguments->out, "Run folder")->required();
+            command.add_flag("--resume", arguments->resume, "Go on from the last checkpoint of the run folder");
+            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+            command.footer("Options:\n" + HelpText<train::SketchTrainingOptions>());
+            return [arguments] {
+              train::TrainSketch(arguments->config.Load(), arguments->out, arguments->resume, arguments->device);
+            };
+          }};
+}
+
+}  // namespace daumier::cli

@@ -1,0 +1,42 @@
+#pragma once
+#include "core/json.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace daumier::cli {
+
+/// One row of the command line: a verb tells its arguments to `command` and returns what is to be done once they are parsed.
+struct Verb {
+  std::string name;
+  std::string summary;
+  std::function<std::function<void()>(CLI::App& command)> set_up;
+};
+
+Verb DatasetVerb();
+Verb TrainVerb();
+Verb EvalVerb();
+Verb PredictVerb();
+Verb ExportVerb();
+Verb InfoVerb();
+
+/// What follows a verb: at most one TOML file and any number of key=value.
+struct ConfigArguments {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;
+
+  /// The resolved config. @throws UsageError as LoadConfig.
+  Json Load() const;
+};
+
+/// Adds `--config FILE` and the trailing `key=value ...` to a command.
+void AddConfigArguments(CLI::App& command, ConfigArguments& arguments);
+
+/// One result: pretty text for people, or one JSON object with --json.
+void PrintResult(const Json& result, bool as_json);
+
+}  // namespace daumier::cli

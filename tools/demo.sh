@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# The main job on the default source: faces -> sketches -> train -> eval -> ONNX -> pictures, into runs/demo and data/demo.
+# Finds `daumier` on the PATH; `./dev demo` puts it there. --fresh starts from nothing.
+set -euo pipefail
+data=data/demo run=runs/demo
+[ "${1:-}" = --fresh ] && rm -rf "$data" "$run"
+began=$(date +%s)
+
+step() { printf '\n\033[1m%s\033[0m\n' "$*" >&2; "$@"; }
+
+step daumier dataset faces --config configs/faces/demo.toml --out "$data/faces"
+step daumier dataset sketches --config configs/sketches/frontal.toml --out "$data/sketches" faces="$data/faces"
+step daumier dataset gallery "$data/faces" "$data/sketches" --out "$data/gallery"
+resume=()
+[ -d "$run" ] && resume=(--resume)
+step daumier train configs/sketch/demo.toml --out "$run" "${resume[@]}" data.faces="$data/faces" data.sketches="$data/sketches"
+step daumier eval "$run"
+step daumier export "$run" --out "$run/export"
+
+cat <<DONE
+
+The demo took $(($(date +%s) - began)) s. Look at
+  $run/report/index.html       errors, sheets, heat maps
+  $data/gallery/               the faces and sketches it learned from
+  $run/export/model.onnx       the network, with parity.json and model_card.md
+DONE
