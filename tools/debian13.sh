@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Builds Daumier in a Debian 13 chroot, against LibTorch 2.6, and runs its tests there. As root, on Debian with debootstrap.
+#   tools/debian13.sh [FOLDER]     FOLDER (default build/debian13) is made once, about 3 GB, and kept.
+# The mirror is the one that this machine's own package sources name; DAUMIER_DEBIAN_MIRROR overrides it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source tools/packages.sh
+source_root="$PWD"
+root="$(realpath -m "${1:-build/debian13}")"
+mirror="${DAUMIER_DEBIAN_MIRROR:-$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | head -n 1)}"
+[ "$(id -u)" = 0 ] || { echo "debian13: debootstrap and chroot need root" >&2; exit 1; }
+command -v debootstrap >/dev/null || { echo "debian13: install debootstrap first" >&2; exit 1; }
+
+if [ ! -e "$root/etc/daumier-ready" ]; then
+  debootstrap --variant=minbase trixie "$root" "$mirror"
+  cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
+  chroot "$root" env DEBIAN_FRONTEND=noninteractive sh -c \
+    "apt-get update -qq && apt-get install -y -qq --no-install-recommends $build_packages $library_packages libonnxruntime-dev nodejs >/dev/null"
+  touch "$root/etc/daumier-ready"
+fi
+
+mkdir -p "$root/daumier" "$root/shared"
+cleanup() { for folder in daumier shared proc dev; do mountpoint -q "$root/$folder" && umount -l "$root/$folder"; done; }
+trap cleanup EXIT
+mount --bind "$source_root" "$root/daumier"
+mount -t proc proc "$root/proc"
+mount --bind /dev "$root/dev"
+[ -d "$source_root/../shared" ] && mount --bind "$source_root/../shared" "$root/shared"
+
+chroot "$root" bash -ec "cd /daumier
+  cmake --preset release -B build/debian13-release >/dev/null
+  cmake --build build/debian13-release -j $(nproc)
+  ctest --test-dir build/debian13-release --output-on-failure"
