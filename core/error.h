@@ -22,7 +22,7 @@ class UsageError : public Error {
 }  // namespace daumier
 
 /// Always on, in Release too. DAUMIER_CHECK(n == m, "faces has {} rows, expected {}", n, m);
-#define DAUMIER_CHECK(condition, ...)                                \
-  do {                                                               \
+#define DAUMIER_CHECK(condition, ...)                                   \
+  do {                                                                  \
     if (!(condition)) throw ::daumier::Error(fmt::format(__VA_ARGS__)); \
   } while (false)

@@ -2,15 +2,18 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 /// One log to stderr. Results go to stdout and never through here.
 namespace daumier::log {
 
 enum class Level { kDebug, kInfo, kWarning, kError, kOff };
 
+/// Messages below `level` are not written. The program begins with kInfo.
 void SetLevel(Level level);
+Level GetLevel();
 void Write(Level level, const std::string& message);
-/// Warnings and errors written since the program began; a test fails if it grows.
+/// Warnings and errors since the program began, whether the level let them through or not; a test fails if it grows.
 int NumWarnings();
 
 template <class... Args>

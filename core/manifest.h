@@ -8,23 +8,25 @@
 
 namespace daumier {
 
-/// manifest.json of every directory that Daumier writes. Holds no clock, path or host name, so that equal work gives equal bytes.
+/// manifest.json of every directory that Daumier writes. Holds no clock, path or host name, so that equal work gives
+/// equal bytes.
 struct Manifest {
   static constexpr int kFormatVersion = 1;
 
-  std::string kind;                             ///< What the directory is: "faces", "sketches", "run", "export".
-  std::string verb;                             ///< The command that made it.
-  Json config = Json::object();                 ///< Resolved, without paths.
+  std::string kind;              ///< What the directory is: "faces", "sketches", "run", "export".
+  std::string verb;              ///< The command that made it.
+  Json config = Json::object();  ///< Resolved, without paths.
   uint64_t seed = 0;
-  Json sources = Json::array();                 ///< [{name, version, checksum, licence}, ...]: where the data come from.
+  Json sources = Json::array();  ///< [{name, version, checksum, licence}, ...]: where the data come from.
   Json counts = Json::object();
-  Json details = Json::object();                ///< What else a reader or a test needs, by kind.
+  Json details = Json::object();                 ///< What else a reader or a test needs, by kind.
   std::map<std::string, std::string> checksums;  ///< File name relative to the directory -> SHA-256.
 };
 
 void WriteManifest(const std::filesystem::path& directory, const Manifest& manifest);
 
-/// @throws Error naming file and cause: missing, malformed, of another kind (unless `kind` is empty), or of a newer version.
+/// @throws Error naming file and cause: missing, malformed, of another kind (unless `kind` is empty), or of a newer
+/// version.
 Manifest ReadManifest(const std::filesystem::path& directory, const std::string& kind);
 
 /// @throws Error naming the first file that is missing or whose content differs, and how to remake it.

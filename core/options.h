@@ -8,12 +8,14 @@
 #include <type_traits>
 #include <vector>
 
-/// Options are plain structs that tell each field once; parsing, range check, help text and resolved.toml come from that:
+/// Options are plain structs that tell each field once; parsing, range check, help text and resolved.toml come from
+/// that:
 ///
 ///     struct ExaggerationOptions {
 ///       double gamma = 0.2;
 ///       template <class V> void Visit(V&& visit) {
-///         visit("gamma", gamma, Range{0.0, 0.8}, "Exponent of normalised |Gaussian curvature| that scales gradients.");
+///         visit("gamma", gamma, Range{0.0, 0.8}, "Exponent of normalised |Gaussian curvature| that scales
+///         gradients.");
 ///       }
 ///     };
 namespace daumier {
@@ -49,6 +51,10 @@ Json ToJson(const Options& options);
 /// One line a field: dotted key, default, allowed values, meaning.
 template <class Options>
 std::string HelpText();
+
+/// The same as a Markdown table, for docs/.
+template <class Options>
+std::string OptionsMarkdown();
 
 }  // namespace daumier
 

@@ -6,7 +6,8 @@
 
 namespace daumier {
 
-/// xoshiro256** [Blackman and Vigna 2018] with its own distributions, so that a seed gives the same bytes on every platform.
+/// xoshiro256** [Blackman and Vigna 2018] with its own distributions, so that a seed gives the same bytes on every
+/// platform.
 class Rng {
  public:
   using State = std::array<uint64_t, 4>;
@@ -18,7 +19,7 @@ class Rng {
   /// Uniform in [0, 1), 53 bits.
   double Uniform();
   /// Uniform in [low, high).
-  double Uniform(double low, double high) { return low + (high - low) * Uniform(); }
+  double Uniform(double low, double high);
   /// Standard normal, by Box-Muller; one call uses two draws and keeps nothing.
   double Normal();
   /// Uniform in {0, ..., count - 1}, without modulo bias. @throws Error if count is 0.

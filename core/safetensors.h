@@ -15,12 +15,28 @@ namespace daumier {
 enum class Dtype { kU8, kI32, kI64, kF32, kF64 };
 
 size_t ItemSize(Dtype dtype);
-template <class T> constexpr Dtype DtypeOf();
-template <> constexpr Dtype DtypeOf<uint8_t>() { return Dtype::kU8; }
-template <> constexpr Dtype DtypeOf<int32_t>() { return Dtype::kI32; }
-template <> constexpr Dtype DtypeOf<int64_t>() { return Dtype::kI64; }
-template <> constexpr Dtype DtypeOf<float>() { return Dtype::kF32; }
-template <> constexpr Dtype DtypeOf<double>() { return Dtype::kF64; }
+template <class T>
+constexpr Dtype DtypeOf();
+template <>
+constexpr Dtype DtypeOf<uint8_t>() {
+  return Dtype::kU8;
+}
+template <>
+constexpr Dtype DtypeOf<int32_t>() {
+  return Dtype::kI32;
+}
+template <>
+constexpr Dtype DtypeOf<int64_t>() {
+  return Dtype::kI64;
+}
+template <>
+constexpr Dtype DtypeOf<float>() {
+  return Dtype::kF32;
+}
+template <>
+constexpr Dtype DtypeOf<double>() {
+  return Dtype::kF64;
+}
 
 /// An array inside a mapped file, row-major. Valid as long as its SafetensorsFile (or a copy of it) lives.
 struct ArrayView {
@@ -59,13 +75,18 @@ class SafetensorsFile {
   std::map<std::string, std::string> metadata_;
 };
 
-/// Collects arrays and writes them atomically, in order of name; equal content gives equal bytes. Data start at multiples of 64.
+/// Collects arrays and writes them atomically; equal content gives equal bytes, whatever the order of adding. The
+/// arrays lie without holes, as the format demands: those of the largest element first, then by name, so that each one
+/// is aligned to its element size. The first starts at a multiple of 64. The metadata get a `format_version`.
 class SafetensorsWriter {
  public:
+  static constexpr int kFormatVersion = 1;
+
   template <class T>
   void Add(const std::string& name, std::vector<int64_t> shape, std::span<const T> values) {
     AddBytes(name, DtypeOf<T>(), std::move(shape), values.data(), values.size_bytes());
   }
+  /// @throws Error if the name is taken or reserved, or if the bytes do not fill the shape.
   void AddBytes(const std::string& name, Dtype dtype, std::vector<int64_t> shape, const void* data, size_t num_bytes);
   void SetMetadata(const std::string& key, const std::string& value) { metadata_[key] = value; }
   /// Returns the SHA-256 of what was written. @throws Error as WriteFileAtomically.

@@ -1,0 +1,171 @@
+#include "core/files.h"
+
+#include "core/error.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace daumier {
+namespace fs = std::filesystem;
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags) : value_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (value_ >= 0) close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int get() const { return value_; }
+  bool valid() const { return value_ >= 0; }
+
+ private:
+  int value_;
+};
+
+/// What the number of a failed system call means to a person.
+std::string Cause(int error_number) {
+  switch (error_number) {
+    case ENOSPC:
+      return "no space left on the disk; free some or choose another folder";
+    case EDQUOT:
+      return "disk quota exceeded; free some space or choose another folder";
+    default:
+      return std::strerror(error_number);
+  }
+}
+
+size_t SizeOfOpenFile(const Descriptor& file, const fs::path& path) {
+  struct stat status = {};
+  DAUMIER_CHECK(fstat(file.get(), &status) == 0, "cannot read {}: {}", path.string(), Cause(errno));
+  DAUMIER_CHECK(S_ISREG(status.st_mode), "cannot read {}: not a file", path.string());
+  return static_cast<size_t>(status.st_size);
+}
+
+/// Calls `take(bytes)` for the content of the file, piece by piece.
+template <class Take>
+void ForEachPiece(const Descriptor& file, const fs::path& path, Take take) {
+  constexpr size_t kPieceSize = size_t{1} << 20;
+  const auto piece = std::make_unique<char[]>(kPieceSize);
+  for (;;) {
+    const ssize_t num_read = read(file.get(), piece.get(), kPieceSize);
+    if (num_read == 0) return;
+    if (num_read < 0 && errno == EINTR) continue;
+    DAUMIER_CHECK(num_read > 0, "cannot read {}: {}", path.string(), Cause(errno));
+    take(std::string_view(piece.get(), static_cast<size_t>(num_read)));
+  }
+}
+
+/// Returns 0 or the errno of what failed.
+int WriteAndFlush(const fs::path& path, std::string_view bytes) {
+  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+  if (!file.valid()) return errno;
+  while (!bytes.empty()) {
+    const ssize_t num_written = write(file.get(), bytes.data(), bytes.size());
+    if (num_written < 0 && errno == EINTR) continue;
+    if (num_written < 0) return errno;
+    bytes.remove_prefix(static_cast<size_t>(num_written));
+  }
+  return fsync(file.get()) == 0 ? 0 : errno;
+}
+
+class Sha256Hash {
+ public:
+  Sha256Hash() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    DAUMIER_CHECK(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1, "OpenSSL has no SHA-256");
+  }
+  void Add(std::string_view bytes) { EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()); }
+  std::string Hex() {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    unsigned int size = 0;
+    EVP_DigestFinal_ex(context_.get(), digest, &size);
+    std::string hex;
+    for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest[i]);
+    return hex;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+}  // namespace
+
+std::string ReadFile(const fs::path& path) {
+  const Descriptor file(path, O_RDONLY);
+  DAUMIER_CHECK(file.valid(), "cannot read {}: {}", path.string(), Cause(errno));
+  std::string bytes;
+  bytes.reserve(SizeOfOpenFile(file, path));
+  ForEachPiece(file, path, [&](std::string_view piece) { bytes += piece; });
+  return bytes;
+}
+
+void WriteFileAtomically(const fs::path& path, std::string_view bytes) {
+  // One fixed name: what a killed process leaves behind is overwritten by the one that resumes its work.
+  const fs::path temporary = path.string() + ".tmp";
+  int error = WriteAndFlush(temporary, bytes);
+  if (error == 0 && rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error != 0) {
+    unlink(temporary.c_str());
+    throw Error(fmt::format("cannot write {}: {}", path.string(), Cause(error)));
+  }
+  const Descriptor directory(path.has_parent_path() ? path.parent_path() : fs::path("."), O_RDONLY | O_DIRECTORY);
+  if (directory.valid()) fsync(directory.get());  // Makes the rename last; some file systems cannot, and need not.
+}
+
+std::string Sha256(std::string_view bytes) {
+  Sha256Hash hash;
+  hash.Add(bytes);
+  return hash.Hex();
+}
+
+std::string Sha256OfFile(const fs::path& path) {
+  const Descriptor file(path, O_RDONLY);
+  DAUMIER_CHECK(file.valid(), "cannot read {}: {}", path.string(), Cause(errno));
+  SizeOfOpenFile(file, path);
+  Sha256Hash hash;
+  ForEachPiece(file, path, [&](std::string_view piece) { hash.Add(piece); });
+  return hash.Hex();
+}
+
+MappedFile::MappedFile(const fs::path& path) {
+  const Descriptor file(path, O_RDONLY);
+  DAUMIER_CHECK(file.valid(), "cannot read {}: {}", path.string(), Cause(errno));
+  size_ = SizeOfOpenFile(file, path);
+  if (size_ == 0) return;  // An empty mapping is an error to mmap; no bytes need none.
+  void* mapping = mmap(nullptr, size_, PROT_READ, MAP_SHARED, file.get(), 0);
+  DAUMIER_CHECK(mapping != MAP_FAILED, "cannot map {}: {}", path.string(), Cause(errno));
+  data_ = static_cast<const char*>(mapping);
+}
+
+MappedFile::~MappedFile() {
+  if (data_ != nullptr) munmap(const_cast<char*>(data_), size_);
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept
+    : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+
+MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
+  std::swap(data_, other.data_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
+void MakeDirectory(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  DAUMIER_CHECK(!error && fs::is_directory(path, error), "cannot create folder {}: {}", path.string(),
+                error ? Cause(error.value()) : "a file of that name is there");
+}
+
+}  // namespace daumier

@@ -1,0 +1,89 @@
+#include "core/manifest.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+namespace daumier {
+namespace fs = std::filesystem;
+namespace {
+
+const char* const kFileName = "manifest.json";
+
+/// The field, which has to have the JSON type that `is_type` asks for.
+const Json& Field(const Json& json, const char* name, bool (Json::*is_type)() const noexcept) {
+  const auto found = json.find(name);
+  DAUMIER_CHECK(found != json.end(), "'{}' is missing", name);
+  DAUMIER_CHECK(((*found).*is_type)(), "'{}' has the wrong type", name);
+  return *found;
+}
+
+Manifest Parse(const Json& json) {
+  DAUMIER_CHECK(json.is_object(), "malformed JSON");
+  const Json& version = Field(json, "format_version", &Json::is_number_integer);
+  DAUMIER_CHECK(version <= Manifest::kFormatVersion,
+                "format version {} is newer than this program, which reads version {}; use the daumier that wrote it",
+                version.dump(), Manifest::kFormatVersion);
+  DAUMIER_CHECK(version == Manifest::kFormatVersion, "format version {} is unknown, this program reads version {}",
+                version.dump(), Manifest::kFormatVersion);
+  Manifest manifest;
+  manifest.kind = Field(json, "kind", &Json::is_string).get<std::string>();
+  manifest.verb = Field(json, "verb", &Json::is_string).get<std::string>();
+  manifest.config = Field(json, "config", &Json::is_object);
+  manifest.seed = Field(json, "seed", &Json::is_number_unsigned).get<uint64_t>();
+  manifest.sources = Field(json, "sources", &Json::is_array);
+  manifest.counts = Field(json, "counts", &Json::is_object);
+  manifest.details = Field(json, "details", &Json::is_object);
+  for (const auto& [name, checksum] : Field(json, "checksums", &Json::is_object).items()) {
+    DAUMIER_CHECK(checksum.is_string(), "checksum of '{}' is no text", name);
+    const fs::path file(name);
+    DAUMIER_CHECK(file.is_relative() && *file.lexically_normal().begin() != "..", "'{}' lies outside of the folder",
+                  name);
+    manifest.checksums[name] = checksum.get<std::string>();
+  }
+  return manifest;
+}
+
+}  // namespace
+
+void WriteManifest(const fs::path& directory, const Manifest& manifest) {
+  Json json;
+  json["format_version"] = Manifest::kFormatVersion;
+  json["kind"] = manifest.kind;
+  json["verb"] = manifest.verb;
+  json["config"] = manifest.config;
+  json["seed"] = manifest.seed;
+  json["sources"] = manifest.sources;
+  json["counts"] = manifest.counts;
+  json["details"] = manifest.details;
+  json["checksums"] = Json(manifest.checksums);
+  WriteFileAtomically(directory / kFileName, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
+  const fs::path path = directory / kFileName;
+  const std::string text = ReadFile(path);
+  try {
+    Manifest manifest = Parse(Json::parse(text, nullptr, false));
+    DAUMIER_CHECK(kind.empty() || manifest.kind == kind, "this is a folder of {}, expected one of {}", manifest.kind,
+                  kind);
+    return manifest;
+  } catch (const Error& error) {
+    throw Error(fmt::format("cannot read {}: {}", path.string(), error.what()));
+  }
+}
+
+void VerifyChecksums(const fs::path& directory, const Manifest& manifest) {
+  const std::string remedy = fmt::format("delete it and run `daumier {}` again", manifest.verb);
+  for (const auto& [name, checksum] : manifest.checksums) {
+    const fs::path path = directory / name;
+    DAUMIER_CHECK(fs::is_regular_file(path), "{} is missing though manifest.json lists it; {}", path.string(), remedy);
+    DAUMIER_CHECK(Sha256OfFile(path) == checksum,
+                  "{} is corrupt: its content differs from what manifest.json tells; {}", path.string(), remedy);
+  }
+}
+
+std::string DataHash(const fs::path& directory) {
+  return Sha256OfFile(directory / kFileName);
+}
+
+}  // namespace daumier
