@@ -13,7 +13,8 @@ namespace daumier {
 /// @throws UsageError naming the file, line and cause: missing file, syntax error, cyclic parents, bad override.
 Json LoadConfig(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
-/// TOML text of a config; LoadConfig of it gives the same JSON.
+/// TOML text of a config, a line a value under its dotted key; LoadConfig of it gives the same JSON in the same order.
+/// @throws Error on what TOML cannot say: null, integers above 2^63 - 1.
 std::string ToToml(const Json& config);
 
 }  // namespace daumier
