@@ -1,0 +1,29 @@
+#include "geometry/flips.h"
+
+#include "core/error.h"
+#include "geometry/normals.h"
+
+#include <algorithm>
+
+namespace daumier::geometry {
+
+std::vector<int> FlippedTriangles(const Points& before, const Points& after, const Triangles& triangles,
+                                  const std::vector<int>& subset) {
+  DAUMIER_CHECK(before.rows() == after.rows(), "{} vertices before, {} after", before.rows(), after.rows());
+  const Points normals_before = AreaNormals({before, triangles}), normals_after = AreaNormals({after, triangles});
+  const auto is_inside = [&](int v) { return subset.empty() || std::binary_search(subset.begin(), subset.end(), v); };
+  std::vector<int> flipped;
+  for (int f = 0; f < triangles.rows(); ++f) {
+    if (!is_inside(triangles(f, 0)) || !is_inside(triangles(f, 1)) || !is_inside(triangles(f, 2))) continue;
+    if (!(normals_before.row(f).dot(normals_after.row(f)) > 0) && normals_before.row(f).squaredNorm() > 0)
+      flipped.push_back(f);
+  }
+  return flipped;
+}
+
+int CountFlippedTriangles(const Points& before, const Points& after, const Triangles& triangles,
+                          const std::vector<int>& subset) {
+  return static_cast<int>(FlippedTriangles(before, after, triangles, subset).size());
+}
+
+}  // namespace daumier::geometry
