@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <filesystem>
@@ -36,14 +37,18 @@ struct BilinearModel {
   int num_coordinates() const { return static_cast<int>(core.cols()); }
 };
 
-/// The tensor to be fitted, read face by face: 3V coordinates of (identity, expression), or an empty span where that face is
-/// held out. Called several times a face.
+/// The tensor to be fitted, read face by face: 3V coordinates of (identity, expression), or an empty span where that
+/// face is held out. Called several times a face, from several threads at once; a face stays the same between the
+/// calls.
 using FaceReader = std::function<std::span<const float>(int identity, int expression)>;
 
-/// Truncated N-mode SVD [De Lathauwer et al. 2000] of the 3V x I x E tensor through the Gram matrices of its identity and
-/// expression modes; at most one block of faces is in memory at once. A face that is held out is imputed by
-/// mean_i + mean_e - mean over the faces that are there. Signs are fixed (largest entry of a factor column is positive).
-/// @throws Error if a mode is smaller than its rank, or an identity or an expression has no face at all.
+/// Truncated N-mode SVD [De Lathauwer et al. 2000] of the 3V x I x E tensor through the Gram matrices of its identity
+/// and expression modes. Memory stays flat: blocks of coordinates of at most 64 MB a thread. A face that is held out is
+/// imputed by a_i + b_e, the additive model that is nearest to the faces that are there in the least-squares sense
+/// (without holes: mean_i + mean_e - mean). Signs are fixed: the entry of largest magnitude of a factor column is
+/// positive. The result does not depend on the number of threads.
+/// @throws Error if a mode is smaller than its rank, an identity or an expression has no face at all, or a face has
+/// another size.
 BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coordinates, const FaceReader& face,
                           const BilinearOptions& options);
 
@@ -55,21 +60,28 @@ struct BilinearProjection {
   Eigen::VectorXf vertices;  ///< Reconstruct(model, u, v)
 };
 
-/// The u and v nearest to a face in the least-squares sense over `weights` (3V, or empty for ones), by alternating solves from
-/// the fitted expression whose start is best. Keeps G = C W C^T, so that one projection costs no product with the core beyond C W g.
+/// The u and v nearest to a face in the least-squares sense over `weights` (3V, >= 0, or empty for ones), by
+/// alternating solves from the fitted expression whose start is best. The free scale between u and v is set so that v
+/// is as long as that expression and points to its side. Keeps G = C W C^T, so that one projection costs no product
+/// with the core beyond C W g. Keeps a reference to `model`. @throws Error if the weights or a face have another size.
 class BilinearProjector {
  public:
   explicit BilinearProjector(const BilinearModel& model, const Eigen::VectorXf& coordinate_weights = {});
   BilinearProjection Project(std::span<const float> face) const;
 
  private:
+  Eigen::MatrixXd IdentityGram(const Eigen::VectorXd& v) const;
+  Eigen::MatrixXd ExpressionGram(const Eigen::VectorXd& u) const;
+
   const BilinearModel* model_;
-  Eigen::VectorXf weights_;
+  Eigen::VectorXd weights_;
   Eigen::MatrixXd gram_;
+  std::vector<Eigen::LDLT<Eigen::MatrixXd>> starts_;  ///< Of IdentityGram(v), one a fitted expression.
 };
 
-/// One safetensors file; atomic. Returns its checksum.
+/// One safetensors file (docs/formats.md); atomic. Returns its checksum.
 std::string WriteBilinearModel(const std::filesystem::path& file, const BilinearModel& model);
+/// @throws Error naming file and cause: missing, truncated, of a newer version, or shapes that do not belong together.
 BilinearModel ReadBilinearModel(const std::filesystem::path& file);
 
 }  // namespace daumier::faces

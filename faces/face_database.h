@@ -21,10 +21,11 @@ struct FaceId {
 /// A folder of faces on disk: manifest.json (kind "faces"), template.safetensors, template.json, and a shard a person
 /// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`).
 /// Face index = (person * num_levels + level) * num_expressions + expression.
+/// The manifest holds counts {persons, levels, expressions, faces, vertices} and details {source, gammas, expressions}.
 class FaceDatabase {
  public:
-  /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its checksum
-  /// unless `verify` is false.
+  /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its
+  /// checksum unless `verify` is false.
   explicit FaceDatabase(const std::filesystem::path& directory, bool verify = true);
 
   int num_persons() const { return num_persons_; }
@@ -35,6 +36,10 @@ class FaceDatabase {
 
   FaceId id(int face) const;
   int index(const FaceId& id) const;
+  /// Exaggeration of each level, num_levels.
+  std::vector<double> gammas() const { return manifest_.details.at("gammas").get<std::vector<double>>(); }
+  /// Weights of the source's identity shapes that made a person.
+  std::span<const float> identity_weights(int person) const;
   /// Vertices of a face, 3V floats (x0 y0 z0 x1 ...), mapped from disk.
   std::span<const float> vertices(int face) const;
   geometry::Points points(int face) const;
@@ -53,8 +58,13 @@ class FaceDatabase {
   std::vector<SafetensorsFile> shards_;
 };
 
+/// The shard of a person inside a database's folder: shards/person-00000.safetensors.
+std::string PersonShardName(int person);
+
 /// Writes / reads template.safetensors and template.json in `directory`. Returns name -> checksum of the files written.
-std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory, const FaceTemplate& face_template);
+std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory,
+                                                     const FaceTemplate& face_template);
+/// @throws Error naming file and cause: missing, damaged, of a newer version, or indices that are not vertices.
 FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory);
 
 }  // namespace daumier::faces

@@ -1,0 +1,193 @@
+#include "faces/face_database.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <algorithm>
+
+namespace daumier::faces {
+namespace {
+
+constexpr int kTemplateVersion = 1;
+constexpr const char* kTemplateArrays = "template.safetensors";
+constexpr const char* kTemplateText = "template.json";
+const std::string kRegionPrefix = "region/";
+
+template <class Derived>
+void AddMatrix(SafetensorsWriter& writer, const std::string& name, const Eigen::MatrixBase<Derived>& matrix) {
+  using Scalar = typename Derived::Scalar;
+  writer.Add<Scalar>(name, {matrix.rows(), matrix.cols()},
+                     {matrix.derived().data(), static_cast<size_t>(matrix.size())});
+}
+
+void AddIndices(SafetensorsWriter& writer, const std::string& name, const std::vector<int>& indices) {
+  writer.Add<int32_t>(name, {static_cast<int64_t>(indices.size())}, indices);
+}
+
+template <class Matrix>
+Matrix ReadMatrix(const SafetensorsFile& file, const std::filesystem::path& path, const std::string& name) {
+  const ArrayView& array = file.at(name);
+  DAUMIER_CHECK(array.shape.size() == 2 && array.shape[1] == 3, "{}: array {} does not have 3 columns", path.string(),
+                name);
+  return Eigen::Map<const Matrix>(array.As<typename Matrix::Scalar>().data(), array.shape[0], 3);
+}
+
+std::vector<int> ToVector(const ArrayView& array) {
+  const auto values = array.As<int32_t>();
+  return {values.begin(), values.end()};
+}
+
+Json CurveToJson(const FeatureCurve& curve) {
+  return {{"name", curve.name},
+          {"kind", curve.kind},
+          {"view", curve.view == View::kFrontal ? "frontal" : "side"},
+          {"closed", curve.closed},
+          {"vertices", curve.vertices}};
+}
+
+FeatureCurve CurveFromJson(const Json& json) {
+  return {.name = json.at("name").get<std::string>(),
+          .kind = json.at("kind").get<std::string>(),
+          .view = json.at("view") == "frontal" ? View::kFrontal : View::kSide,
+          .closed = json.at("closed").get<bool>(),
+          .vertices = json.at("vertices").get<std::vector<int>>()};
+}
+
+/// @throws Error naming the first index that is not a vertex.
+void CheckIndices(const FaceTemplate& face, const std::filesystem::path& directory) {
+  const auto check = [&](const std::string& what, int index) {
+    DAUMIER_CHECK(index >= 0 && index < face.num_vertices(), "{}: {} names vertex {} of a template of {} vertices",
+                  directory.string(), what, index, face.num_vertices());
+  };
+  for (Eigen::Index i = 0; i < face.triangles.size(); ++i) check("a triangle", face.triangles.data()[i]);
+  for (Eigen::Index i = 0; i < face.closing_triangles.size(); ++i) {
+    check("a closing triangle", face.closing_triangles.data()[i]);
+  }
+  for (const int vertex : face.annotation.landmarks) check("a landmark", vertex);
+  for (const int vertex : face.annotation.mirror) check("the mirror map", vertex);
+  check("the hairline", face.annotation.hairline_vertex);
+  for (const FeatureCurve& curve : face.annotation.curves) {
+    for (const int vertex : curve.vertices) check("curve " + curve.name, vertex);
+  }
+  for (const auto& [name, vertices] : face.annotation.regions) {
+    for (const int vertex : vertices) check("region " + name, vertex);
+  }
+}
+
+}  // namespace
+
+std::string PersonShardName(int person) {
+  return fmt::format("shards/person-{:05}.safetensors", person);
+}
+
+std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory,
+                                                     const FaceTemplate& face_template) {
+  const Annotation& annotation = face_template.annotation;
+  SafetensorsWriter arrays;
+  arrays.SetMetadata("kind", "face template");
+  AddMatrix(arrays, "neutral", face_template.neutral);
+  AddMatrix(arrays, "triangles", face_template.triangles);
+  AddMatrix(arrays, "closing_triangles", face_template.closing_triangles);
+  AddIndices(arrays, "mirror", annotation.mirror);
+  for (const auto& [name, vertices] : annotation.regions) AddIndices(arrays, kRegionPrefix + name, vertices);
+
+  Json curves = Json::array();
+  for (const FeatureCurve& curve : annotation.curves) curves.push_back(CurveToJson(curve));
+  const Json text = {{"format_version", kTemplateVersion},
+                     {"source", face_template.source},
+                     {"provenance", face_template.provenance},
+                     {"num_eye_closing_triangles", face_template.num_eye_closing_triangles},
+                     {"hairline_vertex", annotation.hairline_vertex},
+                     {"landmarks", annotation.landmarks},
+                     {"curves", curves}};
+  const std::string bytes = text.dump(1) + "\n";
+  WriteFileAtomically(directory / kTemplateText, bytes);
+  return {{kTemplateArrays, arrays.Write(directory / kTemplateArrays)}, {kTemplateText, Sha256(bytes)}};
+}
+
+FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory) {
+  FaceTemplate result;
+  const auto text_path = directory / kTemplateText, arrays_path = directory / kTemplateArrays;
+  try {
+    const Json text = Json::parse(ReadFile(text_path));
+    const int version = text.at("format_version").get<int>();
+    DAUMIER_CHECK(version == kTemplateVersion, "{}: format version {} is not known to this program, which reads {}",
+                  text_path.string(), version, kTemplateVersion);
+    result.source = text.at("source").get<std::string>();
+    result.provenance = text.at("provenance");
+    result.num_eye_closing_triangles = text.at("num_eye_closing_triangles").get<int>();
+    result.annotation.hairline_vertex = text.at("hairline_vertex").get<int>();
+    result.annotation.landmarks = text.at("landmarks").get<std::array<int, 68>>();
+    for (const Json& curve : text.at("curves")) result.annotation.curves.push_back(CurveFromJson(curve));
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{}: malformed: {}", text_path.string(), error.what()));
+  }
+  const SafetensorsFile arrays(arrays_path);
+  result.neutral = ReadMatrix<geometry::Points>(arrays, arrays_path, "neutral");
+  result.triangles = ReadMatrix<geometry::Triangles>(arrays, arrays_path, "triangles");
+  result.closing_triangles = ReadMatrix<geometry::Triangles>(arrays, arrays_path, "closing_triangles");
+  result.annotation.mirror = ToVector(arrays.at("mirror"));
+  for (const auto& [name, array] : arrays.arrays()) {
+    if (name.starts_with(kRegionPrefix)) {
+      result.annotation.regions[name.substr(kRegionPrefix.size())] = ToVector(array);
+    }
+  }
+  CheckIndices(result, directory);
+  return result;
+}
+
+FaceDatabase::FaceDatabase(const std::filesystem::path& directory, bool verify)
+    : directory_(directory), manifest_(ReadManifest(directory, "faces")) {
+  if (verify) VerifyChecksums(directory, manifest_);
+  face_template_ = ReadFaceTemplate(directory);
+  try {
+    num_persons_ = manifest_.counts.at("persons").get<int>();
+    num_levels_ = manifest_.counts.at("levels").get<int>();
+    expression_names_ = manifest_.details.at("expressions").get<std::vector<std::string>>();
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
+  }
+  const std::vector<int64_t> shape = {num_levels_, num_expressions(), num_vertices(), 3};
+  for (int person = 0; person < num_persons_; ++person) {
+    const auto path = directory / PersonShardName(person);
+    const SafetensorsFile& shard = shards_.emplace_back(path);
+    const ArrayView& array = shard.at("vertices");
+    DAUMIER_CHECK(array.shape == shape && array.dtype == Dtype::kF32,
+                  "{}: vertices have the shape {}, the manifest says {} of float32", path.string(),
+                  Json(array.shape).dump(), Json(shape).dump());
+  }
+}
+
+FaceId FaceDatabase::id(int face) const {
+  DAUMIER_CHECK(face >= 0 && face < num_faces(), "face {} of a database of {} faces", face, num_faces());
+  const int identity = face / num_expressions();
+  return {identity / num_levels_, identity % num_levels_, face % num_expressions()};
+}
+
+int FaceDatabase::index(const FaceId& id) const {
+  DAUMIER_CHECK(id.person >= 0 && id.person < num_persons_ && id.level >= 0 && id.level < num_levels_ &&
+                    id.expression >= 0 && id.expression < num_expressions(),
+                "no face of person {}, level {}, expression {} in a database of {} x {} x {}", id.person, id.level,
+                id.expression, num_persons_, num_levels_, num_expressions());
+  return (id.person * num_levels_ + id.level) * num_expressions() + id.expression;
+}
+
+std::span<const float> FaceDatabase::identity_weights(int person) const {
+  DAUMIER_CHECK(person >= 0 && person < num_persons_, "person {} of a database of {} persons", person, num_persons_);
+  return shards_[person].at("identity_weights").As<float>();
+}
+
+std::span<const float> FaceDatabase::vertices(int face) const {
+  const FaceId where = id(face);
+  const size_t size = size_t(3) * num_vertices();
+  const auto all = shards_[where.person].at("vertices").As<float>();
+  return all.subspan((size_t(where.level) * num_expressions() + where.expression) * size, size);
+}
+
+geometry::Points FaceDatabase::points(int face) const {
+  const auto floats = vertices(face);
+  using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  return Eigen::Map<const Rows>(floats.data(), num_vertices(), 3).cast<double>();
+}
+
+}  // namespace daumier::faces
