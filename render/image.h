@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace daumier::render {
@@ -14,16 +15,28 @@ struct Image {
   std::vector<uint8_t> pixels;
 
   Image() = default;
+  /// @throws Error if a size is negative or channels is neither 1 nor 3.
   Image(int height, int width, int channels, uint8_t value = 255);
-  uint8_t& at(int row, int column, int channel = 0) { return pixels[(size_t(row) * width + column) * channels + channel]; }
-  uint8_t at(int row, int column, int channel = 0) const { return pixels[(size_t(row) * width + column) * channels + channel]; }
+  uint8_t& at(int row, int column, int channel = 0) {
+    return pixels[(size_t(row) * width + column) * channels + channel];
+  }
+  uint8_t at(int row, int column, int channel = 0) const {
+    return pixels[(size_t(row) * width + column) * channels + channel];
+  }
+  bool operator==(const Image&) const = default;
 };
 
 using Rgb = std::array<uint8_t, 3>;
 
-/// @throws Error naming file and cause.
+/// PNG or JPEG as 8-bit grey or RGB: transparency is laid over white, 16 bits are rounded to 8, a JPEG is turned as its
+/// EXIF says.
+/// @throws Error naming file and cause: missing, not a picture, truncated.
 Image ReadImage(const std::filesystem::path& path);
-/// PNG or JPEG by the extension, atomic. @throws Error naming file and cause.
+/// The same for a picture that is in memory; `name` is what errors call it.
+Image DecodeImage(std::string_view bytes, std::string_view name);
+
+/// PNG or JPEG by the extension (".png", ".jpg", ".jpeg"), atomic; the same picture gives the same bytes.
+/// @throws Error naming file and cause.
 void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality = 88);
 
 }  // namespace daumier::render

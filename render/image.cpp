@@ -1,0 +1,104 @@
+#include "render/image.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "render/opencv_bridge.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <string>
+
+namespace daumier::render {
+namespace {
+
+bool IsJpeg(std::string_view bytes) {
+  return bytes.starts_with("\xFF\xD8");
+}
+
+/// libjpeg fills what is missing with grey and says nothing: a whole file has its end marker after its last start of
+/// scan.
+bool IsTruncatedJpeg(std::string_view bytes) {
+  const size_t scan = bytes.rfind("\xFF\xDA");
+  const size_t end = bytes.rfind("\xFF\xD9");
+  return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
+}
+
+/// 8-bit RGB over white.
+cv::Mat LayOverWhite(const cv::Mat& bgra) {
+  cv::Mat rgb(bgra.size(), CV_8UC3);
+  for (int row = 0; row < bgra.rows; ++row) {
+    for (int column = 0; column < bgra.cols; ++column) {
+      const auto& from = bgra.at<cv::Vec4b>(row, column);
+      auto& to = rgb.at<cv::Vec3b>(row, column);
+      const int alpha = from[3];
+      for (int channel = 0; channel < 3; ++channel) {
+        to[channel] = static_cast<uint8_t>((from[2 - channel] * alpha + 255 * (255 - alpha) + 127) / 255);
+      }
+    }
+  }
+  return rgb;
+}
+
+cv::Mat DecodeWithOpenCv(std::string_view bytes) {
+  if (bytes.empty()) return {};
+  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+  try {
+    return cv::imdecode(buffer, IsJpeg(bytes) ? cv::IMREAD_ANYCOLOR : cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+Image::Image(int height, int width, int channels, uint8_t value) : height(height), width(width), channels(channels) {
+  DAUMIER_CHECK(height >= 0 && width >= 0 && (channels == 1 || channels == 3),
+                "an image of {} x {} x {} was asked for, expected H x W x 1 or H x W x 3", height, width, channels);
+  pixels.assign(size_t(height) * width * channels, value);
+}
+
+Image DecodeImage(std::string_view bytes, std::string_view name) {
+  DAUMIER_CHECK(!IsJpeg(bytes) || !IsTruncatedJpeg(bytes), "{}: truncated JPEG", name);
+  cv::Mat decoded = DecodeWithOpenCv(bytes);
+  DAUMIER_CHECK(!decoded.empty(), "{}: not a readable picture, or truncated (expected PNG or JPEG)", name);
+  if (decoded.depth() == CV_16U) decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
+  DAUMIER_CHECK(decoded.depth() == CV_8U, "{}: neither 8 nor 16 bits a channel", name);
+
+  cv::Mat result;
+  if (decoded.channels() == 4) {
+    result = LayOverWhite(decoded);
+  } else if (decoded.channels() == 3) {
+    cv::cvtColor(decoded, result, cv::COLOR_BGR2RGB);
+  } else {
+    result = decoded;
+  }
+  Image image(result.rows, result.cols, result.channels());
+  result.copyTo(MatView(image));
+  return image;
+}
+
+Image ReadImage(const std::filesystem::path& path) {
+  return DecodeImage(ReadFile(path), path.string());
+}
+
+void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality) {
+  const std::string extension = path.extension().string();
+  DAUMIER_CHECK(extension == ".png" || extension == ".jpg" || extension == ".jpeg",
+                "{}: pictures are written as .png, .jpg or .jpeg", path.string());
+  DAUMIER_CHECK(!image.pixels.empty(), "{}: the picture to write is empty", path.string());
+  cv::Mat encoded;
+  if (image.channels == 3) {
+    cv::cvtColor(MatView(image), encoded, cv::COLOR_RGB2BGR);
+  } else {
+    encoded = MatView(image);
+  }
+  std::vector<uint8_t> bytes;
+  const std::vector<int> parameters = extension == ".png" ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
+                                                          : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, jpeg_quality};
+  DAUMIER_CHECK(cv::imencode(extension, encoded, bytes, parameters), "{}: the picture cannot be encoded",
+                path.string());
+  WriteFileAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace daumier::render

@@ -1,0 +1,154 @@
+#include "render/image.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "render/opencv_bridge.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace daumier::render {
+namespace {
+
+/// Smooth, with three different channels: red grows to the right, green downwards.
+Image Gradient(int height, int width, int channels) {
+  Image image(height, width, channels);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      for (int channel = 0; channel < channels; ++channel) {
+        image.at(row, column, channel) = static_cast<uint8_t>(channel == 0 ? 4 * column : channel == 1 ? 5 * row : 77);
+      }
+    }
+  }
+  return image;
+}
+
+std::string Encode(const std::string& extension, const cv::Mat& matrix) {
+  std::vector<uint8_t> bytes;
+  cv::imencode(extension, matrix, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(ImageFile, PngRoundTripIsExact) {
+  const testing::TempDir folder;
+  for (const int channels : {1, 3}) {
+    const Image image = Gradient(23, 31, channels);
+    WriteImage(folder / "image.png", image);
+    EXPECT_EQ(ReadImage(folder / "image.png"), image) << channels;
+  }
+}
+
+TEST(ImageFile, JpegKeepsChannelsInOrder) {
+  const testing::TempDir folder;
+  const Image image = Gradient(40, 60, 3);
+  for (const char* name : {"image.jpg", "image.jpeg"}) {
+    WriteImage(folder / name, image, 95);
+    const Image read = ReadImage(folder / name);
+    ASSERT_EQ(read.channels, 3);
+    EXPECT_NEAR(read.at(20, 50, 0), 200, 8);
+    EXPECT_NEAR(read.at(20, 50, 1), 100, 8);
+    EXPECT_NEAR(read.at(20, 50, 2), 77, 8);
+  }
+}
+
+TEST(ImageFile, PngIsRgbOnDisk) {
+  const testing::TempDir folder;
+  Image red(1, 1, 3, 0);
+  red.at(0, 0, 0) = 255;
+  WriteImage(folder / "red.png", red);
+  const cv::Mat bgr = cv::imread((folder / "red.png").string());
+  EXPECT_EQ(bgr.at<cv::Vec3b>(0, 0), cv::Vec3b(0, 0, 255));
+}
+
+TEST(ImageFile, SamePictureGivesSameBytesAndLeavesNoTemporaryFile) {
+  const testing::TempDir folder;
+  const Image image = Gradient(20, 20, 3);
+  WriteImage(folder / "a.png", image);
+  WriteImage(folder / "b.png", image);
+  EXPECT_EQ(ReadFile(folder / "a.png"), ReadFile(folder / "b.png"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+TEST(ImageFile, WriteRefusesUnknownExtensionEmptyPictureAndMissingFolder) {
+  const testing::TempDir folder;
+  EXPECT_THROW(WriteImage(folder / "image.bmp", Gradient(4, 4, 1)), Error);
+  EXPECT_THROW(WriteImage(folder / "image.png", Image()), Error);
+  EXPECT_THROW(WriteImage(folder / "missing" / "image.png", Gradient(4, 4, 1)), Error);
+}
+
+TEST(ImageFile, ErrorsNameTheFile) {
+  const testing::TempDir folder;
+  WriteFileAtomically(folder / "noise.png", "this is no picture");
+  for (const char* name : {"noise.png", "missing.png"}) {
+    testing::ExpectError([&] { ReadImage(folder / name); }, name);
+  }
+}
+
+TEST(DecodeImage, RefusesTruncatedPictures) {
+  const cv::Mat noise = [] {
+    cv::Mat matrix(64, 64, CV_8UC3);
+    cv::RNG rng(7);
+    rng.fill(matrix, cv::RNG::UNIFORM, 0, 256);
+    return matrix;
+  }();
+  for (const std::string extension : {".png", ".jpg"}) {
+    const std::string bytes = Encode(extension, noise);
+    EXPECT_NO_THROW(DecodeImage(bytes, "whole")) << extension;
+    for (const size_t size : {size_t{0}, size_t{1}, size_t{10}, bytes.size() / 2, bytes.size() - 20}) {
+      EXPECT_THROW(DecodeImage(bytes.substr(0, size), "part"), Error) << extension << " " << size;
+    }
+  }
+}
+
+TEST(DecodeImage, LaysTransparencyOverWhite) {
+  cv::Mat bgra(1, 3, CV_8UC4);
+  bgra.at<cv::Vec4b>(0, 0) = {10, 20, 30, 255};
+  bgra.at<cv::Vec4b>(0, 1) = {0, 0, 0, 0};
+  bgra.at<cv::Vec4b>(0, 2) = {0, 0, 255, 51};  // One fifth red over white.
+  const Image image = DecodeImage(Encode(".png", bgra), "alpha");
+  ASSERT_EQ(image.channels, 3);
+  const std::vector<uint8_t> expected = {30, 20, 10, 255, 255, 255, 255, 204, 204};
+  EXPECT_EQ(image.pixels, expected);
+}
+
+TEST(DecodeImage, RoundsSixteenBitsToEight) {
+  const cv::Mat grey = (cv::Mat_<uint16_t>(1, 3) << 0, 257 * 100 + 20, 65535);
+  const Image image = DecodeImage(Encode(".png", grey), "deep");
+  EXPECT_EQ(image.channels, 1);
+  EXPECT_EQ(image.pixels, (std::vector<uint8_t>{0, 100, 255}));
+}
+
+TEST(DecodeImage, TurnsAJpegAsItsExifSays) {
+  // Left half black, right half white; orientation 6 (turn clockwise by 90 degrees) puts black on top.
+  cv::Mat grey(16, 32, CV_8UC1, cv::Scalar(255));
+  grey.colRange(0, 16).setTo(0);
+  std::string bytes = Encode(".jpg", grey);
+  const std::string exif(
+      "\xFF\xE1\x00\x22"
+      "Exif\0\0"
+      "II*\0\x08\0\0\0"
+      "\x01\0"
+      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
+      "\0\0\0\0",
+      36);
+  bytes.insert(2, exif);
+  const Image image = DecodeImage(bytes, "turned");
+  ASSERT_EQ(image.height, 32);
+  ASSERT_EQ(image.width, 16);
+  EXPECT_LT(image.at(4, 8), 20);
+  EXPECT_GT(image.at(28, 8), 235);
+}
+
+TEST(Image, RefusesImpossibleSizes) {
+  EXPECT_THROW(Image(2, 2, 2), Error);
+  EXPECT_THROW(Image(-1, 2, 3), Error);
+  EXPECT_EQ(Image(2, 3, 1, 9).pixels, std::vector<uint8_t>(6, 9));
+}
+
+}  // namespace
+}  // namespace daumier::render
