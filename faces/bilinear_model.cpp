@@ -1,14 +1,13 @@
 #include "faces/bilinear_model.h"
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "core/safetensors.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <future>
-#include <thread>
 
 namespace daumier::faces {
 namespace {
@@ -16,20 +15,6 @@ namespace {
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr size_t kBlockBytes = 64 << 20;
-constexpr unsigned kMaxThreads = 8;
-
-/// Calls work(block) for blocks 0..num_blocks-1 on all cores and merge(result) in the order of blocks, so that sums do
-/// not depend on the number of threads.
-template <class Work, class Merge>
-void ForBlocksInOrder(int num_blocks, const Work& work, const Merge& merge) {
-  const int num_threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, kMaxThreads));
-  std::vector<std::future<decltype(work(0))>> running(num_threads);
-  for (int block = 0; block < num_blocks + num_threads; ++block) {
-    auto& slot = running[block % num_threads];
-    if (slot.valid()) merge(slot.get());
-    if (block < num_blocks) slot = std::async(std::launch::async, [&work, block] { return work(block); });
-  }
-}
 
 /// The additive model a_i + b_e of a two-way table with holes, by the normal equations with the a_i eliminated.
 class AdditiveFit {
@@ -234,7 +219,7 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
   const BlockReader reader(num_identities, num_expressions, num_coordinates, face);
 
   GramSums sums(num_identities, num_expressions);
-  ForBlocksInOrder(
+  ForEachInOrder(
       reader.num_blocks(),
       [&](int block) {
         GramSums part(num_identities, num_expressions);
@@ -256,7 +241,7 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
     Rows core;
   };
   model.core.resize(options.num_identity * options.num_expression, num_coordinates);
-  ForBlocksInOrder(
+  ForEachInOrder(
       reader.num_blocks(),
       [&](int index) {
         const Block block = reader.Read(index);
@@ -290,16 +275,16 @@ BilinearProjector::BilinearProjector(const BilinearModel& model, const Eigen::Ve
 
   gram_ = Eigen::MatrixXd::Zero(model.core.rows(), model.core.rows());
   constexpr int kChunk = 1024;
-  ForBlocksInOrder((model.num_coordinates() + kChunk - 1) / kChunk,
-                   [&](int block) {
-                     const int begin = block * kChunk, size = std::min(kChunk, model.num_coordinates() - begin);
-                     const Eigen::MatrixXd columns =
-                         model.core.middleCols(begin, size).cast<double>() * roots.segment(begin, size).asDiagonal();
-                     Eigen::MatrixXd part = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
-                     part.selfadjointView<Eigen::Lower>().rankUpdate(columns);
-                     return part;
-                   },
-                   [&](const Eigen::MatrixXd& part) { gram_ += part; });
+  ForEachInOrder((model.num_coordinates() + kChunk - 1) / kChunk,
+                 [&](int block) {
+                   const int begin = block * kChunk, size = std::min(kChunk, model.num_coordinates() - begin);
+                   const Eigen::MatrixXd columns =
+                       model.core.middleCols(begin, size).cast<double>() * roots.segment(begin, size).asDiagonal();
+                   Eigen::MatrixXd part = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
+                   part.selfadjointView<Eigen::Lower>().rankUpdate(columns);
+                   return part;
+                 },
+                 [&](const Eigen::MatrixXd& part) { gram_ += part; });
   gram_.triangularView<Eigen::StrictlyUpper>() = gram_.transpose();
 
   for (Eigen::Index e = 0; e < model.expression_factors.rows(); ++e) {
