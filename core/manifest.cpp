@@ -73,7 +73,7 @@ Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
 }
 
 void VerifyChecksums(const fs::path& directory, const Manifest& manifest) {
-  const std::string remedy = fmt::format("delete it and run `daumier {}` again", manifest.verb);
+  const std::string remedy = fmt::format("delete the folder and run `daumier {}` again", manifest.verb);
   for (const auto& [name, checksum] : manifest.checksums) {
     const fs::path path = directory / name;
     DAUMIER_CHECK(fs::is_regular_file(path), "{} is missing though manifest.json lists it; {}", path.string(), remedy);

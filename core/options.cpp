@@ -51,7 +51,7 @@ std::string NearestKey(const std::string& key, const std::set<std::string>& know
 
 std::string NearestWord(std::string_view word, const std::set<std::string>& known) {
   std::string nearest;
-  size_t nearest_distance = std::max<size_t>(1, word.size() / 3) + 1;  // Farther words are no misspelling.
+  size_t nearest_distance = (word.size() + 2) / 3 + 1;  // Farther words are no misspelling.
   for (const std::string& candidate : known) {
     const size_t distance = EditDistance(word, candidate);
     if (distance < nearest_distance) {

@@ -1,0 +1,163 @@
+#include "core/files.h"
+
+#include "core/error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+
+#include <fstream>
+
+namespace daumier {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::TempDir;
+
+std::string FailureOf(const auto& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+size_t NumEntries(const fs::path& folder) {
+  return static_cast<size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Files, ReadUndoesWrite) {
+  const TempDir dir;
+  const std::string bytes("a\0b\n\xff", 5);
+  WriteFileAtomically(dir / "file", bytes);
+  EXPECT_EQ(ReadFile(dir / "file"), bytes);
+  WriteFileAtomically(dir / "file", "");
+  EXPECT_EQ(ReadFile(dir / "file"), "");
+}
+
+TEST(Files, ReadOfManyPiecesIsWhole) {
+  const TempDir dir;
+  std::string bytes(3'000'001, 'x');
+  bytes[2'500'000] = 'y';
+  WriteFileAtomically(dir / "file", bytes);
+  EXPECT_EQ(ReadFile(dir / "file"), bytes);
+  EXPECT_EQ(Sha256OfFile(dir / "file"), Sha256(bytes));
+}
+
+TEST(Files, ReadNamesFileAndCause) {
+  const TempDir dir;
+  const std::string path = (dir / "absent").string();
+  EXPECT_EQ(FailureOf([&] { ReadFile(path); }), "cannot read " + path + ": No such file or directory");
+  EXPECT_EQ(FailureOf([&] { Sha256OfFile(path); }), "cannot read " + path + ": No such file or directory");
+  EXPECT_EQ(FailureOf([&] { ReadFile(dir.path()); }), "cannot read " + dir.path().string() + ": not a file");
+}
+
+TEST(Files, WriteReplacesTheOldFileAndLeavesNothingElse) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "file", "old and longer");
+  WriteFileAtomically(dir / "file", "new");
+  EXPECT_EQ(ReadFile(dir / "file"), "new");
+  EXPECT_EQ(NumEntries(dir.path()), 1u);
+}
+
+TEST(Files, OpenReaderKeepsTheOldFile) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "file", "old");
+  const MappedFile mapped(dir / "file");
+  WriteFileAtomically(dir / "file", "new");
+  EXPECT_EQ(mapped.bytes(), "old");
+}
+
+TEST(Files, WriteIntoAnAbsentFolderNamesFileAndCause) {
+  const TempDir dir;
+  const std::string path = (dir / "absent/file").string();
+  EXPECT_EQ(FailureOf([&] { WriteFileAtomically(path, "x"); }), "cannot write " + path + ": No such file or directory");
+}
+
+TEST(Files, WriteOntoAFolderLeavesNothingBehind) {
+  const TempDir dir;
+  MakeDirectory(dir / "taken/inside");
+  EXPECT_THROW(WriteFileAtomically(dir / "taken", "x"), Error);
+  EXPECT_EQ(NumEntries(dir.path()), 1u);
+}
+
+TEST(Files, FullDiskIsToldAndLeavesTheOldFile) {
+  // /dev/full, where every write fails as on a full disk, stands in for the temporary file.
+  const TempDir dir;
+  WriteFileAtomically(dir / "file", "old");
+  fs::create_symlink("/dev/full", dir / "file.tmp");
+  const std::string message = FailureOf([&] { WriteFileAtomically(dir / "file", "new"); });
+  EXPECT_EQ(message, "cannot write " + (dir / "file").string() +
+                         ": no space left on the disk; free some or choose another folder");
+  EXPECT_EQ(ReadFile(dir / "file"), "old");
+  EXPECT_EQ(NumEntries(dir.path()), 1u);
+}
+
+TEST(Files, FullTmpfsIsToldAndLeavesTheOldFile) {
+  const TempDir dir;
+  if (mount("tmpfs", dir.path().c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "mounting a tmpfs needs root";
+  WriteFileAtomically(dir / "file", "old");
+  const std::string message = FailureOf([&] { WriteFileAtomically(dir / "file", std::string(200'000, 'x')); });
+  const size_t num_entries = NumEntries(dir.path());
+  const std::string content = ReadFile(dir / "file");
+  umount(dir.path().c_str());
+  EXPECT_THAT(message, ::testing::HasSubstr("no space left on the disk"));
+  EXPECT_EQ(content, "old");
+  EXPECT_EQ(num_entries, 1u);
+}
+
+TEST(Files, Sha256HasTheStandardsValues) {
+  // FIPS 180-4, appendix B.1, and the empty text.
+  EXPECT_EQ(Sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(Sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST(Files, MakeDirectoryMakesParentsAndMayRepeat) {
+  const TempDir dir;
+  MakeDirectory(dir / "a/b/c");
+  MakeDirectory(dir / "a/b/c");
+  EXPECT_TRUE(fs::is_directory(dir / "a/b/c"));
+}
+
+TEST(Files, MakeDirectoryNamesPathAndCause) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "file", "x");
+  EXPECT_THAT(FailureOf([&] { MakeDirectory(dir / "file"); }), ::testing::HasSubstr((dir / "file").string()));
+  EXPECT_EQ(FailureOf([&] { MakeDirectory(dir / "file/sub"); }),
+            "cannot create folder " + (dir / "file/sub").string() + ": Not a directory");
+}
+
+TEST(MappedFile, ShowsTheWholeFile) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "file", "hello");
+  const MappedFile file(dir / "file");
+  EXPECT_EQ(file.bytes(), "hello");
+}
+
+TEST(MappedFile, MayBeEmpty) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "file", "");
+  EXPECT_TRUE(MappedFile(dir / "file").bytes().empty());
+}
+
+TEST(MappedFile, MovesItsMapping) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "a", "aaa");
+  WriteFileAtomically(dir / "b", "bbb");
+  MappedFile a(dir / "a"), b(dir / "b");
+  a = std::move(b);
+  EXPECT_EQ(a.bytes(), "bbb");
+  const MappedFile c = std::move(a);
+  EXPECT_EQ(c.bytes(), "bbb");
+}
+
+TEST(MappedFile, AbsentFileThrows) {
+  const TempDir dir;
+  EXPECT_THROW(MappedFile(dir / "absent"), Error);
+  EXPECT_THROW(MappedFile{dir.path()}, Error);
+}
+
+}  // namespace
+}  // namespace daumier
