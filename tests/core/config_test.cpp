@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/random.h"
+#include "tests/support/corruption.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
@@ -96,6 +98,17 @@ TEST(Config, CyclicParentsAreRefused) {
   WriteFileAtomically(dir / "a.toml", "parent = 'b.toml'\n");
   WriteFileAtomically(dir / "b.toml", "parent = './a.toml'\n");
   EXPECT_THAT(FailureOf(dir / "a.toml"), HasSubstr("is its own parent"));
+}
+
+TEST(Config, SurvivesTruncationAndFlippedBytes) {
+  const TempDir dir;
+  const std::string text =
+      "a = 1 # note\nb = [0.5, 1e3, -inf]\nname = \"x\\u00e4\"\n[table.inner]\nyes = true\nb.c = -0x2f\n[[list]]\n"
+      "k = '''lines\n'''\n[[list]]\nwhen = {d = 2_000}\n";
+  const auto load = [&] { LoadConfig(dir / "a.toml"); };
+  EXPECT_GT(testing::CountRefusedTruncations(dir / "a.toml", text, load), 50);
+  Rng rng(1);
+  EXPECT_GT(testing::CountRefusedFlips(dir / "a.toml", text, 3000, rng, load), 1000);
 }
 
 TEST(Config, LoadUndoesToToml) {

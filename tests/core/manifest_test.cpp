@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/random.h"
+#include "tests/support/corruption.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
@@ -100,10 +102,18 @@ TEST(Manifest, EveryTruncationIsRefused) {
   const TempDir dir;
   WriteManifest(dir.path(), Example());
   const std::string bytes = ReadFile(dir / "manifest.json");
-  for (size_t size = 0; size + 1 < bytes.size(); ++size) {  // The last byte is a newline after the whole object.
-    WriteFileAtomically(dir / "manifest.json", std::string_view(bytes).substr(0, size));
-    ASSERT_NE(FailureOf(dir.path()), "no error") << size << " bytes";
-  }
+  const int num_refused =
+      testing::CountRefusedTruncations(dir / "manifest.json", bytes, [&] { ReadManifest(dir.path(), ""); });
+  EXPECT_EQ(num_refused, static_cast<int>(bytes.size()) - 1);  // The last byte is a newline after the whole object.
+}
+
+TEST(Manifest, SurvivesFlippedBytes) {
+  const TempDir dir;
+  WriteManifest(dir.path(), Example());
+  Rng rng(1);
+  const int num_refused = testing::CountRefusedFlips(dir / "manifest.json", ReadFile(dir / "manifest.json"), 3000, rng,
+                                                     [&] { ReadManifest(dir.path(), "faces"); });
+  EXPECT_GT(num_refused, 500);
 }
 
 TEST(Manifest, FilesOutsideOfTheFolderAreRefused) {
