@@ -1,0 +1,30 @@
+#pragma once
+#include "core/json.h"
+#include "eval/metrics.h"
+
+#include <string>
+#include <vector>
+
+namespace daumier::eval {
+
+/// One predictor measured on one split: mean over faces with its 95 % interval, and percentiles over faces, in
+/// millimetres.
+struct ErrorRow {
+  std::string name;
+  double error_mm = 0;
+  Interval interval_mm{0, 0};
+  double p50_mm = 0, p90_mm = 0, p99_mm = 0;
+  double interocular_share = 0;  ///< Mean over faces of error / distance of the outer eye corners of the true face.
+};
+
+/// errors_mm and interocular_mm: one a face, in millimetres; persons: one a face. @throws Error if the lengths differ.
+ErrorRow MakeErrorRow(const std::string& name, std::span<const double> errors_mm,
+                      std::span<const double> interocular_mm, std::span<const int> persons, uint64_t seed);
+
+/// Aligned text for a terminal / a Markdown table, both with a head line; three decimals.
+std::string TableText(const std::vector<ErrorRow>& rows);
+std::string TableMarkdown(const std::vector<ErrorRow>& rows);
+/// A list of objects: name, error, error_low, error_high, p50, p90, p99 (mm), interocular_share.
+Json TableJson(const std::vector<ErrorRow>& rows);
+
+}  // namespace daumier::eval

@@ -1,0 +1,51 @@
+#include "eval/table.h"
+
+#include "core/error.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::eval {
+namespace {
+
+ErrorRow TwoFaces() {
+  return MakeErrorRow("network", std::vector<double>{1, 3}, std::vector<double>{100, 60}, std::vector<int>{4, 4}, 1);
+}
+
+TEST(ErrorRow, HoldsMeanPercentilesAndTheShareOfTheEyeDistance) {
+  const ErrorRow row = TwoFaces();
+  EXPECT_DOUBLE_EQ(row.error_mm, 2);
+  EXPECT_DOUBLE_EQ(row.p50_mm, 2);
+  EXPECT_DOUBLE_EQ(row.p90_mm, 2.8);
+  EXPECT_DOUBLE_EQ(row.interocular_share, (0.01 + 0.05) / 2);
+  EXPECT_DOUBLE_EQ(row.interval_mm.low, 2);
+  EXPECT_THROW(MakeErrorRow("x", std::vector<double>{1}, std::vector<double>{}, std::vector<int>{1}, 1), Error);
+}
+
+TEST(Table, TextIsAligned) {
+  ErrorRow other = TwoFaces();
+  other.name = "a much longer name";
+  EXPECT_EQ(TableText({TwoFaces(), other}),
+            "predictor              mm   95 % interval  median    p90    p99  of eye distance\n"
+            "network             2.000  2.000 to 2.000   2.000  2.800  2.980           3.00 %\n"
+            "a much longer name  2.000  2.000 to 2.000   2.000  2.800  2.980           3.00 %\n");
+}
+
+TEST(Table, MarkdownHasAHeadAndARule) {
+  EXPECT_EQ(TableMarkdown({TwoFaces()}),
+            "| predictor | mm | 95 % interval | median | p90 | p99 | of eye distance |\n"
+            "|---|---:|---:|---:|---:|---:|---:|\n"
+            "| network | 2.000 | 2.000 to 2.000 | 2.000 | 2.800 | 2.980 | 3.00 % |\n");
+}
+
+TEST(Table, JsonHasAnObjectARow) {
+  const Json list = TableJson({TwoFaces()});
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0]["name"], "network");
+  EXPECT_EQ(list[0]["error"], 2.0);
+  EXPECT_EQ(list[0]["error_low"], 2.0);
+  EXPECT_EQ(list[0]["error_high"], 2.0);
+  EXPECT_EQ(list[0]["p90"], 2.8);
+}
+
+}  // namespace
+}  // namespace daumier::eval

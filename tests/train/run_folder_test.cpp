@@ -1,0 +1,76 @@
+#include "train/run_folder.h"
+
+#include "core/files.h"
+#include "core/manifest.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::train {
+namespace {
+
+const Json kConfig = {{"seed", 1}, {"optimiser", {{"learning_rate", 0.001}, {"beta1", 0.9}}}};
+const Json kData = {{"faces", "abc"}, {"sketches", "def"}};
+
+void WriteRun(const std::filesystem::path& folder) {
+  Manifest manifest;
+  manifest.kind = "run";
+  manifest.verb = "train";
+  manifest.config = kConfig;
+  manifest.details["data"] = kData;
+  WriteManifest(folder, manifest);
+}
+
+TEST(ConfigDifferences, NamesDottedKeysAndBothValues) {
+  Json now = kConfig;
+  now["optimiser"]["learning_rate"] = 0.01;
+  now["optimiser"].erase("beta1");
+  now["epochs"] = 3;
+  EXPECT_EQ(
+      ConfigDifferences(kConfig, now),
+      (std::vector<std::string>{"epochs is missing there and 3 now", "optimiser.beta1 is 0.9 there and missing now",
+                                "optimiser.learning_rate is 0.001 there and 0.01 now"}));
+  EXPECT_TRUE(ConfigDifferences(kConfig, kConfig).empty());
+}
+
+TEST(OpenRunFolder, StartsANewOne) {
+  const testing::TempDir folder;
+  EXPECT_FALSE(OpenRunFolder(folder / "runs" / "new", false, kConfig, kData));
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "runs" / "new"));
+}
+
+TEST(OpenRunFolder, RefusesAnExistingRunUnlessItIsResumed) {
+  const testing::TempDir folder;
+  WriteRun(folder.path());
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), false, kConfig, kData); }, "already holds a run");
+  EXPECT_TRUE(OpenRunFolder(folder.path(), true, kConfig, kData));
+}
+
+TEST(OpenRunFolder, RefusesToResumeWhatIsNotThere) {
+  const testing::TempDir folder;
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), true, kConfig, kData); }, "holds no run");
+}
+
+TEST(OpenRunFolder, RefusesAnotherConfigOrOtherDataSayingWhatDiffers) {
+  const testing::TempDir folder;
+  WriteRun(folder.path());
+  Json config = kConfig;
+  config["seed"] = 2;
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), true, config, kData); }, "seed is 1 there and 2 now");
+  testing::ExpectError(
+      [&] {
+        OpenRunFolder(folder.path(), true, kConfig, {{"faces", "abc"}, {"sketches", "xyz"}});
+      },
+      "data.sketches is \"def\" there and \"xyz\" now");
+}
+
+TEST(OpenRunFolder, StartsAnewWhereARunWasKilledBeforeItsManifest) {
+  const testing::TempDir folder;
+  WriteFileAtomically(folder / "resolved.toml", "seed = 1\n");
+  EXPECT_THROW(OpenRunFolder(folder.path(), false, kConfig, kData), UsageError);
+  EXPECT_FALSE(OpenRunFolder(folder.path(), true, kConfig, kData));
+}
+
+}  // namespace
+}  // namespace daumier::train

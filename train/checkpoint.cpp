@@ -1,0 +1,62 @@
+#include "train/checkpoint.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+namespace daumier::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFormatVersion = 1;
+constexpr const char* kStateFile = "state.json";
+
+fs::path Beside(const fs::path& directory, const char* suffix) {
+  return directory.string() + suffix;
+}
+
+tensor::NamedTensors ReadChecked(const fs::path& file, const Json& checksums) {
+  const std::string name = file.filename().string();
+  DAUMIER_CHECK(checksums.contains(name) && checksums[name] == Sha256OfFile(file),
+                "{} is damaged: its content is not what its checkpoint was written with", file.string());
+  return tensor::LoadTensors(file);
+}
+
+}  // namespace
+
+void WriteCheckpoint(const fs::path& directory, const Checkpoint& checkpoint) {
+  const fs::path fresh = Beside(directory, ".new"), old = Beside(directory, ".old");
+  fs::remove_all(fresh);
+  MakeDirectory(fresh);
+  Json checksums = Json::object();
+  checksums["model.safetensors"] = tensor::SaveTensors(fresh / "model.safetensors", checkpoint.model);
+  checksums["optimiser.safetensors"] = tensor::SaveTensors(fresh / "optimiser.safetensors", checkpoint.optimiser);
+  checksums["random.safetensors"] = tensor::SaveTensors(fresh / "random.safetensors", checkpoint.random);
+  const Json head = {{"format_version", kFormatVersion}, {"state", checkpoint.state}, {"checksums", checksums}};
+  WriteFileAtomically(fresh / kStateFile, head.dump(2) + "\n");
+
+  if (fs::exists(directory)) {
+    fs::remove_all(old);
+    fs::rename(directory, old);
+  }
+  fs::rename(fresh, directory);
+  fs::remove_all(old);
+}
+
+std::optional<Checkpoint> ReadCheckpoint(const fs::path& directory) {
+  // Between the two renames of WriteCheckpoint only the old folder is there.
+  const fs::path source = fs::exists(directory) ? directory : Beside(directory, ".old");
+  if (!fs::exists(source)) return std::nullopt;
+  const Json head = Json::parse(ReadFile(source / kStateFile), nullptr, /*allow_exceptions=*/false);
+  DAUMIER_CHECK(
+      head.is_object() && head.contains("format_version") && head.contains("state") && head.contains("checksums"),
+      "{} is damaged: it is no checkpoint state", (source / kStateFile).string());
+  DAUMIER_CHECK(head["format_version"] == kFormatVersion, "{} has the format version {}, this program reads {}",
+                (source / kStateFile).string(), head["format_version"].dump(), kFormatVersion);
+  const Json& checksums = head["checksums"];
+  return Checkpoint{ReadChecked(source / "model.safetensors", checksums),
+                    ReadChecked(source / "optimiser.safetensors", checksums),
+                    ReadChecked(source / "random.safetensors", checksums), head["state"]};
+}
+
+}  // namespace daumier::train

@@ -1,0 +1,82 @@
+#include "train/optimiser.h"
+
+#include "core/error.h"
+#include "tensor/shape.h"
+#include "tensor/torch_version.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace daumier::train {
+
+double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps) {
+  const double warm_up_steps = std::ceil(options.warm_up * double(total_steps));
+  if (double(step) < warm_up_steps) return options.learning_rate * double(step + 1) / warm_up_steps;
+  const double progress = (double(step) - warm_up_steps) / (double(total_steps) - warm_up_steps);
+  const double cosine = 0.5 * (1 + std::cos(std::numbers::pi * progress));
+  return options.learning_rate * (options.final_rate + (1 - options.final_rate) * cosine);
+}
+
+AdamW::AdamW(torch::nn::Module& module, const OptimiserOptions& options)
+    : options_(options), num_steps_(torch::zeros({1}, torch::kInt64)) {
+  for (const auto& item : module.named_parameters()) {
+    if (!item.value().requires_grad()) continue;
+    slots_.push_back({item.key(), item.value(), torch::zeros_like(item.value()), torch::zeros_like(item.value())});
+  }
+  DAUMIER_CHECK(!slots_.empty(), "the network has no parameter to train");
+}
+
+void AdamW::ZeroGradients() {
+  for (Slot& slot : slots_) slot.parameter.mutable_grad() = torch::Tensor();
+}
+
+double AdamW::GradientNorm() const {
+  torch::Tensor sum = torch::zeros({}, slots_.front().parameter.options().dtype(torch::kFloat64));
+  for (const Slot& slot : slots_)
+    if (slot.parameter.grad().defined()) sum += slot.parameter.grad().square().sum(torch::kFloat64);
+  return std::sqrt(sum.item<double>());
+}
+
+void AdamW::ScaleGradients(double factor) {
+  const at::NoGradGuard no_grad;
+  for (Slot& slot : slots_)
+    if (slot.parameter.grad().defined()) slot.parameter.mutable_grad().mul_(factor);
+}
+
+void AdamW::Step(double learning_rate) {
+  const at::NoGradGuard no_grad;
+  num_steps_ += 1;
+  const double t = double(num_steps_.item<int64_t>());
+  const double mean_correction = 1 - std::pow(options_.beta1, t);
+  const double square_correction = 1 - std::pow(options_.beta2, t);
+  for (Slot& slot : slots_) {
+    const torch::Tensor& gradient = slot.parameter.grad();
+    if (!gradient.defined()) continue;
+    slot.mean.mul_(options_.beta1).add_(gradient, 1 - options_.beta1);
+    slot.square.mul_(options_.beta2).addcmul_(gradient, gradient, 1 - options_.beta2);
+    if (slot.parameter.dim() > 1) slot.parameter.mul_(1 - learning_rate * options_.weight_decay);
+    const torch::Tensor denominator = slot.square.sqrt().div_(std::sqrt(square_correction)).add_(1e-8);
+    slot.parameter.addcdiv_(slot.mean, denominator, -learning_rate / mean_correction);
+  }
+}
+
+tensor::NamedTensors AdamW::State() const {
+  tensor::NamedTensors state{{"num_steps", num_steps_}};
+  for (const Slot& slot : slots_) {
+    state["mean." + slot.name] = slot.mean;
+    state["square." + slot.name] = slot.square;
+  }
+  return state;
+}
+
+void AdamW::LoadState(const tensor::NamedTensors& state, const std::string& where) {
+  const at::NoGradGuard no_grad;
+  for (auto& [name, target] : State()) {
+    const auto found = state.find(name);
+    DAUMIER_CHECK(found != state.end(), "{} has no optimiser state {}: is it of another network?", where, name);
+    tensor::CheckShape(found->second, target.sizes(), where + ": " + name);
+  }
+  for (auto& [name, target] : State()) target.copy_(state.at(name));
+}
+
+}  // namespace daumier::train

@@ -1,0 +1,71 @@
+#pragma once
+#include "core/options.h"
+#include "tensor/tensor_file.h"
+
+#include <torch/nn/module.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace daumier::train {
+
+struct OptimiserOptions {
+  double learning_rate = 1e-3;
+  double weight_decay = 1e-4;
+  double beta1 = 0.9;
+  double beta2 = 0.999;
+  double clip_norm = 0;
+  double warm_up = 0.05;
+  double final_rate = 0.01;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("learning_rate", learning_rate, Range{0, 10}, "Step size of AdamW at its peak, after the warm-up.");
+    visit("weight_decay", weight_decay, Range{0, 10},
+          "Share of a weight (not of a bias) that a step of rate 1 takes away.");
+    visit("beta1", beta1, Range{0, 0.9999}, "Memory of the mean gradient.");
+    visit("beta2", beta2, Range{0, 0.999999}, "Memory of the mean squared gradient.");
+    visit("clip_norm", clip_norm, Range{0, 1e6},
+          "Gradients are scaled down to this norm where they exceed it; 0: never.");
+    visit("warm_up", warm_up, Range{0, 1}, "Share of all steps in which the rate climbs linearly to its peak.");
+    visit("final_rate", final_rate, Range{0, 1}, "The rate at the end as a share of the peak; a cosine leads there.");
+  }
+};
+
+/// The step size of step 0, 1, ..., total_steps - 1. With W = ceil(warm_up * total_steps), p = learning_rate, f =
+/// final_rate:
+///   p (step + 1) / W in the first W steps, then p (f + (1 - f) (1 + cos(pi (step - W) / (total_steps - W))) / 2).
+double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps);
+
+/// AdamW [Loshchilov and Hutter 2019]: with gradient g, at its t-th step
+///   m = beta1 m + (1 - beta1) g,  v = beta2 v + (1 - beta2) g^2,
+///   p -= rate (weight_decay p + m / (1 - beta1^t) / (sqrt(v / (1 - beta2^t)) + 1e-8)),
+/// where weight_decay is 0 for parameters of one dimension (biases and norms). Our own, since the state of LibTorch's
+/// optimisers is reached differently in every release, and a checkpoint must not be.
+class AdamW {
+ public:
+  AdamW(torch::nn::Module& module, const OptimiserOptions& options);
+
+  void ZeroGradients();
+  /// Length of all gradients together; NaN or infinite if any of them is.
+  double GradientNorm() const;
+  void ScaleGradients(double factor);
+  void Step(double learning_rate);
+
+  /// mean.NAME and square.NAME for every parameter, and the number of steps taken, for checkpoints; they share memory.
+  tensor::NamedTensors State() const;
+  /// @throws Error naming `where` if a tensor is missing or has another shape.
+  void LoadState(const tensor::NamedTensors& state, const std::string& where);
+
+ private:
+  struct Slot {
+    std::string name;
+    torch::Tensor parameter, mean, square;
+  };
+  OptimiserOptions options_;
+  std::vector<Slot> slots_;
+  torch::Tensor num_steps_;
+};
+
+}  // namespace daumier::train

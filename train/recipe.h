@@ -1,0 +1,36 @@
+#pragma once
+#include "tensor/tensor_file.h"
+
+#include <torch/nn/module.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace daumier::train {
+
+/// What a step minimises, and the named numbers that it is made of; both differentiable scalars.
+struct LossTerms {
+  torch::Tensor total;
+  std::map<std::string, torch::Tensor> parts;
+};
+
+/// One kind of training, seen by the one loop: which network, which samples, which loss, which measure of success.
+class Recipe {
+ public:
+  virtual ~Recipe() = default;
+
+  virtual torch::nn::Module& module() = 0;
+  virtual torch::Device device() const = 0;
+  virtual int num_samples() const = 0;
+  /// The loss of training samples, each in 0 .. num_samples - 1. Deterministic but for LibTorch's own generators.
+  virtual LossTerms Loss(const std::vector<int>& samples) = 0;
+  /// Numbers over the validation samples; the network is in evaluation mode and no gradient is kept.
+  virtual std::map<std::string, double> Validate() = 0;
+  /// Which of Validate's numbers chooses the best weights; smaller is better.
+  virtual std::string metric() const = 0;
+  /// What the network saw, written where a loss is not a number.
+  virtual tensor::NamedTensors BatchTensors(const std::vector<int>& samples) = 0;
+};
+
+}  // namespace daumier::train

@@ -1,0 +1,63 @@
+#include "train/run_folder.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/manifest.h"
+
+#include <set>
+
+namespace daumier::train {
+namespace {
+
+void AppendDifferences(const std::string& prefix, const Json& there, const Json& now, std::vector<std::string>& lines) {
+  if (!there.is_object() || !now.is_object()) {
+    if (there != now) lines.push_back(fmt::format("{} is {} there and {} now", prefix, there.dump(), now.dump()));
+    return;
+  }
+  std::set<std::string> keys;
+  for (const Json* side : {&there, &now})
+    for (const auto& [key, value] : side->items()) keys.insert(key);
+  for (const std::string& key : keys) {
+    const std::string dotted = prefix.empty() ? key : prefix + "." + key;
+    if (!there.contains(key)) {
+      lines.push_back(fmt::format("{} is missing there and {} now", dotted, now[key].dump()));
+    } else if (!now.contains(key)) {
+      lines.push_back(fmt::format("{} is {} there and missing now", dotted, there[key].dump()));
+    } else {
+      AppendDifferences(dotted, there[key], now[key], lines);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> ConfigDifferences(const Json& there, const Json& now) {
+  std::vector<std::string> lines;
+  AppendDifferences("", there, now, lines);
+  return lines;
+}
+
+bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data) {
+  namespace fs = std::filesystem;
+  const bool begun = fs::exists(directory / "resolved.toml") || fs::exists(directory / "manifest.json");
+  if (begun && !resume)
+    throw UsageError(fmt::format("{} already holds a run: go on with it by --resume, or name another folder by --out",
+                                 directory.string()));
+  if (!begun && resume)
+    throw UsageError(
+        fmt::format("{} holds no run that could be resumed: leave out --resume to start one", directory.string()));
+  MakeDirectory(directory);
+  if (!fs::exists(directory / "manifest.json")) return false;  // Stopped while it was being set up.
+
+  const Manifest manifest = ReadManifest(directory, "run");
+  std::vector<std::string> lines = ConfigDifferences(manifest.config, config);
+  for (const std::string& line :
+       ConfigDifferences({{"data", manifest.details.value("data", Json())}}, {{"data", data}}))
+    lines.push_back(line);
+  if (!lines.empty())
+    throw UsageError(fmt::format("{} cannot be resumed, for its run is another one:\n  {}", directory.string(),
+                                 fmt::join(lines, "\n  ")));
+  return true;
+}
+
+}  // namespace daumier::train

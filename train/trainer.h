@@ -1,0 +1,52 @@
+#pragma once
+#include "train/optimiser.h"
+#include "train/recipe.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace daumier::train {
+
+struct TrainerOptions {
+  int epochs = 20;
+  int batch = 32;
+  int patience = 0;
+  int log_every = 10;
+  int checkpoint_every = 0;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
+    visit("batch", batch, Range{1, 65536},
+          "Samples a step; what is left over at the end of an epoch waits for the next.");
+    visit("patience", patience, Range{0, 1e6}, "Stop after so many epochs without a better validation; 0: never.");
+    visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
+    visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
+          "Steps between checkpoints beside the one after every epoch; 0: none.");
+  }
+};
+
+struct TrainingSummary {
+  int64_t steps = 0;
+  int64_t epochs = 0;  ///< Finished ones.
+  bool stopped_early = false;
+  std::string metric;
+  double best = 0;
+  int64_t best_epoch = 0;
+  double seconds = 0;  ///< Since training began or went on.
+};
+
+/// The one loop. Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and leaves
+/// there:
+///   metrics.jsonl, TensorBoard events   training terms as means over log_every steps, learning_rate, gradient_norm;
+///   validation checkpoints/latest/                 after every epoch, see train/checkpoint.h best/model.safetensors
+///   the weights whose validation metric was least, the first of equals
+/// The order of the samples of an epoch depends on (seed, epoch) alone, and all else that matters is in the checkpoint:
+/// a training that was stopped anywhere and went on ends with the same bytes as one that was not, on as many threads.
+/// @throws Error if a loss or a gradient is not a number (the batch is in nan_batch.safetensors, the message says
+/// where), and on Ctrl-C, after a checkpoint, saying how to go on.
+TrainingSummary Train(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options,
+                      uint64_t seed, const std::filesystem::path& run_directory);
+
+}  // namespace daumier::train
