@@ -1,4 +1,5 @@
 #include "cli/verb.h"
+#include "core/files.h"
 #include "core/options.h"
 #include "datasets/build/faces.h"
 #include "datasets/build/sketches.h"
@@ -6,6 +7,7 @@
 #include "eval/gallery.h"
 
 #include <memory>
+#include <optional>
 
 namespace daumier::cli {
 
@@ -43,12 +45,22 @@ std::function<void()> AddStats(CLI::App& parent) {
 }
 
 std::function<void()> AddGallery(CLI::App& parent) {
-  auto options = std::make_shared<eval::GalleryOptions>();
-  CLI::App* command = parent.add_subcommand("gallery", "Pictures of a database: identities, expressions, levels, curves, sketches");
-  command->add_option("faces", options->faces, "A folder of faces")->required();
-  command->add_option("sketches", options->sketches, "Its folder of sketches");
-  command->add_option("--out", options->out, "Folder to write")->required();
-  return [options] { eval::WriteGallery(*options); };
+  struct Arguments {
+    std::filesystem::path faces, sketches, out;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      parent.add_subcommand("gallery", "Pictures of a database: identities, expressions, levels, curves, sketches");
+  command->add_option("faces", arguments->faces, "A folder of faces")->required();
+  command->add_option("sketches", arguments->sketches, "Its folder of sketches");
+  command->add_option("--out", arguments->out, "Folder to write")->required();
+  return [arguments] {
+    const faces::FaceDatabase database(arguments->faces);
+    std::optional<datasets::SketchDatabase> sketches;
+    if (!arguments->sketches.empty()) sketches.emplace(arguments->sketches);
+    MakeDirectory(arguments->out);
+    eval::WriteGallery(database, sketches ? &*sketches : nullptr, arguments->out);
+  };
 }
 
 }  // namespace
@@ -57,9 +69,10 @@ Verb DatasetVerb() {
   return {"dataset", "Build faces and sketches, look at them, count them", [](CLI::App& command) {
             command.require_subcommand(1);
             const std::vector<std::pair<std::string, std::function<void()>>> actions = {
-                {"faces", AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
-                {"sketches", AddBuilder<datasets::SketchesOptions>(command, "sketches", "A sketch of every face of a database",
-                                                                   datasets::BuildSketches)},
+                {"faces",
+                 AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
+                {"sketches", AddBuilder<datasets::SketchesOptions>(
+                                 command, "sketches", "A sketch of every face of a database", datasets::BuildSketches)},
                 {"stats", AddStats(command)},
                 {"gallery", AddGallery(command)}};
             return [&command, actions] {

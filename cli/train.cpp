@@ -16,7 +16,8 @@ Verb TrainVerb() {
             };
             auto arguments = std::make_shared<Arguments>();
             command.add_option("config", arguments->config.file, "TOML file of the run")->required();
-            command.add_option("overrides", arguments->config.overrides, "key=value or table.key=value, in TOML syntax");
+            command.add_option("overrides", arguments->config.overrides,
+                               "key=value or table.key=value, in TOML syntax");
             command.add_option("--out", arguments->out, "Run folder")->required();
             command.add_flag("--resume", arguments->resume, "Go on from the last checkpoint of the run folder");
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();

@@ -6,7 +6,9 @@
 
 namespace daumier::cli {
 
-Json ConfigArguments::Load() const { return LoadConfig(file, overrides); }
+Json ConfigArguments::Load() const {
+  return LoadConfig(file, overrides);
+}
 
 void AddConfigArguments(CLI::App& command, ConfigArguments& arguments) {
   command.add_option("--config", arguments.file, "TOML file of options; key=value overrides it");
@@ -22,7 +24,8 @@ void PrintIndented(const Json& value, int depth) {
       fmt::print("{}{}\n", indent, key);
       PrintIndented(entry, depth + 1);
     } else {
-      fmt::print("{}{:<{}} {}\n", indent, key, 28 - 2 * depth, entry.is_string() ? entry.get<std::string>() : entry.dump());
+      fmt::print("{}{:<{}} {}\n", indent, key, 28 - 2 * depth,
+                 entry.is_string() ? entry.get<std::string>() : entry.dump());
     }
   }
 }

@@ -10,7 +10,8 @@
 
 namespace daumier::cli {
 
-/// One row of the command line: a verb tells its arguments to `command` and returns what is to be done once they are parsed.
+/// One row of the command line: a verb tells its arguments to `command` and returns what is to be done once they are
+/// parsed.
 struct Verb {
   std::string name;
   std::string summary;

@@ -14,8 +14,9 @@ command -v debootstrap >/dev/null || { echo "debian13: install debootstrap first
 if [ ! -e "$root/etc/daumier-ready" ]; then
   debootstrap --variant=minbase trixie "$root" "$mirror"
   cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
-  chroot "$root" env DEBIAN_FRONTEND=noninteractive sh -c \
-    "apt-get update -qq && apt-get install -y -qq --no-install-recommends $build_packages $library_packages libonnxruntime-dev nodejs >/dev/null"
+  packages="$(echo $build_packages $library_packages libonnxruntime-dev nodejs)"  # one line
+  chroot "$root" env DEBIAN_FRONTEND=noninteractive sh -ec \
+    "apt-get update -qq; apt-get install -y -qq --no-install-recommends $packages >/dev/null"
   touch "$root/etc/daumier-ready"
 fi
 

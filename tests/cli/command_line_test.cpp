@@ -18,7 +18,8 @@ using ::testing::HasSubstr;
 TEST(CommandLine, HelpNamesEveryVerb) {
   const ProcessResult result = Daumier({"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* verb : {"dataset", "train", "eval", "predict", "export", "info"}) EXPECT_THAT(result.out, HasSubstr(verb));
+  for (const char* verb : {"dataset", "train", "eval", "predict", "export", "info"})
+    EXPECT_THAT(result.out, HasSubstr(verb));
 }
 
 TEST(CommandLine, HelpOfABuilderNamesEveryOptionWithItsDefault) {
@@ -107,8 +108,9 @@ TEST_F(Pipeline, RunsFromFacesToOnnx) {
   const ProcessResult eval = Daumier({"eval", run, "--json"});
   ASSERT_EQ(eval.exit_code, 0) << eval.err;
   const Json metrics = Json::parse(eval.out);
-  for (const char* key : {"num_faces", "num_persons", "split", "shape_input", "mean_vertex_error_mm", "p90_vertex_error_mm",
-                          "mean_face_baseline_mm", "nearest_neighbour_mm", "ridge_mm", "model_limit_mm"}) {
+  for (const char* key :
+       {"num_faces", "num_persons", "split", "shape_input", "mean_vertex_error_mm", "p90_vertex_error_mm",
+        "mean_face_baseline_mm", "nearest_neighbour_mm", "ridge_mm", "model_limit_mm"}) {
     EXPECT_TRUE(metrics.contains(key)) << key;
   }
   EXPECT_EQ(metrics.at("num_faces").get<int>(), 6);  // one person x two levels x three expressions
@@ -126,7 +128,8 @@ TEST_F(Pipeline, RunsFromFacesToOnnx) {
 TEST_F(Pipeline, ABuildThatWasKilledGoesOnToTheSameBytes) {
   BuildData();
   const std::filesystem::path killed = folder_ / "killed";
-  const ProcessResult first = RunProcess(Command(FacesCommand(killed)), killed / "shards/person-00001.safetensors", SIGKILL);
+  const ProcessResult first =
+      RunProcess(Command(FacesCommand(killed)), killed / "shards/person-00001.safetensors", SIGKILL);
   EXPECT_EQ(first.signal, SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(killed / "manifest.json"));
   const ProcessResult second = Daumier(FacesCommand(killed));

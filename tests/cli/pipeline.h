@@ -17,12 +17,21 @@ inline std::vector<std::string> Command(std::vector<std::string> arguments) {
   return arguments;
 }
 
-inline ProcessResult Daumier(std::vector<std::string> arguments) { return RunProcess(Command(std::move(arguments))); }
+inline ProcessResult Daumier(std::vector<std::string> arguments) {
+  return RunProcess(Command(std::move(arguments)));
+}
 
 /// Six persons, three expressions and two levels of the default source.
 inline std::vector<std::string> FacesCommand(const std::filesystem::path& out) {
-  return {"dataset", "faces", "--out", out.string(), "source.path=" + MakeHumanData()->string(), "num_persons=6",
-          "exaggeration.gammas=[0.0, 0.2]", "expressions=[\"neutral\", \"smile\", \"surprise\"]", "seed=3"};
+  return {"dataset",
+          "faces",
+          "--out",
+          out.string(),
+          "source.path=" + MakeHumanData()->string(),
+          "num_persons=6",
+          "exaggeration.gammas=[0.0, 0.2]",
+          "expressions=[\"neutral\", \"smile\", \"surprise\"]",
+          "seed=3"};
 }
 
 inline std::vector<std::string> SketchesCommand(const std::filesystem::path& faces, const std::filesystem::path& out) {

@@ -1,0 +1,172 @@
+#include "eval/gallery.h"
+
+#include "core/error.h"
+#include "render/draw.h"
+#include "render/shading.h"
+#include "render/sheet.h"
+
+#include <algorithm>
+
+namespace daumier::eval {
+
+namespace {
+
+using faces::FaceDatabase;
+using faces::FaceId;
+using render::SheetCell;
+
+constexpr int kCell = 190;  // pixels a side of a picture in a sheet
+
+render::RenderInput SurfaceOf(const faces::FaceTemplate& face_template, const geometry::Points& points) {
+  const int num_closing = static_cast<int>(face_template.closing_triangles.rows());
+  return {.surface = {points, face_template.triangles},
+          .closing_triangles = face_template.closing_triangles,
+          .closing_colours = render::ClosingColours(num_closing, face_template.num_eye_closing_triangles)};
+}
+
+/// One frame for all pictures of a sheet, so that sizes can be compared.
+render::Frame FrameOfFaces(const FaceDatabase& database, const std::vector<int>& indices) {
+  const int num_vertices = database.num_vertices();
+  geometry::Points all(num_vertices * indices.size(), 3);
+  for (size_t i = 0; i < indices.size(); ++i)
+    all.middleRows(i * num_vertices, num_vertices) = database.points(indices[i]);
+  return render::FrameOf(all);
+}
+
+render::Image FrontView(const FaceDatabase& database, int face, const render::Frame& frame) {
+  return render::RenderMesh(SurfaceOf(database.face_template(), database.points(face)),
+                            render::FrontalCamera(frame.centre, frame.half_height, kCell));
+}
+
+render::Image SideView(const FaceDatabase& database, int face, const render::Frame& frame) {
+  return render::RenderMesh(SurfaceOf(database.face_template(), database.points(face)),
+                            render::SideCamera(frame.centre, frame.half_height, kCell));
+}
+
+render::Image Identities(const FaceDatabase& database) {
+  std::vector<int> indices;
+  for (int person = 0; person < std::min(16, database.num_persons()); ++person)
+    indices.push_back(database.index({person, 0, 0}));
+  const render::Frame frame = FrameOfFaces(database, indices);
+  std::vector<SheetCell> cells;
+  for (const int face : indices) {
+    cells.push_back({FrontView(database, face, frame), fmt::format("person {}", database.id(face).person)});
+  }
+  return render::MakeSheet(cells, 8);
+}
+
+render::Image Expressions(const FaceDatabase& database) {
+  std::vector<int> indices;
+  for (int expression = 0; expression < database.num_expressions(); ++expression) {
+    indices.push_back(database.index({0, 0, expression}));
+  }
+  const render::Frame frame = FrameOfFaces(database, indices);
+  std::vector<SheetCell> cells;
+  for (const int face : indices) {
+    cells.push_back({FrontView(database, face, frame), database.expression_names()[database.id(face).expression]});
+  }
+  return render::MakeSheet(cells, 7);
+}
+
+render::Image Levels(const FaceDatabase& database) {
+  const int num_persons = std::min(4, database.num_persons());
+  std::vector<int> indices;
+  for (int person = 0; person < num_persons; ++person) {
+    for (int level = 0; level < database.num_levels(); ++level) indices.push_back(database.index({person, level, 0}));
+  }
+  const render::Frame frame = FrameOfFaces(database, indices);
+  render::SheetStyle style;
+  std::vector<SheetCell> cells;
+  for (int person = 0; person < num_persons; ++person) {
+    style.row_titles.push_back(fmt::format("person {}", person));
+    const auto row = indices.begin() + person * database.num_levels();
+    for (int level = 0; level < database.num_levels(); ++level)
+      cells.push_back({FrontView(database, row[level], frame)});
+    for (int level = 0; level < database.num_levels(); ++level)
+      cells.push_back({SideView(database, row[level], frame)});
+  }
+  for (int column = 0; column < 2 * database.num_levels(); ++column) {
+    style.column_titles.push_back(fmt::format("level {}", column % database.num_levels() + 1));
+  }
+  return render::MakeSheet(cells, 2 * database.num_levels(), style);
+}
+
+/// The mean face with the curves of one view drawn over it, and dots for landmarks.
+render::Image AnnotatedView(const faces::FaceTemplate& face_template, faces::View view) {
+  constexpr int kSide = 560;
+  const render::Frame frame = render::FrameOf(face_template.neutral);
+  const auto camera = view == faces::View::kFrontal ? render::FrontalCamera(frame.centre, frame.half_height, kSide)
+                                                    : render::SideCamera(frame.centre, frame.half_height, kSide);
+  render::Image image = render::RenderMesh(SurfaceOf(face_template, face_template.neutral), camera);
+  const geometry::Points pixels = render::Project(camera, face_template.neutral);
+  const auto dot = [&](int vertex, int radius, const render::Rgb& colour) {
+    render::FillRectangle(image, static_cast<int>(pixels(vertex, 1)) - radius,
+                          static_cast<int>(pixels(vertex, 0)) - radius, 2 * radius + 1, 2 * radius + 1, colour);
+  };
+  std::vector<render::Stroke> strokes;
+  for (const faces::FeatureCurve& curve : face_template.annotation.curves) {
+    if (curve.view != view) continue;
+    render::Stroke& stroke = strokes.emplace_back();
+    const auto add = [&](int vertex) {
+      const double to_canvas = static_cast<double>(render::kSketchCanvas) / kSide;
+      stroke.points.push_back(
+          {static_cast<float>(pixels(vertex, 0) * to_canvas), static_cast<float>(pixels(vertex, 1) * to_canvas)});
+    };
+    for (const int vertex : curve.vertices) add(vertex);
+    if (curve.closed) add(curve.vertices.front());
+  }
+  const render::Image ink = render::RasteriseStrokes(strokes, kSide);
+  for (size_t pixel = 0; pixel < ink.pixels.size(); ++pixel) {
+    for (int channel = 0; channel < 3; ++channel) {
+      uint8_t& value = image.pixels[3 * pixel + channel];
+      value = static_cast<uint8_t>(value * ink.pixels[pixel] / 255);
+    }
+  }
+  if (view == faces::View::kFrontal) {
+    for (const int vertex : face_template.annotation.landmarks) dot(vertex, 2, {200, 40, 40});
+    dot(face_template.annotation.hairline_vertex, 3, {30, 90, 200});
+  }
+  return image;
+}
+
+render::Image Curves(const faces::FaceTemplate& face_template) {
+  return render::MakeSheet(
+      {{AnnotatedView(face_template, faces::View::kFrontal), "frontal curves, 68 landmarks (red), hairline (blue)"},
+       {AnnotatedView(face_template, faces::View::kSide), "side-view curves"}},
+      2);
+}
+
+render::Image Sketches(const FaceDatabase& database, const datasets::SketchDatabase& sketches) {
+  constexpr int kRows = 5, kPairs = 4;
+  std::vector<int> indices;
+  for (int i = 0; i < kRows * kPairs; ++i) {
+    indices.push_back(
+        database.index({i % database.num_persons(), i % database.num_levels(), i % database.num_expressions()}));
+  }
+  const render::Frame frame = FrameOfFaces(database, indices);
+  std::vector<SheetCell> cells;
+  for (const int face : indices) {
+    const FaceId id = database.id(face);
+    cells.push_back({FrontView(database, face, frame),
+                     fmt::format("{}, level {}", database.expression_names()[id.expression], id.level + 1)});
+    cells.push_back({render::ToRgb(render::RasteriseStrokes(sketches.strokes(face), kCell))});
+  }
+  return render::MakeSheet(cells, 2 * kPairs);
+}
+
+}  // namespace
+
+void WriteGallery(const FaceDatabase& database, const datasets::SketchDatabase* sketches,
+                  const std::filesystem::path& folder) {
+  render::WriteImage(folder / "identities.jpg", Identities(database));
+  render::WriteImage(folder / "expressions.jpg", Expressions(database));
+  render::WriteImage(folder / "levels.jpg", Levels(database));
+  render::WriteImage(folder / "curves.jpg", Curves(database.face_template()));
+  if (sketches == nullptr) return;
+  DAUMIER_CHECK(sketches->num_faces() == database.num_faces(),
+                "there are {} sketches for {} faces: they belong to another database", sketches->num_faces(),
+                database.num_faces());
+  render::WriteImage(folder / "sketches.jpg", Sketches(database, *sketches));
+}
+
+}  // namespace daumier::eval
