@@ -1,0 +1,43 @@
+#include "models/sketch_run.h"
+
+#include "tests/support/expect_error.h"
+#include "tests/support/sketch_run_folder.h"
+#include "tests/support/temp_dir.h"
+
+namespace daumier::models {
+namespace {
+
+using testing::ExpectError;
+using testing::TempDir;
+
+TEST(SketchRun, LoadedNetworkAnswersAsTheSavedOne) {
+  const TempDir folder;
+  auto saved = testing::WriteSketchRun(folder.path());
+  auto run = LoadSketchRun(folder.path());
+  EXPECT_FALSE(run.network->is_training());
+  EXPECT_EQ(run.network->options().resolution, 32);
+  EXPECT_EQ(run.bilinear.num_coordinates(), 3 * run.face_template.num_vertices());
+  EXPECT_EQ(run.manifest.seed, 7u);
+  EXPECT_TRUE(run.config.contains("network"));
+  const auto images = torch::rand({2, 1, 32, 32});
+  EXPECT_TRUE(torch::equal(run.network->Decode(run.network->forward(images)), saved->Decode(saved->forward(images))));
+}
+
+TEST(SketchRun, SaysWhatIsWrongWithAFolder) {
+  const TempDir folder;
+  ExpectError([&] { LoadSketchRun(folder / "nothing"); }, "make one with `daumier train");
+  testing::WriteSketchRun(folder.path());
+  const auto load = [&] { LoadSketchRun(folder.path()); };
+
+  WriteFileAtomically(folder / "resolved.toml", "[network]\nresolution = 32\nwidth = 5\nhidden = 16\n");
+  ExpectError(load, "does not fit this network");
+  WriteFileAtomically(folder / "resolved.toml", "[net]\nwidth = 5\n");
+  ExpectError(load, "no table 'network'");
+  std::filesystem::resize_file(folder / "bilinear.safetensors", 100);
+  ExpectError(load, "bilinear.safetensors");
+  std::filesystem::remove(folder / "best/model.safetensors");
+  ExpectError(load, "daumier train --resume");
+}
+
+}  // namespace
+}  // namespace daumier::models
