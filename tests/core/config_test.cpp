@@ -108,7 +108,7 @@ TEST(Config, SurvivesTruncationAndFlippedBytes) {
   const auto load = [&] { LoadConfig(dir / "a.toml"); };
   EXPECT_GT(testing::CountRefusedTruncations(dir / "a.toml", text, load), 50);
   Rng rng(1);
-  EXPECT_GT(testing::CountRefusedFlips(dir / "a.toml", text, 3000, rng, load), 1000);
+  EXPECT_GT(testing::CountRefusedFlips(dir / "a.toml", text, 300, rng, load), 100);
 }
 
 TEST(Config, LoadUndoesToToml) {

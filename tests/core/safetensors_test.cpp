@@ -190,13 +190,13 @@ TEST(Safetensors, SurvivesFlippedBytes) {
   const TempDir dir;
   ExampleWriter().Write(dir / "a");
   Rng rng(1);
-  const int num_refused = testing::CountRefusedFlips(dir / "a", ReadFile(dir / "a"), 3000, rng, [&] {
+  const int num_refused = testing::CountRefusedFlips(dir / "a", ReadFile(dir / "a"), 300, rng, [&] {
     const SafetensorsFile file(dir / "a");
     for (const auto& [name, array] : file.arrays()) {  // What is accepted lies inside of the file.
       Sha256({static_cast<const char*>(array.data), static_cast<size_t>(array.size()) * ItemSize(array.dtype)});
     }
   });
-  EXPECT_GT(num_refused, 1000);  // The others hit a name, a value of an array, or the padding.
+  EXPECT_GT(num_refused, 100);  // The others hit a name, a value of an array, or the padding.
 }
 
 TEST(Safetensors, CorruptHeadersAreRefused) {

@@ -1,0 +1,53 @@
+// The program's own Fortran sgemm_, linked into every executable. A program's symbol comes before that of any library,
+// so LibTorch's float products run on oneDNN, which makes its kernels for the processor at hand, whichever libblas is
+// installed.
+#include "core/error.h"
+
+#include <dlfcn.h>
+#include <dnnl.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace {
+
+using Sgemm = void(const char*, const char*, const int*, const int*, const int*, const float*, const float*, const int*,
+                   const float*, const int*, const float*, float*, const int*);
+
+/// In Fortran's words 'C' is the conjugate transpose, of real numbers the transpose.
+char OneDnnWord(char word) {
+  return word == 'N' || word == 'n' ? 'N' : 'T';
+}
+
+/// C = beta C, where 0 stands for "do not read C": it may hold NaN.
+void Scale(int m, int n, float beta, float* c, int ldc) {
+  for (int column = 0; column < n; ++column) {
+    float* const values = c + static_cast<std::ptrdiff_t>(column) * ldc;
+    if (beta == 0) {
+      std::fill(values, values + m, 0.0f);
+    } else if (beta != 1) {
+      std::for_each(values, values + m, [beta](float& value) { value *= beta; });
+    }
+  }
+}
+
+}  // namespace
+
+/// C = alpha op(A) op(B) + beta C; op(A): m x k, op(B): k x n, C: m x n, all column by column.
+/// @throws daumier::Error if oneDNN refuses and no other library has a sgemm_.
+extern "C" __attribute__((visibility("default"))) void sgemm_(const char* transposed_a, const char* transposed_b,
+                                                              const int* m, const int* n, const int* k,
+                                                              const float* alpha, const float* a, const int* lda,
+                                                              const float* b, const int* ldb, const float* beta,
+                                                              float* c, const int* ldc) {
+  if (*m <= 0 || *n <= 0) return;
+  if (*k <= 0 || *alpha == 0) return Scale(*m, *n, *beta, c, *ldc);
+  // oneDNN goes row by row, and so sees the transposes: C^T = op(B)^T op(A)^T.
+  const dnnl_status_t status = dnnl_sgemm(OneDnnWord(*transposed_b), OneDnnWord(*transposed_a), *n, *m, *k, *alpha, b,
+                                          *ldb, a, *lda, *beta, c, *ldc);
+  if (status == dnnl_success) return;
+  auto* const next = reinterpret_cast<Sgemm*>(dlsym(RTLD_NEXT, "sgemm_"));
+  DAUMIER_CHECK(next != nullptr, "oneDNN refuses a {} x {} x {} product with status {}, and there is no other BLAS", *m,
+                *n, *k, static_cast<int>(status));
+  next(transposed_a, transposed_b, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc);
+}

@@ -1,0 +1,51 @@
+// OpenMP threads that wait actively make a 2-thread step some 14 times slower as soon as another process uses one of
+// the cores. libgomp reads OMP_WAIT_POLICY once, in its constructor, before main. The functions of DT_PREINIT_ARRAY run
+// before every constructor of every library: there the program starts itself again with the variable set, which costs
+// the loading of its libraries but none of their start-up. Whoever sets the variable to anything keeps it.
+#include <sys/auxv.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+constexpr char kPolicy[] = "OMP_WAIT_POLICY=PASSIVE";
+constexpr char kGuard[] =
+    "DAUMIER_RESTARTED=1";  // Whatever strips the first variable, the program does not go in circles.
+
+bool StartsWith(const char* text, const char* head) {
+  return std::strncmp(text, head, std::strlen(head)) == 0;
+}
+
+/// Up to and with the '='.
+bool HasName(const char* entry, const char* assignment) {
+  return std::strncmp(entry, assignment, static_cast<size_t>(std::strchr(assignment, '=') - assignment) + 1) == 0;
+}
+
+/// The C library is relocated but not initialised here: no malloc, no getenv, no C++ objects.
+void RestartWithPassiveWaiting(int, char** argv, char** envp) {
+  if (getauxval(AT_BASE) == 0) return;  // Started through ld.so: /proc/self/exe is not this program.
+  size_t num_entries = 0;
+  for (; envp[num_entries] != nullptr; ++num_entries) {
+    const char* const entry = envp[num_entries];
+    if (HasName(entry, kPolicy) || HasName(entry, kGuard)) return;
+    // valgrind does not follow a program that starts itself again.
+    if (StartsWith(entry, "LD_PRELOAD=") && std::strstr(entry, "vgpreload") != nullptr) return;
+  }
+  auto** const environment = static_cast<char**>(__builtin_alloca((num_entries + 3) * sizeof(char*)));
+  std::memcpy(environment, envp, num_entries * sizeof(char*));
+  environment[num_entries] = const_cast<char*>(kPolicy);
+  environment[num_entries + 1] = const_cast<char*>(kGuard);
+  environment[num_entries + 2] = nullptr;
+
+  char path[4096];  // Its own name rather than /proc/self/exe, which would make "exe" the name that ps shows.
+  const ssize_t length = readlink("/proc/self/exe", path, sizeof(path) - 1);
+  if (length <= 0) return;
+  path[length] = '\0';
+  execve(path, argv, environment);  // Returns only if it fails: then the program goes on as it is.
+}
+
+__attribute__((section(".preinit_array"), used)) void (*const preinit)(int, char**, char**) = RestartWithPassiveWaiting;
+
+}  // namespace

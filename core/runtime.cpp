@@ -1,0 +1,156 @@
+#include "core/runtime.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <dlfcn.h>
+#include <dnnl.h>
+#include <malloc.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+namespace daumier {
+namespace fs = std::filesystem;
+namespace {
+
+/// A function of whatever library is loaded; nullptr if there is none. This is how the dynamic linker binds LibTorch's
+/// calls.
+template <class Function>
+Function* FindFunction(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
+using Sgemm = void(const char*, const char*, const int*, const int*, const int*, const float*, const float*, const int*,
+                   const float*, const int*, const float*, float*, const int*);
+
+std::string ReadIfThere(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) ? ReadFile(path) : "";
+}
+
+/// The least limit of the control groups of this process and of those around them, 0 if there is none.
+int CoresOfControlGroups() {
+  std::vector<int> limits = {CoresOfQuota(ReadIfThere("/sys/fs/cgroup/cpu/cpu.cfs_quota_us") + " " +
+                                          ReadIfThere("/sys/fs/cgroup/cpu/cpu.cfs_period_us"))};
+  std::istringstream groups(ReadIfThere("/proc/self/cgroup"));
+  for (std::string line; std::getline(groups, line);) {
+    if (!line.starts_with("0::/")) continue;  // The line of cgroup version 2: "0::/user.slice/...".
+    const fs::path root = "/sys/fs/cgroup";
+    for (fs::path group = root / line.substr(4);; group = group.parent_path()) {
+      limits.push_back(CoresOfQuota(ReadIfThere(group / "cpu.max")));
+      if (group == root || !group.has_relative_path()) break;
+    }
+  }
+  std::erase(limits, 0);
+  return limits.empty() ? 0 : *std::min_element(limits.begin(), limits.end());
+}
+
+std::string LibraryOf(const void* function) {
+  Dl_info info = {};
+  if (function == nullptr || dladdr(function, &info) == 0 || info.dli_fname == nullptr) return "none";
+  std::error_code error;
+  const fs::path path = fs::canonical(info.dli_fname, error);
+  return error ? info.dli_fname : path.string();
+}
+
+bool IsInThisProgram(const void* function) {
+  Dl_info ours = {}, theirs = {};
+  return dladdr(reinterpret_cast<const void*>(&DescribeBlas), &ours) != 0 && dladdr(function, &theirs) != 0 &&
+         ours.dli_fbase == theirs.dli_fbase;
+}
+
+std::string OneDnnVersion() {
+  auto* const version_of = FindFunction<decltype(dnnl_version)>("dnnl_version");
+  if (version_of == nullptr) return "oneDNN";
+  const dnnl_version_t* const version = version_of();
+  return fmt::format("oneDNN {}.{}.{}", version->major, version->minor, version->patch);
+}
+
+std::string OneDnnKernel() {
+  auto* const isa_of = FindFunction<decltype(dnnl_get_effective_cpu_isa)>("dnnl_get_effective_cpu_isa");
+  if (isa_of == nullptr) return "unknown";
+  const dnnl_cpu_isa_t isa = isa_of();
+  switch (isa) {
+    case dnnl_cpu_isa_sse41:
+      return "SSE4.1";
+    case dnnl_cpu_isa_avx:
+      return "AVX";
+    case dnnl_cpu_isa_avx2:
+      return "AVX2";
+    case dnnl_cpu_isa_avx2_vnni:
+      return "AVX2 with VNNI";
+    case dnnl_cpu_isa_avx512_core:
+      return "AVX-512";
+    case dnnl_cpu_isa_avx512_core_vnni:
+      return "AVX-512 with VNNI";
+    case dnnl_cpu_isa_avx512_core_bf16:
+      return "AVX-512 with VNNI and bfloat16";
+    case dnnl_cpu_isa_avx512_core_amx:
+      return "AVX-512 with VNNI, bfloat16 and AMX";
+    default:
+      return fmt::format("instruction set {:#x} of oneDNN", static_cast<unsigned>(isa));
+  }
+}
+
+}  // namespace
+
+int CoresOfQuota(std::string_view quota_and_period) {
+  std::istringstream text{std::string(quota_and_period)};
+  double quota = 0, period = 0;
+  if (!(text >> quota >> period) || quota <= 0 || period <= 0) return 0;
+  return static_cast<int>(std::ceil(std::min(quota / period, 1e6)));
+}
+
+int NumCores() {
+  cpu_set_t affinity;
+  const int num_allowed = sched_getaffinity(0, sizeof(affinity), &affinity) == 0
+                              ? CPU_COUNT(&affinity)
+                              : static_cast<int>(std::thread::hardware_concurrency());
+  const int quota = CoresOfControlGroups();
+  return std::max(1, quota > 0 ? std::min(quota, num_allowed) : num_allowed);
+}
+
+void SetUpRuntime(int threads) {
+  if (threads < 0) throw UsageError(fmt::format("cannot compute with {} threads", threads));
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+  mallopt(M_TOP_PAD, 256 << 20);
+  if (auto* const set_num_threads = FindFunction<void(int)>("omp_set_num_threads")) {
+    set_num_threads(threads > 0 ? threads : NumCores());
+  }
+}
+
+BlasInfo DescribeBlas() {
+  const auto* const sgemm = reinterpret_cast<const void*>(FindFunction<Sgemm>("sgemm_"));
+  const std::string double_library = LibraryOf(dlsym(RTLD_DEFAULT, "dgemm_"));
+  if (sgemm != nullptr && IsInThisProgram(sgemm)) return {OneDnnVersion(), OneDnnKernel(), double_library};
+  return {LibraryOf(sgemm), sgemm == nullptr ? "none" : "chosen by the library", double_library};
+}
+
+double MeasureSgemm(int size, int repeats) {
+  DAUMIER_CHECK(size > 0 && repeats > 0, "cannot measure {} products of size {}", repeats, size);
+  auto* const sgemm = FindFunction<Sgemm>("sgemm_");
+  if (sgemm == nullptr) return 0;
+  const size_t count = static_cast<size_t>(size) * static_cast<size_t>(size);
+  const std::vector<float> a(count, 0.5f), b(count, 0.25f);
+  std::vector<float> c(count);
+  const float one = 1, zero = 0;
+  double best_seconds = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= repeats; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    sgemm("N", "N", &size, &size, &size, &one, a.data(), &size, b.data(), &size, &zero, c.data(), &size);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (i > 0) best_seconds = std::min(best_seconds, elapsed.count());
+  }
+  return 2e-9 * static_cast<double>(count) * size / best_seconds;
+}
+
+}  // namespace daumier

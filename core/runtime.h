@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+/// What has to be set before a program computes, and what `daumier info` tells about it. Knows nothing of LibTorch,
+/// whose own thread count the tensor room sets.
+namespace daumier {
+
+/// Cores that this process may use: its CPU affinity, cut by the CPU quotas of its control groups. At least 1.
+int NumCores();
+
+/// The cores that a cgroup quota allows, rounded up: "200000 100000" (quota and period, in microseconds) is 2. 0 if it
+/// says "max", a quota of -1, or nothing that can be read: no limit.
+int CoresOfQuota(std::string_view quota_and_period);
+
+/// To be called first in main. Sets OpenMP's threads where an OpenMP run-time is loaded (0: one a core), and makes
+/// malloc keep the memory that it has, which spares a training step a tenth of its time in page faults.
+/// @throws UsageError if `threads` is negative.
+void SetUpRuntime(int threads);
+
+/// Who multiplies matrices.
+struct BlasInfo {
+  std::string library;  ///< Float products: "oneDNN 2.6.3", or a library's path; "none" where the program has none.
+  std::string kernel;   ///< The instructions that oneDNN uses, "AVX-512 with VNNI"; "chosen by the library" otherwise.
+  std::string double_library;  ///< Double products: a library's path or "none".
+};
+BlasInfo DescribeBlas();
+
+/// GFLOP/s of size^3 float products through the sgemm_ that LibTorch calls, best of `repeats` after a first one to warm
+/// up. 0 where the program has no sgemm_.
+double MeasureSgemm(int size = 1024, int repeats = 5);
+
+}  // namespace daumier
