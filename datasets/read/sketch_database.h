@@ -9,9 +9,10 @@
 namespace daumier::datasets {
 
 /// A folder of sketches on disk, one a face of a FaceDatabase and in its order: manifest.json (kind "sketches",
-/// details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256 canvas, `stroke_offsets`
-/// (S + 1) int64 into points, `stroke_kinds` (S) int32, `face_offsets` (N + 1) int64 into strokes. Strokes are the master;
-/// rasters are derived. Stroke k of any face samples the same curve of the template, with the same number of points.
+/// details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256 canvas,
+/// `stroke_offsets` (S + 1) int64 into points, `stroke_kinds` (S) int32, `face_offsets` (N + 1) int64 into strokes.
+/// Strokes are the master; rasters are derived. Stroke k of any face samples the same curve of the template, with the
+/// same number of points.
 class SketchDatabase {
  public:
   explicit SketchDatabase(const std::filesystem::path& directory, bool verify = true);

@@ -15,7 +15,8 @@ struct SplitOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("kind", kind, Choices{{"person", "random"}}, "person: all faces of a person on one side; random: any face anywhere, as in the paper.");
+    visit("kind", kind, Choices{{"person", "random"}},
+          "person: all faces of a person on one side; random: any face anywhere, as in the paper.");
     visit("validation", validation, Range{0.0, 0.5}, "Share of persons (or faces) on which choices are made.");
     visit("test", test, Range{0.01, 0.5}, "Share of persons (or faces) that only `daumier eval` reads.");
   }
@@ -30,7 +31,10 @@ struct Split {
 /// @throws Error if there are too few persons for the shares.
 Split MakeSplit(const faces::FaceDatabase& database, const SplitOptions& options, uint64_t seed);
 
-/// For manifests: for each side the number of faces, the persons (split person) and a checksum of the face indices.
+/// SHA-256 of the indices in decimal, one a line: names a set of faces in manifests.
+std::string FacesChecksum(const std::vector<int>& faces);
+
+/// For manifests: of each of train, validation and test {num_faces, num_persons, persons, faces_checksum}.
 Json SplitToJson(const faces::FaceDatabase& database, const Split& split);
 
 }  // namespace daumier::datasets

@@ -1,0 +1,134 @@
+#include "datasets/build/sharded_build.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/interrupt.h"
+#include "core/log.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+
+#include <optional>
+
+namespace daumier::datasets {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kJournalVersion = 1;
+constexpr const char* kJournal = "building.json";
+
+/// What a build is to make: the manifest without checksums.
+Json Plan(const Manifest& manifest) {
+  return {{"kind", manifest.kind},      {"verb", manifest.verb},       {"config", manifest.config},
+          {"seed", manifest.seed},      {"sources", manifest.sources}, {"counts", manifest.counts},
+          {"details", manifest.details}};
+}
+
+/// The first place where two plans differ: "config/num_persons is 24 there and 30 here".
+std::string Difference(const Json& there, const Json& here) {
+  const Json patch = Json::diff(there, here);
+  const Json::json_pointer place(patch.at(0).at("path").get<std::string>());
+  const auto value = [&](const Json& plan) { return plan.contains(place) ? plan.at(place).dump() : "absent"; };
+  return fmt::format("{} is {} there and {} here", place.to_string().substr(1), value(there), value(here));
+}
+
+void CheckSame(const fs::path& directory, const Json& there, const Json& here) {
+  // By value, not by order: the config that a user writes may name its keys in any order.
+  const Json patch = Json::diff(there, here);
+  DAUMIER_CHECK(patch.empty(), "{} holds another build: {}; choose another folder or delete it", directory.string(),
+                Difference(there, here));
+}
+
+/// Checksums of finished shards, by file name.
+struct Journal {
+  Json plan;
+  std::map<std::string, std::string> checksums;
+
+  void Write(const fs::path& directory) const {
+    const Json json = {{"format_version", kJournalVersion}, {"plan", plan}, {"checksums", Json(checksums)}};
+    WriteFileAtomically(directory / kJournal, json.dump(1) + "\n");
+  }
+};
+
+Journal ReadJournal(const fs::path& directory) {
+  const fs::path path = directory / kJournal;
+  try {
+    const Json json = Json::parse(ReadFile(path));
+    DAUMIER_CHECK(json.at("format_version") == kJournalVersion, "{}: unknown format version {}", path.string(),
+                  json.at("format_version").dump());
+    return {json.at("plan"), json.at("checksums").get<std::map<std::string, std::string>>()};
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{}: malformed: {}; delete the folder and start again", path.string(), error.what()));
+  }
+}
+
+/// Creates the folder, or finds there a stopped build of the same plan.
+Journal OpenJournal(const fs::path& directory, const Json& plan) {
+  if (fs::exists(directory / kJournal)) {
+    Journal journal = ReadJournal(directory);
+    CheckSame(directory, journal.plan, plan);
+    log::Info("{}: going on with a build that was stopped", directory.string());
+    return journal;
+  }
+  MakeDirectory(directory);
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    // A build that was killed before its first file leaves only the temporary one.
+    DAUMIER_CHECK(entry.path().filename() == std::string(kJournal) + ".tmp",
+                  "{} is neither empty nor a build of {}; choose another folder", directory.string(),
+                  plan.at("kind").get<std::string>());
+  }
+  Journal journal{plan, {}};
+  journal.Write(directory);
+  return journal;
+}
+
+}  // namespace
+
+void BuildShards(const fs::path& directory, const ShardedBuild& build) {
+  const Json plan = Plan(build.manifest);
+  if (fs::exists(directory / "manifest.json")) {
+    const Manifest finished = ReadManifest(directory, build.manifest.kind);
+    CheckSame(directory, Plan(finished), plan);
+    VerifyChecksums(directory, finished);
+    fs::remove(directory / kJournal);
+    log::Info("{}: finished already", directory.string());
+    return;
+  }
+  Journal journal = OpenJournal(directory, plan);
+  MakeDirectory(directory / "shards");
+  Manifest manifest = build.manifest;
+  if (build.write_rest) manifest.checksums = build.write_rest(directory);
+
+  struct Shard {
+    std::string name;
+    std::optional<std::string> checksum;  ///< Absent if interrupted.
+    bool is_new = false;
+  };
+  const std::map<std::string, std::string> recorded = journal.checksums;
+  const auto make = [&](int shard) -> Shard {
+    const std::string name = build.shard_name(shard);
+    const fs::path file = directory / name;
+    const auto known = recorded.find(name);
+    const bool is_there = known != recorded.end() && fs::exists(file) && Sha256OfFile(file) == known->second;
+    if (is_there) return {name, known->second};
+    if (Interrupted()) return {name, std::nullopt};
+    return {name, build.write_shard(shard, file), true};
+  };
+  int num_done = 0;
+  {
+    Progress progress(build.manifest.kind, int64_t(build.num_shards) * build.units_per_shard, build.unit);
+    ForEachInOrder(build.num_shards, make, [&](const Shard& shard) {
+      if (!shard.checksum) return;
+      ++num_done;
+      journal.checksums[shard.name] = *shard.checksum;
+      if (shard.is_new) journal.Write(directory);
+      progress.Step(build.units_per_shard);
+    });
+  }
+  DAUMIER_CHECK(num_done == build.num_shards, "{}: stopped after {} of {} shards; the same command goes on from there",
+                directory.string(), num_done, build.num_shards);
+  manifest.checksums.insert(journal.checksums.begin(), journal.checksums.end());
+  WriteManifest(directory, manifest);
+  fs::remove(directory / kJournal);
+}
+
+}  // namespace daumier::datasets

@@ -1,0 +1,31 @@
+#pragma once
+#include "core/manifest.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace daumier::datasets {
+
+/// A folder that is written shard by shard.
+struct ShardedBuild {
+  Manifest manifest;  ///< All but the checksums.
+  int num_shards = 0;
+  std::string unit;  ///< What progress counts, the plural: "faces".
+  int units_per_shard = 1;
+  std::function<std::string(int shard)> shard_name;  ///< Relative to the folder.
+  /// Writes a shard atomically and returns its checksum. Called from several threads; gives the same bytes every time.
+  std::function<std::string(int shard, const std::filesystem::path& file)> write_shard;
+  /// Writes what stands beside the shards and returns the checksums by file name; may be empty.
+  std::function<std::map<std::string, std::string>(const std::filesystem::path& directory)> write_rest;
+};
+
+/// Writes the shards that are not there yet, and the manifest last. Shards of an earlier, stopped build are kept if
+/// their content is what was recorded in building.json; the bytes of the finished folder are those of a build that was
+/// never stopped, by any number of threads. A folder that is finished is only verified.
+/// @throws Error if the folder holds another build (saying what differs) or something else; if Interrupted(), saying
+/// how to go on; whatever the writers throw. What is finished stays.
+void BuildShards(const std::filesystem::path& directory, const ShardedBuild& build);
+
+}  // namespace daumier::datasets

@@ -1,0 +1,60 @@
+#include "datasets/build/stats.h"
+
+#include "core/error.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <vector>
+
+namespace daumier::datasets {
+
+int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const int> faces, double share) {
+  const auto num_faces = static_cast<Eigen::Index>(faces.size());
+  const Eigen::Index num_coordinates = Eigen::Index(3) * database.num_vertices();
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num_faces, num_faces);
+  constexpr Eigen::Index kBlock = 2048;  // Coordinates at a time, so that memory stays flat.
+  for (Eigen::Index begin = 0; begin < num_coordinates; begin += kBlock) {
+    const Eigen::Index size = std::min(kBlock, num_coordinates - begin);
+    Eigen::MatrixXd block(num_faces, size);
+    for (Eigen::Index f = 0; f < num_faces; ++f) {
+      const auto coordinates = database.vertices(faces[f]);
+      block.row(f) = Eigen::Map<const Eigen::RowVectorXf>(coordinates.data() + begin, size).cast<double>();
+    }
+    block.rowwise() -= block.colwise().mean().eval();
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(block);
+  }
+  const Eigen::VectorXd variances =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+  const double total = variances.sum();
+  double explained = 0;
+  int count = 0;
+  while (count < num_faces && total > 0 && explained < share * total) explained += variances(num_faces - ++count);
+  return count;
+}
+
+Json FaceStatistics(const std::filesystem::path& directory) {
+  const faces::FaceDatabase database(directory);
+  std::vector<int> neutrals, chosen;
+  for (int person = 0; person < database.num_persons(); ++person) neutrals.push_back(database.index({person, 0, 0}));
+  constexpr int kMaxFaces = 600;
+  const int num_chosen = std::min(kMaxFaces, database.num_faces());
+  for (int k = 0; k < num_chosen; ++k) {
+    chosen.push_back(static_cast<int>(int64_t(k) * database.num_faces() / num_chosen));
+  }
+  constexpr double kShare = 0.99;
+  const Manifest& manifest = database.manifest();
+  Json result = manifest.counts;
+  result["source"] = manifest.details.at("source");
+  result["licences"] = manifest.sources;
+  result["gammas"] = manifest.details.at("gammas");
+  result["expression_names"] = manifest.details.at("expressions");
+  result["millimetres_per_cm"] = faces::MillimetresPerCm(database.face_template());
+  result["data_hash"] = DataHash(directory);
+  result["principal_components_99"] = {{"identities", NumPrincipalComponents(database, neutrals, kShare)},
+                                       {"faces", NumPrincipalComponents(database, chosen, kShare)},
+                                       {"num_faces", num_chosen}};
+  return result;
+}
+
+}  // namespace daumier::datasets

@@ -1,0 +1,20 @@
+#pragma once
+#include "core/json.h"
+#include "faces/face_database.h"
+
+#include <filesystem>
+#include <span>
+
+namespace daumier::datasets {
+
+/// How many principal components explain a share of the variance of some faces of a database: the least k such that the
+/// k largest eigenvalues of their centred Gram matrix sum to `share` of its trace. 0 if the faces do not differ.
+int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const int> faces, double share);
+
+/// What `daumier dataset stats` tells of a folder of faces: counts, source and licences, gammas, expressions,
+/// millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 0), faces (evenly
+/// chosen, at most 600), num_faces}.
+/// @throws Error as faces::FaceDatabase.
+Json FaceStatistics(const std::filesystem::path& directory);
+
+}  // namespace daumier::datasets

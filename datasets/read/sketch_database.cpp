@@ -1,0 +1,67 @@
+#include "datasets/read/sketch_database.h"
+
+#include "core/error.h"
+#include "faces/face_database.h"
+
+#include <algorithm>
+
+namespace daumier::datasets {
+namespace {
+
+/// @throws Error unless the array rises from 0 to `end` in `count` steps.
+void CheckOffsets(const std::filesystem::path& path, const SafetensorsFile& shard, const std::string& name,
+                  int64_t count, int64_t end) {
+  const auto offsets = shard.at(name).As<int64_t>();
+  DAUMIER_CHECK(static_cast<int64_t>(offsets.size()) == count + 1 && offsets.front() == 0 && offsets.back() == end &&
+                    std::is_sorted(offsets.begin(), offsets.end()),
+                "{}: {} does not rise from 0 to {} in {} steps", path.string(), name, end, count);
+}
+
+}  // namespace
+
+SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool verify)
+    : manifest_(ReadManifest(directory, "sketches")) {
+  if (verify) VerifyChecksums(directory, manifest_);
+  int num_persons = 0;
+  try {
+    num_persons = manifest_.counts.at("persons").get<int>();
+    num_faces_ = manifest_.counts.at("faces").get<int>();
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
+  }
+  DAUMIER_CHECK(num_persons > 0 && num_faces_ % num_persons == 0, "{}: {} faces of {} persons",
+                (directory / "manifest.json").string(), num_faces_, num_persons);
+  faces_per_shard_ = num_faces_ / num_persons;
+  for (int person = 0; person < num_persons; ++person) {
+    const auto path = directory / faces::PersonShardName(person);
+    const SafetensorsFile& shard = shards_.emplace_back(path);
+    const auto num_strokes = shard.at("stroke_kinds").size();
+    CheckOffsets(path, shard, "face_offsets", faces_per_shard_, num_strokes);
+    CheckOffsets(path, shard, "stroke_offsets", num_strokes, shard.at("points").As<float>().size() / 2);
+  }
+}
+
+std::vector<render::Stroke> SketchDatabase::strokes(int face) const {
+  DAUMIER_CHECK(face >= 0 && face < num_faces_, "sketch {} of a database of {}", face, num_faces_);
+  const SafetensorsFile& shard = shards_[face / faces_per_shard_];
+  const auto faces = shard.at("face_offsets").As<int64_t>(), offsets = shard.at("stroke_offsets").As<int64_t>();
+  const auto kinds = shard.at("stroke_kinds").As<int32_t>();
+  const auto points = shard.at("points").As<float>();
+  std::vector<render::Stroke> strokes;
+  const int row = face % faces_per_shard_;
+  for (int64_t s = faces[row]; s < faces[row + 1]; ++s) {
+    render::Stroke& stroke = strokes.emplace_back(render::Stroke{kinds[s], {}});
+    for (int64_t p = offsets[s]; p < offsets[s + 1]; ++p) stroke.points.push_back({points[2 * p], points[2 * p + 1]});
+  }
+  return strokes;
+}
+
+std::vector<float> SketchDatabase::curve_points(int face) const {
+  std::vector<float> coordinates;
+  for (const render::Stroke& stroke : strokes(face)) {
+    for (const auto& point : stroke.points) coordinates.insert(coordinates.end(), point.begin(), point.end());
+  }
+  return coordinates;
+}
+
+}  // namespace daumier::datasets
