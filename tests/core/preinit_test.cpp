@@ -87,20 +87,20 @@ double OtherThreadsSeconds() {
 }
 
 TEST_F(Preinit, ThreadsSleepWhileTheyWait) {
-  // After each threaded product the calling thread works alone for a millisecond. Active threads burn all of that time.
+  // After each threaded product the calling thread works alone for 50 ms. Active threads burn all of that time.
   if (NumCores() < 2) GTEST_SKIP() << "needs two cores";
   SetUpRuntime(2);
   double burnt = 0, waited = 0;
-  for (int round = 0; round < 100; ++round) {
-    MeasureSgemm(192, 1);
+  for (int round = 0; round < 4; ++round) {
+    MeasureSgemm(512, 1);
     const auto start = std::chrono::steady_clock::now();
     const double before = OtherThreadsSeconds();
     std::chrono::duration<double> alone{};
-    while (alone.count() < 1e-3) alone = std::chrono::steady_clock::now() - start;
+    while (alone.count() < 0.05) alone = std::chrono::steady_clock::now() - start;
     burnt += OtherThreadsSeconds() - before;
     waited += alone.count();
   }
-  EXPECT_LT(burnt, 0.25 * waited);
+  EXPECT_LT(burnt, 0.05 * waited);
 }
 
 }  // namespace
