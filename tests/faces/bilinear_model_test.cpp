@@ -89,7 +89,7 @@ double SquaredError(const BilinearModel& model, const Tensor& tensor) {
   return sum;
 }
 
-TEST(BilinearModel, ReconstructIsTheSumOfWeightedCoreRows) {
+TEST(BilinearModel, ReconstructsByHand) {
   BilinearModel model{.num_identity = 2, .num_expression = 2, .core = BilinearModel::Core(4, 3)};
   model.core << 1, 0, 0,  //
       0, 2, 0,            //

@@ -1,0 +1,148 @@
+#include "datasets/build/sharded_build.h"
+
+#include "core/files.h"
+#include "core/interrupt.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace daumier::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ExpectError;
+using testing::TempDir;
+
+std::map<std::string, std::string> Contents(const fs::path& directory) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file()) contents[fs::relative(entry.path(), directory)] = ReadFile(entry.path());
+  }
+  return contents;
+}
+
+/// Ten small shards and one other file. `num_written` counts the shards that are written.
+struct Build : ShardedBuild {
+  std::atomic<int> num_written = 0;
+  int fails_at = -1;
+
+  Build() {
+    manifest.kind = "numbers";
+    manifest.verb = "dataset numbers";
+    manifest.config = {{"count", 10}, {"nested", {{"width", 2.5}}}};
+    num_shards = 10;
+    unit = "numbers";
+    shard_name = [](int shard) { return fmt::format("shards/{}.txt", shard); };
+    write_shard = [this](int shard, const fs::path& file) {
+      DAUMIER_CHECK(shard != fails_at, "shard {} fails", shard);
+      ++num_written;
+      const std::string bytes = std::string(1000 + shard, static_cast<char>('a' + shard));
+      WriteFileAtomically(file, bytes);
+      return Sha256(bytes);
+    };
+    write_rest = [](const fs::path& directory) {
+      WriteFileAtomically(directory / "rest.txt", "rest");
+      return std::map<std::string, std::string>{{"rest.txt", Sha256("rest")}};
+    };
+  }
+};
+
+class ShardedBuildTest : public ::testing::Test {
+ protected:
+  void SetUp() override { BuildShards(whole_, build_); }
+  void TearDown() override { SetInterrupted(false); }
+
+  TempDir folder_;
+  fs::path whole_ = folder_ / "whole", other_ = folder_ / "other";
+  Build build_;
+};
+
+TEST_F(ShardedBuildTest, ManifestNamesEveryFile) {
+  const Manifest manifest = ReadManifest(whole_, "numbers");
+  EXPECT_EQ(manifest.checksums.size(), 11u);
+  EXPECT_NO_THROW(VerifyChecksums(whole_, manifest));
+  EXPECT_EQ(Contents(whole_).size(), 12u);
+}
+
+TEST_F(ShardedBuildTest, ABuildThatFailedGoesOnAndEndsWithTheSameBytes) {
+  Build build;
+  build.fails_at = 6;
+  ExpectError([&] { BuildShards(other_, build); }, "shard 6 fails");
+  EXPECT_FALSE(fs::exists(other_ / "manifest.json"));
+  build.fails_at = -1;
+  build.num_written = 0;
+  BuildShards(other_, build);
+  EXPECT_LE(build.num_written, 5);  // 6..9; what another thread wrote ahead was not recorded.
+  EXPECT_EQ(Contents(other_), Contents(whole_));
+}
+
+TEST_F(ShardedBuildTest, AShardThatWasDamagedInBetweenIsWrittenAgain) {
+  Build build;
+  build.fails_at = 6;
+  ExpectError([&] { BuildShards(other_, build); }, "shard 6 fails");
+  WriteFileAtomically(other_ / "shards/2.txt", "damaged");
+  fs::remove(other_ / "shards/3.txt");
+  build.fails_at = -1;
+  BuildShards(other_, build);
+  EXPECT_EQ(Contents(other_), Contents(whole_));
+}
+
+TEST_F(ShardedBuildTest, AnInterruptEndsItCleanlyAndSaysHowToGoOn) {
+  Build build;
+  const auto write = build.write_shard;
+  build.write_shard = [&](int shard, const fs::path& file) {
+    if (shard == 4) SetInterrupted(true);
+    return write(shard, file);
+  };
+  ExpectError([&] { BuildShards(other_, build); }, "the same command goes on from there");
+  SetInterrupted(false);
+  build.write_shard = write;
+  build.num_written = 0;
+  BuildShards(other_, build);
+  EXPECT_GT(build.num_written, 0);
+  EXPECT_LE(build.num_written, 5);
+  EXPECT_EQ(Contents(other_), Contents(whole_));
+}
+
+TEST_F(ShardedBuildTest, AFinishedBuildIsOnlyVerified) {
+  const auto before = Contents(whole_);
+  build_.num_written = 0;
+  BuildShards(whole_, build_);
+  EXPECT_EQ(build_.num_written, 0);
+  EXPECT_EQ(Contents(whole_), before);
+  WriteFileAtomically(whole_ / "shards/5.txt", "damaged");
+  ExpectError([&] { BuildShards(whole_, build_); }, "shards/5.txt");
+}
+
+TEST_F(ShardedBuildTest, AnotherBuildInTheFolderIsRefusedAndNamed) {
+  Build build;
+  build.manifest.config["nested"]["width"] = 3.5;
+  ExpectError([&] { BuildShards(whole_, build); }, "config/nested/width is 2.5 there and 3.5 here");
+  build.fails_at = 0;
+  ExpectError([&] { BuildShards(other_, build); }, "shard 0 fails");
+  ExpectError([&] { BuildShards(other_, build_); }, "config/nested/width is 3.5 there and 2.5 here");
+  build_.manifest.config["more"] = 1;
+  ExpectError([&] { BuildShards(whole_, build_); }, "config/more is absent there and 1 here");
+}
+
+TEST_F(ShardedBuildTest, AFolderOfSomethingElseIsRefused) {
+  MakeDirectory(other_);
+  WriteFileAtomically(other_ / "thesis.txt", "important");
+  ExpectError([&] { BuildShards(other_, build_); }, "is neither empty nor a build of numbers");
+  EXPECT_EQ(Contents(other_).size(), 1u);
+  ExpectError([&] { BuildShards(folder_ / "other/thesis.txt", build_); }, "thesis.txt");
+}
+
+TEST_F(ShardedBuildTest, AMalformedRecordIsRefused) {
+  MakeDirectory(other_);
+  WriteFileAtomically(other_ / "building.json", "{\"plan\": 3");
+  ExpectError([&] { BuildShards(other_, build_); }, "building.json: malformed");
+  WriteFileAtomically(other_ / "building.json", "{\"format_version\": 2}");
+  ExpectError([&] { BuildShards(other_, build_); }, "unknown format version 2");
+}
+
+}  // namespace
+}  // namespace daumier::datasets

@@ -1,0 +1,89 @@
+#include "datasets/read/sketch_database.h"
+
+#include "core/files.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::datasets {
+namespace {
+
+using testing::ExpectError;
+using testing::TempDir;
+
+/// One person, two faces: a dot and a line, then a triangle and a dot.
+class SketchDatabaseTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    MakeDirectory(directory_ / "shards");
+    manifest_.kind = "sketches";
+    manifest_.verb = "dataset sketches";
+    manifest_.counts = {{"persons", 1}, {"faces", 2}};
+    Write({0, 1, 3, 6, 7});
+  }
+
+  void Write(const std::vector<int64_t>& stroke_offsets) {
+    SafetensorsWriter writer;
+    writer.Add<float>("points", {7, 2}, std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14});
+    writer.Add<int64_t>("stroke_offsets", {int64_t(stroke_offsets.size())}, stroke_offsets);
+    writer.Add<int32_t>("stroke_kinds", {4}, std::vector<int32_t>{0, 3, 2, 1});
+    writer.Add<int64_t>("face_offsets", {3}, std::vector<int64_t>{0, 2, 4});
+    manifest_.checksums[shard_] = writer.Write(directory_ / shard_);
+    WriteManifest(directory_.path(), manifest_);
+  }
+
+  TempDir directory_;
+  Manifest manifest_;
+  const std::string shard_ = "shards/person-00000.safetensors";
+};
+
+TEST_F(SketchDatabaseTest, StrokesAreReadFaceByFace) {
+  const SketchDatabase sketches(directory_.path());
+  ASSERT_EQ(sketches.num_faces(), 2);
+  const auto first = sketches.strokes(0), second = sketches.strokes(1);
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0].kind, 0);
+  ASSERT_EQ(first[1].points.size(), 2u);
+  EXPECT_EQ(first[1].points[1], (std::array<float, 2>{5, 6}));
+  ASSERT_EQ(second.size(), 2u);
+  EXPECT_EQ(second[0].kind, 2);
+  EXPECT_EQ(second[0].points.size(), 3u);
+  EXPECT_EQ(second[1].points[0], (std::array<float, 2>{13, 14}));
+  EXPECT_EQ(sketches.curve_points(0), (std::vector<float>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST_F(SketchDatabaseTest, FacesOutsideAreRefused) {
+  const SketchDatabase sketches(directory_.path());
+  ExpectError([&] { sketches.strokes(2); }, "sketch 2 of a database of 2");
+  ExpectError([&] { sketches.strokes(-1); }, "sketch -1");
+}
+
+TEST_F(SketchDatabaseTest, DamagedShardsAreRefused) {
+  Write({0, 1, 3, 2, 7});
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "stroke_offsets does not rise from 0 to 7 in 4 steps");
+  Write({0, 1, 3, 6, 9});
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "stroke_offsets");
+  Write({0, 1, 3, 6, 7});
+  std::string bytes = ReadFile(directory_ / shard_);
+  bytes.back() ^= 1;
+  WriteFileAtomically(directory_ / shard_, bytes);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, shard_);
+  WriteFileAtomically(directory_ / shard_, bytes.substr(0, 90));
+  ExpectError([&] { SketchDatabase(directory_.path(), false); }, shard_);
+  std::filesystem::remove(directory_ / shard_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, shard_);
+}
+
+TEST_F(SketchDatabaseTest, ManifestsOfOtherThingsAreRefused) {
+  manifest_.kind = "faces";
+  WriteManifest(directory_.path(), manifest_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "sketches");
+  manifest_.kind = "sketches";
+  manifest_.counts.erase("faces");
+  WriteManifest(directory_.path(), manifest_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "malformed");
+}
+
+}  // namespace
+}  // namespace daumier::datasets

@@ -1,0 +1,87 @@
+#include "datasets/read/sketch_dataset.h"
+
+#include "core/files.h"
+#include "faces/face_database.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/synthetic_database.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+#include <torch/torch.h>
+
+namespace daumier::datasets {
+namespace {
+
+using testing::ExpectError;
+using testing::TempDir;
+
+class SketchDatasetTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TempDir;
+    testing::BuildSyntheticFaces(*folder_ / "faces", 2);
+    testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "sketches");
+    sketches_ = new SketchDatabase(*folder_ / "sketches");
+  }
+  static void TearDownTestSuite() {
+    delete sketches_;
+    delete folder_;
+  }
+
+  static inline TempDir* folder_ = nullptr;
+  static inline SketchDatabase* sketches_ = nullptr;
+};
+
+TEST_F(SketchDatasetTest, ImagesAreTheRasterisedStrokesWithInkOne) {
+  const SketchDataset dataset(*sketches_, {3, 11, 5}, 64);
+  const SketchBatch batch = dataset.Get(std::vector<int>{2, 0});
+  ASSERT_EQ(batch.images.sizes(), (std::vector<int64_t>{2, 1, 64, 64}));
+  EXPECT_EQ(batch.images.scalar_type(), torch::kFloat32);
+  EXPECT_EQ(batch.faces[0].item<int64_t>(), 5);
+  EXPECT_EQ(batch.faces[1].item<int64_t>(), 3);
+  for (const auto& [row, face] : {std::pair{0, 5}, {1, 3}}) {
+    const render::Image image = render::RasteriseStrokes(sketches_->strokes(face), 64);
+    for (const auto& [y, x] : {std::pair{32, 32}, {20, 40}, {45, 30}, {0, 0}}) {
+      EXPECT_FLOAT_EQ(batch.images[row][0][y][x].item<float>(), 1 - image.at(y, x) / 255.0f);
+    }
+  }
+  EXPECT_EQ(batch.images.max().item<float>(), 1.0f);
+  EXPECT_EQ(batch.images.min().item<float>(), 0.0f);
+  EXPECT_LT(batch.images.mean().item<float>(), 0.3f);  // Mostly paper.
+}
+
+TEST(SketchDataset, InkIsOneAndPaperIsZero) {
+  const TempDir folder;
+  MakeDirectory(folder / "shards");
+  SafetensorsWriter writer;  // A line of 1.5 pixels through the middle row of 256 x 256, drawn at that size.
+  writer.Add<float>("points", {2, 2}, std::vector<float>{0, 127.5, 256, 127.5});
+  writer.Add<int64_t>("stroke_offsets", {2}, std::vector<int64_t>{0, 2});
+  writer.Add<int32_t>("stroke_kinds", {1}, std::vector<int32_t>{0});
+  writer.Add<int64_t>("face_offsets", {2}, std::vector<int64_t>{0, 1});
+  writer.Write(folder / faces::PersonShardName(0));
+  Manifest manifest;
+  manifest.kind = "sketches";
+  manifest.counts = {{"persons", 1}, {"faces", 1}};
+  WriteManifest(folder.path(), manifest);
+  const torch::Tensor image = SketchDataset(SketchDatabase(folder.path()), {0}, 256).Get(std::vector<int>{0}).images;
+  EXPECT_EQ(image[0][0][127][100].item<float>(), 1.0f);
+  EXPECT_EQ(image[0][0][100][100].item<float>(), 0.0f);
+  EXPECT_EQ(image[0][0][160][100].item<float>(), 0.0f);
+}
+
+TEST_F(SketchDatasetTest, ABatchDoesNotDependOnWhatElseIsCached) {
+  std::vector<int> all(sketches_->num_faces());
+  std::iota(all.begin(), all.end(), 0);
+  const SketchDataset whole(*sketches_, all, 32), one(*sketches_, {9}, 32);
+  EXPECT_TRUE(torch::equal(whole.Get(std::vector<int>{9}).images, one.Get(std::vector<int>{0}).images));
+  EXPECT_EQ(whole.size(), sketches_->num_faces());
+}
+
+TEST_F(SketchDatasetTest, WhatIsNotThereIsRefused) {
+  ExpectError([&] { SketchDataset(*sketches_, {0, 99}, 32); }, "sketch 99");
+  const SketchDataset dataset(*sketches_, {0, 1}, 32);
+  ExpectError([&] { dataset.Get(std::vector<int>{2}); }, "sample 2 of a dataset of 2");
+}
+
+}  // namespace
+}  // namespace daumier::datasets

@@ -1,0 +1,98 @@
+#include "datasets/read/training_fit.h"
+
+#include "core/files.h"
+#include "core/safetensors.h"
+#include "tests/support/synthetic_database.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace daumier::datasets {
+namespace {
+
+using testing::TempDir;
+
+constexpr faces::BilinearOptions kRanks{.num_identity = 6, .num_expression = 3};
+
+class TrainingFitTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TempDir;
+    testing::BuildSyntheticFaces(*folder_ / "faces", 8);
+    database_ = new faces::FaceDatabase(*folder_ / "faces");
+  }
+  static void TearDownTestSuite() {
+    delete database_;
+    delete folder_;
+  }
+
+  /// A copy of the database in which all but the given faces are ruined.
+  static faces::FaceDatabase WithOnly(const std::vector<int>& kept) {
+    const std::filesystem::path ruined = *folder_ / "ruined";
+    std::filesystem::remove_all(ruined);
+    std::filesystem::copy(*folder_ / "faces", ruined, std::filesystem::copy_options::recursive);
+    const std::set<int> keep(kept.begin(), kept.end());
+    const int per_person = database_->num_levels() * database_->num_expressions();
+    for (int person = 0; person < database_->num_persons(); ++person) {
+      std::vector<float> vertices;
+      for (int face = person * per_person; face < (person + 1) * per_person; ++face) {
+        const auto original = database_->vertices(face);
+        if (keep.count(face) > 0) {
+          vertices.insert(vertices.end(), original.begin(), original.end());
+        } else {
+          vertices.insert(vertices.end(), original.size(), 1e6f);
+        }
+      }
+      SafetensorsWriter writer;
+      writer.Add<float>(
+          "vertices", {database_->num_levels(), database_->num_expressions(), database_->num_vertices(), 3}, vertices);
+      writer.Write(ruined / faces::PersonShardName(person));
+    }
+    return faces::FaceDatabase(ruined, false);
+  }
+
+  static inline TempDir* folder_ = nullptr;
+  static inline faces::FaceDatabase* database_ = nullptr;
+};
+
+TEST_F(TrainingFitTest, NoFaceBesideTheTrainingFacesIsRead) {
+  for (const std::string kind : {"person", "random"}) {
+    const Split split = MakeSplit(*database_, {.kind = kind, .validation = 0.15, .test = 0.15}, 2);
+    const FittedBilinear fitted = FitOnTraining(*database_, split, kRanks);
+    const faces::FaceDatabase ruined = WithOnly(split.train);
+    EXPECT_EQ(FitOnTraining(ruined, split, kRanks).model.core, fitted.model.core) << kind;
+  }
+}
+
+TEST_F(TrainingFitTest, ManifestsProveThatNoTestFaceWasUsed) {
+  const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.15, .test = 0.15}, 2);
+  const Json sides = SplitToJson(*database_, split), proof = FitOnTraining(*database_, split, kRanks).proof;
+  EXPECT_EQ(proof.at("faces_checksum"), sides.at("train").at("faces_checksum"));
+  EXPECT_EQ(proof.at("persons"), sides.at("train").at("persons"));
+  EXPECT_EQ(proof.at("num_faces"), split.train.size());
+  for (const int person : proof.at("persons").get<std::vector<int>>()) {
+    for (const char* side : {"validation", "test"}) {
+      const auto others = sides.at(side).at("persons").get<std::set<int>>();
+      EXPECT_EQ(others.count(person), 0u);
+    }
+  }
+}
+
+TEST_F(TrainingFitTest, RowsAreTrainingPersonsTimesLevels) {
+  const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.15, .test = 0.15}, 2);
+  const FittedBilinear fitted = FitOnTraining(*database_, split, kRanks);
+  ASSERT_EQ(fitted.identities.size(), size_t(fitted.model.identity_factors.rows()));
+  EXPECT_EQ(fitted.identities.size(), 6u * 2);
+  EXPECT_EQ(fitted.proof.at("num_identities"), 12);
+  // A training face is close to what its factors reconstruct.
+  const int row = 5, expression = 2, face = fitted.identities[row] * database_->num_expressions() + expression;
+  const Eigen::VectorXf rebuilt = faces::Reconstruct(fitted.model, fitted.model.identity_factors.row(row),
+                                                     fitted.model.expression_factors.row(expression));
+  const auto truth = database_->vertices(face);
+  EXPECT_LT((rebuilt - Eigen::Map<const Eigen::VectorXf>(truth.data(), rebuilt.size())).cwiseAbs().maxCoeff(), 0.5);
+}
+
+}  // namespace
+}  // namespace daumier::datasets

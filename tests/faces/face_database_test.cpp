@@ -1,0 +1,179 @@
+#include "faces/face_database.h"
+
+#include "core/files.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/synthetic_face.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <numeric>
+
+namespace daumier::faces {
+namespace {
+
+using testing::ExpectError;
+using testing::TempDir;
+
+constexpr int kPersons = 2, kLevels = 2, kExpressions = 3;
+
+/// A database whose face f has the coordinates f, f + 1, f + 2, ...
+struct SampleDatabase {
+  SampleDatabase() {
+    template_ = testing::SyntheticFace();
+    MakeDirectory(directory_ / "shards");
+    manifest_.kind = "faces";
+    manifest_.verb = "dataset faces";
+    manifest_.counts = {{"persons", kPersons}, {"levels", kLevels}, {"expressions", kExpressions}};
+    manifest_.details = {{"gammas", {0.0, 0.2}}, {"expressions", {"neutral", "smile", "frown"}}};
+    manifest_.checksums = WriteFaceTemplate(directory_.path(), template_);
+    const int num_vertices = template_.num_vertices(), faces_per_person = kLevels * kExpressions;
+    for (int person = 0; person < kPersons; ++person) {
+      std::vector<float> vertices(size_t(faces_per_person) * 3 * num_vertices);
+      for (int face = 0; face < faces_per_person; ++face) {
+        const auto begin = vertices.begin() + face * 3 * num_vertices;
+        std::iota(begin, begin + 3 * num_vertices, static_cast<float>(person * faces_per_person + face));
+      }
+      SafetensorsWriter writer;
+      writer.Add<float>("vertices", {kLevels, kExpressions, num_vertices, 3}, vertices);
+      writer.Add<float>("identity_weights", {2}, std::vector<float>{float(person), 0.5f});
+      manifest_.checksums[PersonShardName(person)] = writer.Write(directory_ / PersonShardName(person));
+    }
+    WriteManifest(directory_.path(), manifest_);
+  }
+
+  /// Changes the bytes of a file of the database.
+  void Edit(const std::string& name, const std::function<void(std::string&)>& edit) {
+    std::string bytes = ReadFile(directory_ / name);
+    edit(bytes);
+    WriteFileAtomically(directory_ / name, bytes);
+  }
+  /// Replaces a text in a file of the database.
+  void Replace(const std::string& name, const std::string& from, const std::string& to) {
+    Edit(name, [&](std::string& bytes) {
+      ASSERT_NE(bytes.find(from), std::string::npos);
+      bytes.replace(bytes.find(from), from.size(), to);
+    });
+  }
+  void ExpectRefused(const std::string& part, bool verify = true) {
+    ExpectError([&] { FaceDatabase(directory_.path(), verify); }, part);
+  }
+
+  TempDir directory_;
+  FaceTemplate template_;
+  Manifest manifest_;
+  const std::string shard_ = PersonShardName(1);
+};
+
+class FaceDatabaseTest : public ::testing::Test, protected SampleDatabase {};
+
+TEST(FaceDatabase, IndexAndIdAreInverse) {
+  const SampleDatabase sample;
+  const FaceDatabase database(sample.directory_.path());
+  ASSERT_EQ(database.num_faces(), kPersons * kLevels * kExpressions);
+  for (int face = 0; face < database.num_faces(); ++face) EXPECT_EQ(database.index(database.id(face)), face);
+  EXPECT_EQ(database.id(10), (FaceId{.person = 1, .level = 1, .expression = 1}));
+}
+
+TEST(FaceDatabase, PointsAreTheVerticesRowByRow) {
+  const SampleDatabase sample;
+  const FaceDatabase database(sample.directory_.path());
+  for (int face = 0; face < database.num_faces(); ++face) {
+    const auto vertices = database.vertices(face);
+    ASSERT_EQ(vertices.size(), size_t(3) * database.num_vertices());
+    EXPECT_EQ(vertices[0], static_cast<float>(face));
+    EXPECT_EQ(vertices[5], static_cast<float>(face + 5));
+    EXPECT_EQ(database.points(face)(1, 2), face + 5.0);
+  }
+}
+
+TEST_F(FaceDatabaseTest, TellsWhatItHolds) {
+  const FaceDatabase database(directory_.path());
+  EXPECT_EQ(database.num_persons(), kPersons);
+  EXPECT_EQ(database.num_levels(), kLevels);
+  EXPECT_EQ(database.expression_names().at(2), "frown");
+  EXPECT_EQ(database.gammas(), (std::vector<double>{0.0, 0.2}));
+  EXPECT_EQ(database.identity_weights(1)[0], 1.0f);
+  EXPECT_EQ(database.manifest().kind, "faces");
+}
+
+TEST_F(FaceDatabaseTest, IndicesOutsideAreRefused) {
+  const FaceDatabase database(directory_.path());
+  ExpectError([&] { database.vertices(12); }, "face 12 of a database of 12");
+  ExpectError([&] { database.id(-1); }, "face -1");
+  ExpectError([&] { database.index({0, 2, 0}); }, "level 2");
+  ExpectError([&] { database.identity_weights(2); }, "person 2");
+}
+
+TEST_F(FaceDatabaseTest, TemplateIsReadBack) {
+  const FaceTemplate read = ReadFaceTemplate(directory_.path());
+  EXPECT_EQ(read.source, template_.source);
+  EXPECT_EQ(read.provenance, template_.provenance);
+  EXPECT_EQ(read.neutral, template_.neutral);
+  EXPECT_EQ(read.triangles, template_.triangles);
+  EXPECT_EQ(read.closing_triangles, template_.closing_triangles);
+  EXPECT_EQ(read.num_eye_closing_triangles, template_.num_eye_closing_triangles);
+  EXPECT_EQ(read.annotation.landmarks, template_.annotation.landmarks);
+  EXPECT_EQ(read.annotation.hairline_vertex, template_.annotation.hairline_vertex);
+  EXPECT_EQ(read.annotation.regions, template_.annotation.regions);
+  EXPECT_EQ(read.annotation.mirror, template_.annotation.mirror);
+  ASSERT_EQ(read.annotation.curves.size(), template_.annotation.curves.size());
+  for (size_t c = 0; c < read.annotation.curves.size(); ++c) {
+    const FeatureCurve &curve = read.annotation.curves[c], &expected = template_.annotation.curves[c];
+    EXPECT_EQ(curve.name, expected.name);
+    EXPECT_EQ(curve.kind, expected.kind);
+    EXPECT_EQ(curve.view, expected.view);
+    EXPECT_EQ(curve.closed, expected.closed);
+    EXPECT_EQ(curve.vertices, expected.vertices);
+  }
+}
+
+TEST_F(FaceDatabaseTest, AMissingShardIsNamed) {
+  std::filesystem::remove(directory_ / shard_);
+  ExpectRefused(shard_);
+  ExpectRefused(shard_, false);
+}
+
+TEST_F(FaceDatabaseTest, ATruncatedShardIsNamed) {
+  Edit(shard_, [](std::string& bytes) { bytes.resize(bytes.size() / 2); });
+  ExpectRefused(shard_);
+  ExpectRefused(shard_, false);
+}
+
+TEST_F(FaceDatabaseTest, AFlippedByteIsFoundByTheChecksum) {
+  Edit(shard_, [](std::string& bytes) { bytes[bytes.size() - 100] ^= 1; });
+  ExpectRefused(shard_);
+  EXPECT_NO_THROW(FaceDatabase(directory_.path(), false));
+}
+
+TEST_F(FaceDatabaseTest, NewerVersionsAreRefused) {
+  Replace("manifest.json", "\"format_version\": 1", "\"format_version\": 99");
+  ExpectRefused("99");
+  WriteManifest(directory_.path(), manifest_);
+  Replace(shard_, "\"format_version\":\"1\"", "\"format_version\":\"9\"");
+  ExpectRefused("format_version", false);
+}
+
+TEST_F(FaceDatabaseTest, ShardsOfAnotherShapeAreRefused) {
+  manifest_.counts["levels"] = 3;
+  WriteManifest(directory_.path(), manifest_);
+  ExpectRefused("vertices have the shape [2,3,");
+  manifest_.counts.erase("levels");
+  WriteManifest(directory_.path(), manifest_);
+  ExpectRefused("manifest.json: malformed");
+}
+
+TEST_F(FaceDatabaseTest, ATemplateThatDoesNotFitIsRefused) {
+  Replace("template.json", "\"hairline_vertex\": ", "\"hairline_vertex\": 99");
+  ExpectRefused("the hairline names vertex 99", false);
+  Replace("template.json", "\"format_version\": 1", "\"format_version\": 2");
+  ExpectRefused("template.json: format version 2", false);
+  WriteFileAtomically(directory_ / "template.json", "{\"format_version\":");
+  ExpectRefused("template.json: malformed", false);
+  std::filesystem::remove(directory_ / "template.json");
+  ExpectRefused("template.json", false);
+}
+
+}  // namespace
+}  // namespace daumier::faces
