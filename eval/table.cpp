@@ -2,25 +2,11 @@
 
 #include "core/error.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace daumier::eval {
-namespace {
-
-using Cells = std::vector<std::string>;
-
-std::vector<Cells> CellsOf(const std::vector<ErrorRow>& rows) {
-  std::vector<Cells> cells = {{"predictor", "mm", "95 % interval", "median", "p90", "p99", "of eye distance"}};
-  for (const ErrorRow& row : rows) {
-    cells.push_back({row.name, fmt::format("{:.3f}", row.error_mm),
-                     fmt::format("{:.3f} to {:.3f}", row.interval_mm.low, row.interval_mm.high),
-                     fmt::format("{:.3f}", row.p50_mm), fmt::format("{:.3f}", row.p90_mm),
-                     fmt::format("{:.3f}", row.p99_mm), fmt::format("{:.2f} %", 100 * row.interocular_share)});
-  }
-  return cells;
-}
-
-}  // namespace
 
 ErrorRow MakeErrorRow(const std::string& name, std::span<const double> errors_mm,
                       std::span<const double> interocular_mm, std::span<const int> persons, uint64_t seed) {
@@ -39,14 +25,26 @@ ErrorRow MakeErrorRow(const std::string& name, std::span<const double> errors_mm
   return row;
 }
 
+std::vector<std::vector<std::string>> TableCells(const std::vector<ErrorRow>& rows) {
+  std::vector<std::vector<std::string>> cells = {
+      {"predictor", "mm", "95 % interval", "median", "p90", "p99", "of eye distance"}};
+  for (const ErrorRow& row : rows) {
+    cells.push_back({row.name, fmt::format("{:.3f}", row.error_mm),
+                     fmt::format("{:.3f} to {:.3f}", row.interval_mm.low, row.interval_mm.high),
+                     fmt::format("{:.3f}", row.p50_mm), fmt::format("{:.3f}", row.p90_mm),
+                     fmt::format("{:.3f}", row.p99_mm), fmt::format("{:.2f} %", 100 * row.interocular_share)});
+  }
+  return cells;
+}
+
 std::string TableText(const std::vector<ErrorRow>& rows) {
-  const std::vector<Cells> cells = CellsOf(rows);
+  const std::vector<std::vector<std::string>> cells = TableCells(rows);
   std::vector<size_t> widths(cells.front().size(), 0);
-  for (const Cells& line : cells)
+  for (const auto& line : cells)
     for (size_t column = 0; column < line.size(); ++column)
       widths[column] = std::max(widths[column], line[column].size());
   std::string text;
-  for (const Cells& line : cells) {
+  for (const auto& line : cells) {
     text += fmt::format("{:<{}}", line[0], widths[0]);
     for (size_t column = 1; column < line.size(); ++column)
       text += fmt::format("  {:>{}}", line[column], widths[column]);
@@ -56,7 +54,7 @@ std::string TableText(const std::vector<ErrorRow>& rows) {
 }
 
 std::string TableMarkdown(const std::vector<ErrorRow>& rows) {
-  const std::vector<Cells> cells = CellsOf(rows);
+  const std::vector<std::vector<std::string>> cells = TableCells(rows);
   std::string text;
   for (size_t line = 0; line < cells.size(); ++line) {
     text += fmt::format("| {} |\n", fmt::join(cells[line], " | "));
@@ -82,6 +80,24 @@ Json TableJson(const std::vector<ErrorRow>& rows) {
                     {"interocular_share", row.interocular_share}});
   }
   return list;
+}
+
+std::vector<ErrorRow> TableFromJson(const Json& list) {
+  std::vector<ErrorRow> rows;
+  try {
+    for (const Json& entry : list) {
+      rows.push_back({.name = entry.at("name").get<std::string>(),
+                      .error_mm = entry.at("error").get<double>(),
+                      .interval_mm = {entry.at("error_low").get<double>(), entry.at("error_high").get<double>()},
+                      .p50_mm = entry.at("p50").get<double>(),
+                      .p90_mm = entry.at("p90").get<double>(),
+                      .p99_mm = entry.at("p99").get<double>(),
+                      .interocular_share = entry.at("interocular_share").get<double>()});
+    }
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("a table of errors is malformed: {}", error.what()));
+  }
+  return rows;
 }
 
 }  // namespace daumier::eval

@@ -21,10 +21,15 @@ struct ErrorRow {
 ErrorRow MakeErrorRow(const std::string& name, std::span<const double> errors_mm,
                       std::span<const double> interocular_mm, std::span<const int> persons, uint64_t seed);
 
-/// Aligned text for a terminal / a Markdown table, both with a head line; three decimals.
+/// The table as texts, three decimals: the head line, then a line a row; the first column holds the names.
+std::vector<std::vector<std::string>> TableCells(const std::vector<ErrorRow>& rows);
+/// Aligned text for a terminal / a Markdown table, both with a head line.
 std::string TableText(const std::vector<ErrorRow>& rows);
 std::string TableMarkdown(const std::vector<ErrorRow>& rows);
+
 /// A list of objects: name, error, error_low, error_high, p50, p90, p99 (mm), interocular_share.
 Json TableJson(const std::vector<ErrorRow>& rows);
+/// Undoes TableJson. @throws Error if a key is missing.
+std::vector<ErrorRow> TableFromJson(const Json& list);
 
 }  // namespace daumier::eval

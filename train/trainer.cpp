@@ -159,8 +159,10 @@ class Training {
     const std::string where = CheckpointDirectory().string();
     tensor::LoadState(recipe_.module(), checkpoint->model, where);
     optimiser_.LoadState(checkpoint->optimiser, where);
-    for (const auto& [device, state] : checkpoint->random)
-      at::globalContext().defaultGenerator(torch::Device(device)).set_state(state);
+    for (const auto& [device, random_state] : checkpoint->random) {
+      at::Generator generator = at::globalContext().defaultGenerator(torch::Device(device));
+      generator.set_state(random_state);
+    }
     const Json& state = checkpoint->state;
     step_ = state.at("step").get<int64_t>();
     best_ = state.at("best").get<double>();

@@ -47,5 +47,11 @@ TEST(Table, JsonHasAnObjectARow) {
   EXPECT_EQ(list[0]["p90"], 2.8);
 }
 
+TEST(Table, FromJsonUndoesJson) {
+  const std::vector<ErrorRow> rows = {TwoFaces(), TwoFaces()};
+  EXPECT_EQ(TableText(TableFromJson(Json::parse(TableJson(rows).dump()))), TableText(rows));
+  EXPECT_THROW(TableFromJson(Json::parse(R"([{"name": "network"}])")), Error);
+}
+
 }  // namespace
 }  // namespace daumier::eval

@@ -1,0 +1,153 @@
+#include "eval/sketch_eval.h"
+
+#include "core/config.h"
+#include "core/files.h"
+#include "core/manifest.h"
+#include "datasets/read/training_fit.h"
+#include "eval/baselines.h"
+#include "eval/metrics.h"
+#include "eval/sketch_run_data.h"
+#include "tensor/module_state.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/synthetic_database.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+#include <torch/utils.h>
+
+namespace daumier::eval {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An untrained network on six synthetic persons, in a run folder as a training leaves it.
+class SketchEvalTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<testing::TempDir>();
+    testing::BuildSyntheticFaces(*folder_ / "faces");
+    testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "sketches");
+    WriteRun(*folder_ / "run");
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static void WriteRun(const fs::path& run) {
+    const faces::FaceDatabase faces(*folder_ / "faces");
+    const datasets::SplitOptions split_options;
+    const datasets::Split split = datasets::MakeSplit(faces, split_options, 7);
+    const datasets::FittedBilinear fitted =
+        datasets::FitOnTraining(faces, split, {.num_identity = 6, .num_expression = 4});
+    const models::PixelCnnOptions network_options{.resolution = 32, .width = 4, .hidden = 16};
+    torch::manual_seed(7);
+    models::SketchNetwork network(network_options, fitted.model);
+    const Json config = {
+        {"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
+        {"split", ToJson(split_options)},
+        {"network", ToJson(network_options)},
+        {"seed", 7}};
+    MakeDirectory(run / "best");
+    WriteFileAtomically(run / "resolved.toml", ToToml(config));
+    Manifest manifest;
+    manifest.kind = "run";
+    manifest.verb = "train";
+    manifest.seed = 7;
+    manifest.details = {
+        {"data", {{"faces", DataHash(*folder_ / "faces")}, {"sketches", DataHash(*folder_ / "sketches")}}},
+        {"split", datasets::SplitToJson(faces, split)},
+        {"bilinear", fitted.proof}};
+    manifest.sources = faces.manifest().sources;
+    manifest.checksums = faces::WriteFaceTemplate(run, faces.face_template());
+    manifest.checksums["bilinear.safetensors"] = faces::WriteBilinearModel(run / "bilinear.safetensors", fitted.model);
+    WriteManifest(run, manifest);
+    tensor::SaveModule(run / "best" / "model.safetensors", *network);
+  }
+
+  static std::unique_ptr<testing::TempDir> folder_;
+};
+
+std::unique_ptr<testing::TempDir> SketchEvalTest::folder_;
+
+TEST_F(SketchEvalTest, WritesTheKeysThatAreAgreedOnAndAReport) {
+  const fs::path out = *folder_ / "report";
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", "test", out);
+  EXPECT_EQ(Json::parse(ReadFile(out / "metrics.json")), metrics);
+  for (const char* key :
+       {"mean_vertex_error_mm", "p90_vertex_error_mm", "mean_face_baseline_mm", "nearest_neighbour_mm", "ridge_mm",
+        "model_limit_mm", "seconds", "ridge_lambda", "interocular_share"})
+    EXPECT_GT(metrics.at(key).get<double>(), 0) << key;
+  EXPECT_EQ(metrics.at("num_faces"), 8);  // One person, two levels, four expressions.
+  EXPECT_EQ(metrics.at("num_persons"), 1);
+  EXPECT_EQ(metrics.at("split"), "test");
+  EXPECT_EQ(metrics.at("shape_input"), "none");
+  EXPECT_EQ(metrics.at("table").size(), 5u);
+  EXPECT_EQ(metrics.at("table")[0].at("error"), metrics.at("mean_vertex_error_mm"));
+  for (const char* file : {"sheet.png", "mean_error.png", "errors.svg", "index.html", "table.md"})
+    EXPECT_TRUE(fs::exists(out / file)) << file;
+  VerifyChecksums(out, ReadManifest(out, "report"));
+}
+
+TEST_F(SketchEvalTest, MeasuresBaselinesAsWorkedOutByHand) {
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", "validation", *folder_ / "validation");
+  const SketchRunData data = OpenSketchRunData(*folder_ / "run");
+  const SketchSamples samples{[&](int face) { return data.faces.vertices(face); },
+                              [&](int face) { return data.sketches.curve_points(face); }};
+  const Eigen::VectorXf mean = MeanFace(samples, data.split.train);
+  std::vector<double> errors;
+  for (const int face : data.split.validation) {
+    errors.push_back(MeanVertexError({mean.data(), size_t(mean.size())}, data.faces.vertices(face),
+                                     data.faces.face_template().annotation.regions.at("face"),
+                                     faces::MillimetresPerCm(data.faces.face_template())));
+  }
+  EXPECT_NEAR(metrics.at("mean_face_baseline_mm").get<double>(), Mean(errors), 1e-9);
+  EXPECT_LT(metrics.at("model_limit_mm").get<double>(), metrics.at("mean_face_baseline_mm").get<double>());
+}
+
+TEST_F(SketchEvalTest, FindsATrainingFaceByItsNearestNeighbour) {
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", "train", *folder_ / "train");
+  EXPECT_EQ(metrics.at("nearest_neighbour_mm"), 0.0);
+}
+
+TEST_F(SketchEvalTest, OfEqualRunsIsEqualButForItsSeconds) {
+  Json first = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "a");
+  Json second = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "b");
+  first.erase("seconds");
+  second.erase("seconds");
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(Sha256OfFile(*folder_ / "a" / "sheet.png"), Sha256OfFile(*folder_ / "b" / "sheet.png"));
+}
+
+TEST_F(SketchEvalTest, ManifestProvesThatNothingWasFittedOnValidationOrTestPersons) {
+  const Manifest manifest = ReadManifest(*folder_ / "run", "run");
+  const Json &split = manifest.details.at("split"), &fitted = manifest.details.at("bilinear");
+  EXPECT_EQ(fitted.at("faces_checksum"), split.at("train").at("faces_checksum"));
+  for (const Json& person : fitted.at("persons"))
+    for (const char* side : {"validation", "test"})
+      for (const Json& held_out : split.at(side).at("persons")) EXPECT_NE(person, held_out);
+}
+
+TEST_F(SketchEvalTest, RefusesAnUnknownSideAndLeavesNothing) {
+  testing::ExpectError([&] { EvaluateSketchRun(*folder_ / "run", "tset", *folder_ / "none"); }, "no side of a split");
+  EXPECT_FALSE(fs::exists(*folder_ / "none"));
+}
+
+TEST_F(SketchEvalTest, RefusesOtherDataThanTheRunWasTrainedOn) {
+  const fs::path run = *folder_ / "other_run";
+  WriteRun(run);
+  testing::BuildSyntheticFaces(*folder_ / "other_faces", 7);
+  Json config = LoadConfig(run / "resolved.toml");
+  config["data"]["faces"] = (*folder_ / "other_faces").string();
+  WriteFileAtomically(run / "resolved.toml", ToToml(config));
+  testing::ExpectError([&] { OpenSketchRunData(run); }, "holds other faces than");
+}
+
+TEST_F(SketchEvalTest, RefusesASplitThatComesOutOtherwise) {
+  const fs::path run = *folder_ / "other_split";
+  WriteRun(run);
+  Manifest manifest = ReadManifest(run, "run");
+  manifest.details["split"]["test"]["faces_checksum"] = "0";
+  WriteManifest(run, manifest);
+  testing::ExpectError([&] { OpenSketchRunData(run); }, "was split otherwise");
+}
+
+}  // namespace
+}  // namespace daumier::eval

@@ -1,0 +1,104 @@
+#include "core/config.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/manifest.h"
+#include "datasets/read/training_fit.h"
+#include "tensor/runtime.h"
+#include "train/run_folder.h"
+#include "train/sketch_recipe.h"
+
+#include <torch/utils.h>
+
+namespace daumier::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBilinearFile = "bilinear.safetensors";
+constexpr const char* kBestFile = "best/model.safetensors";
+
+SketchTrainingOptions ParseSketchOptions(const Json& config) {
+  SketchTrainingOptions options = ParseOptions<SketchTrainingOptions>(config, "training config");
+  for (std::string* folder : {&options.data.faces, &options.data.sketches}) {
+    if (folder->empty())
+      throw UsageError("a sketch training needs data.faces=FOLDER and data.sketches=FOLDER, made by `daumier dataset`");
+    *folder = fs::absolute(*folder).lexically_normal().string();
+  }
+  return options;
+}
+
+/// Which data these are; sketches have to be of these faces.
+Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchDatabase& sketches) {
+  const std::string faces_hash = DataHash(options.data.faces);
+  DAUMIER_CHECK(sketches.manifest().details.value("faces_data_hash", "") == faces_hash,
+                "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
+                options.data.sketches, options.data.faces);
+  return {{"faces", faces_hash}, {"sketches", DataHash(options.data.sketches)}};
+}
+
+/// The bilinear model of a run: fitted and written with all else that begins a run folder, or read back from it.
+faces::BilinearModel BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
+                              const faces::FaceDatabase& faces, const datasets::Split& split) {
+  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
+  log::Info("Fitting the bilinear model on {} training faces", split.train.size());
+  const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, options.bilinear);
+  manifest.details["bilinear"] = fitted.proof;
+  manifest.checksums = faces::WriteFaceTemplate(directory, faces.face_template());
+  manifest.checksums[kBilinearFile] = faces::WriteBilinearModel(directory / kBilinearFile, fitted.model);
+  WriteManifest(directory, manifest);
+  return fitted.model;
+}
+
+faces::BilinearModel TakeUpRun(const fs::path& directory, const SketchTrainingOptions& options) {
+  VerifyChecksums(directory, ReadManifest(directory, "run"));
+  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
+  return faces::ReadBilinearModel(directory / kBilinearFile);
+}
+
+void FinishRun(const fs::path& directory, const TrainingSummary& summary, int64_t num_parameters) {
+  Manifest manifest = ReadManifest(directory, "run");
+  manifest.counts["parameters"] = num_parameters;
+  manifest.counts["steps"] = summary.steps;
+  manifest.counts["epochs"] = summary.epochs;
+  manifest.counts["best_epoch"] = summary.best_epoch;
+  manifest.checksums[kBestFile] = Sha256OfFile(directory / kBestFile);
+  WriteManifest(directory, manifest);
+}
+
+}  // namespace
+
+TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
+  const SketchTrainingOptions options = ParseSketchOptions(config);
+  const torch::Device torch_device = tensor::ParseDevice(device);
+  const faces::FaceDatabase faces(options.data.faces);
+  const datasets::SketchDatabase sketches(options.data.sketches);
+  const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
+
+  Manifest manifest;
+  manifest.kind = "run";
+  manifest.verb = "train";
+  manifest.config = ToJson(options);
+  manifest.config.erase("data");
+  manifest.seed = options.seed;
+  manifest.sources = faces.manifest().sources;
+  manifest.counts = {{"training_faces", split.train.size()},
+                     {"validation_faces", split.validation.size()},
+                     {"test_faces", split.test.size()}};
+  manifest.details = {{"data", DataHashes(options, sketches)}, {"split", datasets::SplitToJson(faces, split)}};
+
+  const bool begun = OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
+  const faces::BilinearModel bilinear =
+      begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, split);
+
+  torch::manual_seed(options.seed);
+  SketchRecipe recipe(options, faces, sketches, split, bilinear, torch_device);
+  log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
+  const TrainingSummary summary = Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  FinishRun(run_directory, summary, recipe.network()->num_parameters());
+  log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
+            summary.epochs, run_directory.string());
+  return summary;
+}
+
+}  // namespace daumier::train
