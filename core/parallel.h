@@ -1,7 +1,8 @@
 #pragma once
+#include "core/runtime.h"
+
 #include <algorithm>
 #include <future>
-#include <thread>
 #include <vector>
 
 namespace daumier {
@@ -12,7 +13,7 @@ namespace daumier {
 /// call is begun.
 template <class Work, class Merge>
 void ForEachInOrder(int count, const Work& work, const Merge& merge, unsigned max_threads = 8) {
-  const int num_threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, max_threads));
+  const int num_threads = static_cast<int>(std::clamp(static_cast<unsigned>(NumCores()), 1u, max_threads));
   std::vector<std::future<decltype(work(0))>> running(num_threads);
   for (int i = 0; i < count + num_threads; ++i) {
     auto& slot = running[i % num_threads];

@@ -1,9 +1,13 @@
 #include "core/log.h"
 
+#include "tests/support/process.h"
 #include "tests/support/warnings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
 
 namespace daumier::log {
 namespace {
@@ -37,6 +41,21 @@ TEST(Log, MessagesBelowTheLevelAreNotWritten) {
   EXPECT_THAT(text, HasSubstr("debug two"));
   EXPECT_THAT(text, ::testing::Not(HasSubstr("debug one")));
   EXPECT_THAT(text, ::testing::Not(HasSubstr("info")));
+}
+
+/// Warns only in the process that the next test starts.
+TEST(LogChild, WarnsIfToldTo) {
+  if (std::getenv("DAUMIER_TEST_WARNS") != nullptr) Warn("this test fails by its warning");
+}
+
+TEST(Log, AWarningFailsATest) {
+  const std::string program = std::filesystem::canonical("/proc/self/exe").string();
+  const std::vector<std::string> silent = {program, "--gtest_filter=LogChild.*"};
+  EXPECT_EQ(testing::RunProcess(silent).exit_code, 0);
+  const testing::ProcessResult warned =
+      testing::RunProcess({"/usr/bin/env", "DAUMIER_TEST_WARNS=1", program, "--gtest_filter=LogChild.*"});
+  EXPECT_EQ(warned.exit_code, 1);
+  EXPECT_THAT(warned.out, HasSubstr("1 warning(s) were logged"));
 }
 
 TEST(Log, CountsWarningsAndErrorsEvenWhenOff) {

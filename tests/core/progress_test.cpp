@@ -4,8 +4,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -45,6 +48,33 @@ TEST(Progress, PrintsOneLineAtItsEndWhereItIsShort) {
   EXPECT_THAT(text, HasSubstr("sketches: 3/3 faces"));
   EXPECT_THAT(text, HasSubstr("loss 0.5"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+}
+
+TEST(Progress, RedrawsOneLineAtMostTwiceASecondOnATerminal) {
+  int controller = -1, terminal = -1;
+  ASSERT_EQ(openpty(&controller, &terminal, nullptr, nullptr, nullptr), 0);
+  const int stderr_before = dup(STDERR_FILENO);
+  dup2(terminal, STDERR_FILENO);
+  const auto start = std::chrono::steady_clock::now();
+  {
+    Progress progress("sketches", 1000000, "faces");
+    while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(1200)) progress.Step();
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  dup2(stderr_before, STDERR_FILENO);
+  close(stderr_before);
+  std::string text;
+  for (char piece[4096]; text.find('\n') == std::string::npos;) {
+    const ssize_t num_read = read(controller, piece, sizeof(piece));
+    if (num_read <= 0) break;
+    text.append(piece, static_cast<size_t>(num_read));
+  }
+  close(terminal);
+  close(controller);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  const auto num_drawn = std::count(text.begin(), text.end(), '\x1b');
+  EXPECT_GE(num_drawn, 2);
+  EXPECT_LE(num_drawn, static_cast<int>(2 * elapsed.count()) + 1);  // The last line is drawn in any case.
 }
 
 TEST(Progress, CountsStepsOfSeveralThreads) {
