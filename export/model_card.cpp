@@ -1,0 +1,86 @@
+#include "export/model_card.h"
+
+namespace daumier::exporting {
+namespace {
+
+std::string Text(const Json& json) {
+  return json.is_string() ? json.get<std::string>() : json.dump();
+}
+
+/// A field of a source's entry; "unknown" where the entry does not tell it.
+std::string Field(const Json& entry, const char* name) {
+  return entry.contains(name) ? Text(entry[name]) : "unknown";
+}
+
+std::string InputsAndOutputs(const models::SketchRun& run) {
+  const auto& network = *run.network;
+  const int side = network.options().resolution;
+  return fmt::format(
+      "## Input and outputs\n\n"
+      "| name | shape | meaning |\n|---|---|---|\n"
+      "| `sketch` | ({0}, 1, {1}, {1}) float32 | frontal line drawing; ink 1, paper 0; row 0 on top; the face upright "
+      "and centred as in "
+      "the training sketches |\n"
+      "| `u` | ({0}, {2}) float32 | identity weights of the bilinear face model |\n"
+      "| `v` | ({0}, {3}) float32 | expression weights of the bilinear face model |\n"
+      "| `vertices` | ({0}, {4}, 3) float32 | the face in centimetres: x to its own left, y up, z to the front; order "
+      "and triangles "
+      "in `template.safetensors` |\n\n"
+      "{0} is any batch size. `vertices` is the bilinear face of `u` and `v`.\n\n",
+      kBatchDimension, side, network.num_identity(), network.num_expression(), network.num_vertices());
+}
+
+std::string TrainingData(const Manifest& manifest) {
+  std::string text = "## Training data and licences\n\n| source | version | licence | checksum |\n|---|---|---|---|\n";
+  for (const Json& source : manifest.sources) {
+    text += fmt::format("| {} | {} | {} | {} |\n", Field(source, "name"), Field(source, "version"),
+                        Field(source, "licence"), Field(source, "checksum"));
+  }
+  text += "\nThe weights are made from these sources alone. Whoever passes the model on keeps to their licences.\n\n";
+  for (const auto& [name, count] : manifest.counts.items()) text += fmt::format("- {}: {}\n", name, Text(count));
+  return text + fmt::format("- seed: {}\n\n", manifest.seed);
+}
+
+std::string Errors(const std::optional<Json>& metrics) {
+  if (!metrics.has_value()) {
+    return "## Errors\n\nNot measured: `daumier eval` has not been run on this run before its export.\n\n";
+  }
+  std::string text = "## Errors\n\nFrom the run's `report/metrics.json`.\n\n| metric | value |\n|---|---|\n";
+  for (const auto& [name, value] : metrics->items()) {
+    if (value.is_primitive()) text += fmt::format("| {} | {} |\n", name, Text(value));
+  }
+  return text + "\n";
+}
+
+std::string Exactness(const ParityReport& parity) {
+  if (!parity.runtime.has_value()) {
+    return "## Exactness of the export\n\nThe graph passed ONNX's checker and strict shape inference. It was not run "
+           "in ONNX Runtime, "
+           "which was not installed.\n\n";
+  }
+  return fmt::format(
+      "## Exactness of the export\n\nOpset {}. The answers of {} and of LibTorch differ by at most {:.2g} "
+      "(`parity.json`).\n\n",
+      kOpset, *parity.runtime, parity.max_abs_diff());
+}
+
+}  // namespace
+
+std::string ModelCard(const models::SketchRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
+  return fmt::format(
+             "# Sketch to 3D face\n\n"
+             "A convolutional network with {} trained parameters that turns a line drawing of a face into a 3D face of "
+             "the '{}' topology, "
+             "after DeepSketch2Face (Han et al., SIGGRAPH 2017), trained and exported by Daumier.\n\n",
+             run.network->num_parameters(), run.face_template.source) +
+         InputsAndOutputs(run) + TrainingData(run.manifest) + Errors(metrics) + Exactness(parity) +
+         "## Limits\n\n"
+         "- It was trained on drawings made by rendering feature curves of synthetic faces, not on drawings by people; "
+         "lines that "
+         "those drawings lack (hair, shading, glasses) mislead it.\n"
+         "- It always answers a face of its bilinear model, whatever it is shown, and gives no confidence.\n"
+         "- Depth is guessed from a frontal drawing by what is usual in the training faces.\n"
+         "- It is a tool for drawing. It must not be used to identify or to judge people.\n";
+}
+
+}  // namespace daumier::exporting

@@ -1,0 +1,50 @@
+#pragma once
+#include <onnx/onnx_pb.h>
+#include <torch/types.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace daumier::exporting {
+
+inline constexpr int kOpset = 13;
+inline constexpr int kIrVersion = 7;
+/// The name of the first, free dimension of every input and output.
+inline constexpr const char* kBatchDimension = "N";
+
+struct OnnxAttribute {
+  std::string name;
+  std::variant<int64_t, float, std::vector<int64_t>> value;
+};
+
+/// Writes an ONNX model node by node; every name that it makes is new. Values are known by their names.
+class OnnxGraph {
+ public:
+  explicit OnnxGraph(const std::string& name);
+
+  /// float32; dimension 0 of `example` becomes free, the others are fixed.
+  void AddInput(const std::string& name, const torch::Tensor& example);
+  /// Makes `value` an output of that name, of the shape of `example`, dimension 0 free.
+  void AddOutput(const std::string& name, const std::string& value, const torch::Tensor& example);
+  /// Stores a tensor once a name. @throws Error if its element type is none of float32, int64.
+  std::string AddInitializer(const std::string& name, const torch::Tensor& tensor);
+  /// A constant list of integers, as shapes and axes are given.
+  std::string AddIntegers(const std::vector<int64_t>& values);
+  /// Appends a node with one output and returns the output's name.
+  std::string AddNode(const std::string& op, const std::vector<std::string>& inputs,
+                      const std::vector<OnnxAttribute>& attributes = {});
+
+  onnx::ModelProto& model() { return model_; }
+
+ private:
+  std::string NewName(const std::string& stem);
+
+  onnx::ModelProto model_;
+  std::set<std::string> initializers_;
+  int num_names_ = 0;
+};
+
+}  // namespace daumier::exporting

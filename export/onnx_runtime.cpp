@@ -1,0 +1,102 @@
+#include "export/onnx_runtime.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/json.h"
+#include "export/child_process.h"
+#include "export/onnx_runtime_native.h"
+
+#include <cstdlib>
+
+namespace daumier::exporting {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTimeoutSeconds = 300;
+
+/// The folder with run_onnx.mjs and the installed package.
+std::optional<fs::path> NpmFolder() {
+  const auto is_installed = [](const fs::path& folder) {
+    return fs::exists(folder / "run_onnx.mjs") && fs::exists(folder / "node_modules/onnxruntime-node/package.json");
+  };
+  if (const char* told = std::getenv("DAUMIER_NPM"); told != nullptr) {
+    return is_installed(told) ? std::optional<fs::path>(told) : std::nullopt;
+  }
+  std::error_code error;
+  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  while (!folder.empty() && folder != folder.root_path()) {
+    if (is_installed(folder / "tools/npm")) return folder / "tools/npm";
+    folder = folder.parent_path();
+  }
+  return std::nullopt;
+}
+
+void WriteRaw(const fs::path& file, const torch::Tensor& tensor) {
+  DAUMIER_CHECK(tensor.scalar_type() == torch::kFloat32, "ONNX Runtime is asked with {}, expected float32",
+                c10::toString(tensor.scalar_type()));
+  const auto plain = tensor.detach().cpu().contiguous();
+  WriteFileAtomically(file, {static_cast<const char*>(plain.data_ptr()), plain.nbytes()});
+}
+
+torch::Tensor ReadRaw(const fs::path& file, const std::vector<int64_t>& shape) {
+  auto tensor = torch::empty(shape, torch::kFloat32);
+  const std::string bytes = ReadFile(file);
+  DAUMIER_CHECK(bytes.size() == tensor.nbytes(), "{} has {} bytes, expected {}", file.string(), bytes.size(),
+                tensor.nbytes());
+  std::copy(bytes.begin(), bytes.end(), static_cast<char*>(tensor.data_ptr()));
+  return tensor;
+}
+
+/// Writes the inputs beside the request that tools/npm/run_onnx.mjs reads.
+Json MakeRequest(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
+                 const std::vector<std::string>& output_names, const fs::path& scratch) {
+  Json request = {{"model", fs::absolute(model).string()}, {"runs", Json::array()}};
+  for (size_t run = 0; run < runs.size(); ++run) {
+    Json inputs = Json::array(), outputs = Json::array();
+    for (const auto& [name, tensor] : runs[run]) {
+      const auto file = fs::absolute(scratch / fmt::format("run{}_input{}.raw", run, inputs.size()));
+      WriteRaw(file, tensor);
+      inputs.push_back({{"name", name}, {"dims", tensor.sizes().vec()}, {"file", file.string()}});
+    }
+    for (const auto& name : output_names) {
+      const auto file = fs::absolute(scratch / fmt::format("run{}_output{}.raw", run, outputs.size()));
+      outputs.push_back({{"name", name}, {"file", file.string()}});
+    }
+    request["runs"].push_back({{"inputs", inputs}, {"outputs", outputs}});
+  }
+  return request;
+}
+
+std::optional<OnnxAnswers> RunInNode(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
+                                     const std::vector<std::string>& output_names, const fs::path& scratch) {
+  const auto npm = NpmFolder();
+  if (!npm.has_value()) return std::nullopt;
+  const Json request = MakeRequest(model, runs, output_names, scratch);
+  WriteFileAtomically(scratch / "request.json", request.dump());
+  const auto child = RunChild({"node", (*npm / "run_onnx.mjs").string(), (scratch / "request.json").string()}, scratch,
+                              kTimeoutSeconds);
+  if (!child.has_value()) return std::nullopt;
+  DAUMIER_CHECK(child->exit_code == 0, "ONNX Runtime cannot run {}: {}", model.string(), child->err);
+
+  const Json reply = Json::parse(child->out);
+  OnnxAnswers answers{reply.at("runtime"), {}};
+  for (size_t run = 0; run < runs.size(); ++run) {
+    tensor::NamedTensors& outputs = answers.outputs.emplace_back();
+    for (const Json& output : request["runs"][run]["outputs"]) {
+      const std::string name = output["name"];
+      outputs[name] = ReadRaw(output["file"].get<std::string>(), reply.at("outputs")[run].at(name));
+    }
+  }
+  return answers;
+}
+
+}  // namespace
+
+std::optional<OnnxAnswers> RunInOnnxRuntime(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
+                                            const std::vector<std::string>& output_names, const fs::path& scratch) {
+  if (HasNativeOnnxRuntime()) return RunInNativeOnnxRuntime(model, runs, output_names);
+  return RunInNode(model, runs, output_names, scratch);
+}
+
+}  // namespace daumier::exporting

@@ -1,0 +1,82 @@
+#include "export/parity.h"
+
+#include "core/error.h"
+#include "core/random.h"
+#include "export/onnx_runtime.h"
+#include "tensor/torch_version.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace daumier::exporting {
+namespace {
+
+constexpr int kFormatVersion = 1;
+constexpr double kInkShare = 0.1;
+
+torch::Tensor RandomSketches(const ExportedFunction& function, int64_t batch, Rng& rng) {
+  std::vector<int64_t> shape = function.input_shape;
+  shape.insert(shape.begin(), batch);
+  auto sketches = torch::empty(shape, torch::kFloat32);
+  float* pixels = sketches.data_ptr<float>();
+  std::generate(pixels, pixels + sketches.numel(), [&] { return rng.Uniform() < kInkShare ? 1.0f : 0.0f; });
+  return sketches;
+}
+
+/// Not a number if either is not a number somewhere.
+double MaxAbsDiff(const torch::Tensor& answer, const torch::Tensor& reference) {
+  DAUMIER_CHECK(answer.sizes() == reference.sizes(), "ONNX Runtime answers another shape than LibTorch");
+  return (answer - reference).abs().max().item<double>();
+}
+
+}  // namespace
+
+double ParityReport::max_abs_diff() const {
+  DAUMIER_CHECK(!max_abs_diffs.empty(), "nothing was compared");
+  return *std::max_element(max_abs_diffs.begin(), max_abs_diffs.end());
+}
+
+ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunction& function, uint64_t seed,
+                         const std::filesystem::path& scratch) {
+  at::NoGradGuard no_grad;
+  ParityReport report{std::nullopt, {1, 2, 5}, function.output_names, {}};
+  Rng rng = Stream(seed, "parity");
+  std::vector<tensor::NamedTensors> runs;
+  for (const int64_t batch : report.batch_sizes) {
+    runs.push_back({{function.input_name, RandomSketches(function, batch, rng)}});
+  }
+  const auto answers = RunInOnnxRuntime(model, runs, function.output_names, scratch);
+  if (!answers.has_value()) return report;
+
+  report.runtime = answers->runtime;
+  report.max_abs_diffs.assign(function.output_names.size(), 0.0);
+  for (size_t run = 0; run < runs.size(); ++run) {
+    const auto references = function.forward(runs[run].at(function.input_name));
+    for (size_t i = 0; i < references.size(); ++i) {
+      const auto& name = function.output_names[i];
+      const double difference = MaxAbsDiff(answers->outputs[run].at(name), references[i]);
+      DAUMIER_CHECK(difference <= kParityTolerance,
+                    "{} and LibTorch differ by {:.3g} in output '{}' at batch size {}; at most {:g} is allowed",
+                    *report.runtime, std::abs(difference), name, report.batch_sizes[run], kParityTolerance);
+      report.max_abs_diffs[i] = std::max(report.max_abs_diffs[i], difference);
+    }
+  }
+  return report;
+}
+
+Json ParityToJson(const ParityReport& report) {
+  Json outputs = Json::object();
+  for (size_t i = 0; i < report.output_names.size(); ++i) {
+    outputs[report.output_names[i]] = report.max_abs_diffs.empty() ? Json() : Json(report.max_abs_diffs[i]);
+  }
+  return {{"format_version", kFormatVersion},
+          {"runtime", report.runtime.has_value() ? Json(*report.runtime) : Json()},
+          {"opset", kOpset},
+          {"ir_version", kIrVersion},
+          {"max_abs_diff", report.runtime.has_value() ? Json(report.max_abs_diff()) : Json()},
+          {"tolerance", kParityTolerance},
+          {"batch_sizes", report.batch_sizes},
+          {"outputs", outputs}};
+}
+
+}  // namespace daumier::exporting

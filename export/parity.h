@@ -1,0 +1,36 @@
+#pragma once
+#include "core/json.h"
+#include "export/onnx_export.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace daumier::exporting {
+
+/// No output may differ by more: the answers of LibTorch and of ONNX Runtime, in the output's own unit.
+inline constexpr double kParityTolerance = 1e-4;
+
+struct ParityReport {
+  std::optional<std::string> runtime;  ///< Absent: there is no ONNX Runtime here, and nothing was compared.
+  std::vector<int64_t> batch_sizes;
+  std::vector<std::string> output_names;
+  std::vector<double> max_abs_diffs;  ///< One an output, over all batch sizes; empty without a runtime.
+
+  double max_abs_diff() const;
+};
+
+/// Answers of LibTorch and of ONNX Runtime to the same random sketches (one pixel in ten is ink), at batch sizes 1, 2
+/// and 5. Deterministic in seed. `scratch` is a folder for files in between.
+/// @throws Error naming the output, the difference and the batch size if one exceeds kParityTolerance or is not a
+/// number.
+ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunction& function, uint64_t seed,
+                         const std::filesystem::path& scratch);
+
+/// parity.json: format_version, runtime (text or null), opset, max_abs_diff (number or null), tolerance, batch_sizes,
+/// outputs.
+Json ParityToJson(const ParityReport& report);
+
+}  // namespace daumier::exporting

@@ -1,0 +1,52 @@
+#include "export/staged_directory.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/manifest.h"
+
+namespace daumier::exporting {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Rename(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  DAUMIER_CHECK(!error, "cannot rename {} to {}: {}", from.string(), to.string(), error.message());
+}
+
+fs::path Beside(const fs::path& target, const std::string& extension) {
+  return target.parent_path() / ("." + target.filename().string() + extension);
+}
+
+}  // namespace
+
+StagedDirectory::StagedDirectory(const fs::path& target, const std::string& kind) {
+  target_ = fs::absolute(target).lexically_normal();
+  if (target_.filename().empty()) target_ = target_.parent_path();
+  path_ = Beside(target_, ".partial");
+  if (fs::exists(target_)) {
+    DAUMIER_CHECK(fs::is_directory(target_), "{} is a file; name a folder to write", target_.string());
+    if (!fs::is_empty(target_)) {
+      DAUMIER_CHECK(fs::exists(target_ / "manifest.json") && ReadManifest(target_, "").kind == kind,
+                    "{} is not empty and holds no earlier {}; name another folder", target_.string(), kind);
+    }
+  }
+  fs::remove_all(path_);
+  MakeDirectory(path_);
+}
+
+StagedDirectory::~StagedDirectory() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void StagedDirectory::Commit() {
+  const fs::path old = Beside(target_, ".old");
+  fs::remove_all(old);
+  if (fs::exists(target_)) Rename(target_, old);
+  Rename(path_, target_);
+  fs::remove_all(old);
+}
+
+}  // namespace daumier::exporting

@@ -1,0 +1,74 @@
+#include "export/staged_directory.h"
+
+#include "core/files.h"
+#include "core/manifest.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::exporting {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::TempDir;
+
+void WriteExport(const fs::path& directory, const std::string& text, const std::string& kind = "export") {
+  Manifest manifest;
+  manifest.kind = kind;
+  MakeDirectory(directory);
+  WriteFileAtomically(directory / "text", text);
+  WriteManifest(directory, manifest);
+}
+
+int NumEntries(const fs::path& directory) {
+  return static_cast<int>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+}
+
+TEST(StagedDirectory, TakesItsPlaceWholeAndOnlyByCommit) {
+  const TempDir folder;
+  {
+    StagedDirectory staged(folder / "out/", "export");
+    WriteExport(staged.path(), "new");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    staged.Commit();
+  }
+  EXPECT_EQ(ReadFile(folder / "out/text"), "new");
+  EXPECT_EQ(NumEntries(folder.path()), 1);
+}
+
+TEST(StagedDirectory, WithoutCommitLeavesWhatWasThere) {
+  const TempDir folder;
+  WriteExport(folder / "out", "old");
+  { StagedDirectory staged(folder / "out", "export"); }
+  EXPECT_EQ(ReadFile(folder / "out/text"), "old");
+  EXPECT_EQ(NumEntries(folder.path()), 1);
+}
+
+TEST(StagedDirectory, ReplacesAnEarlierOneAndWhatAKillLeft) {
+  const TempDir folder;
+  WriteExport(folder / "out", "old");
+  WriteExport(folder / ".out.partial", "half");
+  StagedDirectory staged(folder / "out", "export");
+  EXPECT_EQ(NumEntries(staged.path()), 0);
+  WriteExport(staged.path(), "new");
+  staged.Commit();
+  EXPECT_EQ(ReadFile(folder / "out/text"), "new");
+  EXPECT_EQ(NumEntries(folder.path()), 1);
+}
+
+TEST(StagedDirectory, RefusesForeignFoldersAndFiles) {
+  const TempDir folder;
+  WriteExport(folder / "run", "precious", "run");
+  MakeDirectory(folder / "home");
+  WriteFileAtomically(folder / "home/letter", "precious");
+  WriteFileAtomically(folder / "file", "precious");
+  for (const char* name : {"run", "home"}) {
+    testing::ExpectError([&] { StagedDirectory(folder / name, "export"); }, "is not empty and holds no earlier export");
+  }
+  testing::ExpectError([&] { StagedDirectory(folder / "file", "export"); }, "is a file");
+  EXPECT_EQ(NumEntries(folder.path()), 3);
+}
+
+}  // namespace
+}  // namespace daumier::exporting

@@ -1,0 +1,41 @@
+#pragma once
+#include "core/files.h"
+#include "export/onnx_export.h"
+#include "export/onnx_runtime.h"
+#include "tensor/module_state.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+#include <torch/torch.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace daumier::exporting {
+
+/// A module with the named parameters of `weights`, in evaluation mode.
+struct Weights : torch::nn::Module {
+  explicit Weights(const tensor::NamedTensors& weights = {}) {
+    for (const auto& [name, weight] : weights) register_parameter(name, weight);
+    eval();
+  }
+};
+
+/// A function of one input "x" to one output "y".
+inline ExportedFunction TestFunction(std::vector<int64_t> shape,
+                                     std::function<torch::Tensor(const torch::Tensor&)> forward) {
+  return {"test", "x", std::move(shape), {"y"}, [forward = std::move(forward)](const torch::Tensor& x) {
+            return std::vector<torch::Tensor>{forward(x)};
+          }};
+}
+
+/// Where a Daumier without native ONNX Runtime finds none, as on a machine without the npm package.
+class WithoutNpmPackage {
+ public:
+  WithoutNpmPackage() { setenv("DAUMIER_NPM", "/nonexistent", 1); }
+  ~WithoutNpmPackage() { unsetenv("DAUMIER_NPM"); }
+};
+
+}  // namespace daumier::exporting
