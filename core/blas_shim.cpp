@@ -2,17 +2,14 @@
 // so LibTorch's float products run on oneDNN, which makes its kernels for the processor at hand, whichever libblas is
 // installed.
 #include "core/error.h"
+#include "core/sgemm.h"
 
-#include <dlfcn.h>
 #include <dnnl.h>
 
 #include <algorithm>
 #include <cstddef>
 
 namespace {
-
-using Sgemm = void(const char*, const char*, const int*, const int*, const int*, const float*, const float*, const int*,
-                   const float*, const int*, const float*, float*, const int*);
 
 /// In Fortran's words 'C' is the conjugate transpose, of real numbers the transpose.
 char OneDnnWord(char word) {
@@ -46,7 +43,7 @@ extern "C" __attribute__((visibility("default"))) void sgemm_(const char* transp
   const dnnl_status_t status = dnnl_sgemm(OneDnnWord(*transposed_b), OneDnnWord(*transposed_a), *n, *m, *k, *alpha, b,
                                           *ldb, a, *lda, *beta, c, *ldc);
   if (status == dnnl_success) return;
-  auto* const next = reinterpret_cast<Sgemm*>(dlsym(RTLD_NEXT, "sgemm_"));
+  daumier::Sgemm* const next = daumier::FindSgemm(RTLD_NEXT);
   DAUMIER_CHECK(next != nullptr, "oneDNN refuses a {} x {} x {} product with status {}, and there is no other BLAS", *m,
                 *n, *k, static_cast<int>(status));
   next(transposed_a, transposed_b, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc);

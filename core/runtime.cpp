@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/sgemm.h"
 
 #include <dlfcn.h>
 #include <dnnl.h>
@@ -27,9 +28,6 @@ template <class Function>
 Function* FindFunction(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
-
-using Sgemm = void(const char*, const char*, const int*, const int*, const int*, const float*, const float*, const int*,
-                   const float*, const int*, const float*, float*, const int*);
 
 std::string ReadIfThere(const fs::path& path) {
   std::error_code ignored;
@@ -129,7 +127,7 @@ void SetUpRuntime(int threads) {
 }
 
 BlasInfo DescribeBlas() {
-  const auto* const sgemm = reinterpret_cast<const void*>(FindFunction<Sgemm>("sgemm_"));
+  const auto* const sgemm = reinterpret_cast<const void*>(FindSgemm());
   const std::string double_library = LibraryOf(dlsym(RTLD_DEFAULT, "dgemm_"));
   if (sgemm != nullptr && IsInThisProgram(sgemm)) return {OneDnnVersion(), OneDnnKernel(), double_library};
   return {LibraryOf(sgemm), sgemm == nullptr ? "none" : "chosen by the library", double_library};
@@ -137,7 +135,7 @@ BlasInfo DescribeBlas() {
 
 double MeasureSgemm(int size, int repeats) {
   DAUMIER_CHECK(size > 0 && repeats > 0, "cannot measure {} products of size {}", repeats, size);
-  auto* const sgemm = FindFunction<Sgemm>("sgemm_");
+  Sgemm* const sgemm = FindSgemm();
   if (sgemm == nullptr) return 0;
   const size_t count = static_cast<size_t>(size) * static_cast<size_t>(size);
   const std::vector<float> a(count, 0.5f), b(count, 0.25f);

@@ -1,7 +1,8 @@
+#include "core/error.h"
 #include "core/random.h"
 #include "core/runtime.h"
+#include "core/sgemm.h"
 
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +12,6 @@
 
 namespace daumier {
 namespace {
-
-using Sgemm = void(const char*, const char*, const int*, const int*, const int*, const float*, const float*, const int*,
-                   const float*, const int*, const float*, float*, const int*);
 
 /// One call of sgemm_: sizes, transposes, scales, and how much longer the stored columns are than they need to be.
 struct Product {
@@ -26,7 +24,7 @@ struct Product {
 class BlasShim : public ::testing::Test {
  protected:
   void SetUp() override {
-    sgemm_ = reinterpret_cast<Sgemm*>(dlsym(RTLD_DEFAULT, "sgemm_"));
+    sgemm_ = FindSgemm();
     if (sgemm_ == nullptr) GTEST_SKIP() << "built without oneDNN's sgemm_, as under the sanitizers";
   }
 
@@ -121,6 +119,17 @@ TEST_F(BlasShim, BetaZeroDoesNotReadC) {
     std::vector<float> c(nans.begin(), nans.end() - 1);
     ExpectProduct({6, 5, k}, c);
   }
+}
+
+TEST_F(BlasShim, RefusedProductGoesToTheNextBlasOrThrows) {
+  if (FindSgemm(RTLD_NEXT) != nullptr) GTEST_SKIP() << "another BLAS would answer, and end the program";
+  const std::vector<float> a(16), b(16);
+  std::vector<float> c(16);
+  const int four = 4, too_small = 3;
+  const float one = 1, zero = 0;
+  EXPECT_THROW(
+      sgemm_("N", "N", &four, &four, &four, &one, a.data(), &too_small, b.data(), &four, &zero, c.data(), &four),
+      Error);
 }
 
 TEST_F(BlasShim, IsTheOneThatTheProgramReports) {
