@@ -2,8 +2,13 @@
 
 #include "core/error.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <sched.h>
+
+#include <algorithm>
+#include <cstdlib>
 
 namespace daumier {
 namespace {
@@ -39,6 +44,30 @@ TEST(Runtime, NumCoresRespectsTheAffinity) {
 
 TEST(Runtime, NegativeThreadsAreMisuse) {
   EXPECT_THROW(SetUpRuntime(-1), UsageError);
+}
+
+TEST(Runtime, SetUpTellsOpenMpItsThreads) {
+  auto* const max_threads = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_threads"));
+  if (max_threads == nullptr) GTEST_SKIP() << "no OpenMP run-time is loaded";
+  SetUpRuntime(3);
+  EXPECT_EQ(max_threads(), 3);
+  SetUpRuntime(0);
+  EXPECT_EQ(max_threads(), NumCores());
+}
+
+TEST(Runtime, MallocKeepsTheMemoryOfLargeArrays) {
+  SetUpRuntime(0);
+  constexpr size_t kSize = size_t{48} << 20;
+  const size_t num_mapped_before = mallinfo2().hblks, free_before = mallinfo2().fordblks;
+  void* const large = std::malloc(kSize);
+  ASSERT_NE(large, nullptr);
+  if (mallinfo2().uordblks == 0) {
+    std::free(large);
+    GTEST_SKIP() << "another allocator, as under the sanitizers";
+  }
+  EXPECT_EQ(mallinfo2().hblks, num_mapped_before);  // No mapping of its own, which would be given back at once.
+  std::free(large);
+  EXPECT_GE(mallinfo2().fordblks, std::max(free_before, kSize));
 }
 
 TEST(Runtime, MeasuredSpeedIsThatOfWhatTheProgramHas) {
