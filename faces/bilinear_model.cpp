@@ -336,7 +336,7 @@ BilinearProjection BilinearProjector::Project(std::span<const float> face) const
   }
   Eigen::VectorXd v = start;
   constexpr int kMaxRounds = 100;
-  const double smallest_gain = 1e-12 * weighted.dot(target);
+  const double smallest_gain = 1e-10 * weighted.dot(target);
   for (int round = 0; round < kMaxRounds; ++round) {
     v = ExpressionGram(u).ldlt().solve(linear * u);
     v *= std::copysign(start.norm() / std::max(v.norm(), 1e-150), v.dot(start));

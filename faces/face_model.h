@@ -13,27 +13,30 @@ namespace daumier::faces {
 
 /// What stays the same for all faces of a source.
 struct FaceTemplate {
-  std::string source;                     ///< "makehuman", "ict".
-  Json provenance;                        ///< {name, version, checksum, licence}, copied into manifests and model cards.
-  geometry::Points neutral;               ///< Mean neutral face, V x 3, cm, y up, facing +z.
-  geometry::Triangles triangles;          ///< The open surface: holes at lips, eyes and neck.
-  geometry::Triangles closing_triangles;  ///< Close lips and eyes for rendering; never part of a metric. Uses existing vertices.
-  int num_eye_closing_triangles = 0;      ///< The first so many of closing_triangles close the eyes, the rest the mouth.
+  std::string source;             ///< "makehuman", "ict".
+  Json provenance;                ///< {name, version, checksum, licence}, copied into manifests and model cards.
+  geometry::Points neutral;       ///< Mean neutral face, V x 3, cm, y up, facing +z.
+  geometry::Triangles triangles;  ///< The open surface: holes at lips, eyes and neck.
+  geometry::Triangles
+      closing_triangles;  ///< Close lips and eyes for rendering; never part of a metric. Uses existing vertices.
+  int num_eye_closing_triangles = 0;  ///< The first so many of closing_triangles close the eyes, the rest the mouth.
   Annotation annotation;
 
   int num_vertices() const { return static_cast<int>(neutral.rows()); }
 };
 
-/// Millimetres of error per centimetre of the source: 200 mm / (height of the mean neutral face from landmark 8, the chin, to the
-/// hairline vertex, along y). One scale a database; no scaling of single faces.
+/// Millimetres of error per centimetre of the source: 200 mm / (height of the mean neutral face from landmark 8, the
+/// chin, to the hairline vertex, along y). One scale a database; no scaling of single faces.
 double MillimetresPerCm(const FaceTemplate& face_template);
 
 /// How a group of identity weights is drawn.
 struct IdentityControl {
   enum class Kind {
     kGaussian,  ///< shapes = {s}:          w_s ~ N(0, sigma^2)
-    kBipolar,   ///< shapes = {minus, plus}: x ~ N(0, sigma^2) clamped to [-1, 1]; the shape of its sign gets |x|; -1: no shape
-    kSimplex,   ///< shapes = {s...}:       weights >= 0 that sum to 1, Dirichlet(1 / sigma)
+    kBipolar,  ///< shapes = {minus, plus}: x ~ N(0, sigma^2) clamped to [-1, 1]; the shape of its sign gets |x|; -1: no
+               ///< shape
+    kSimplex,  ///< shapes = {s...}:       e_s^sigma / sum e^sigma with e exponential; sigma 1 is uniform, 0 is equal
+               ///< weights
   };
   std::string name;
   Kind kind = Kind::kGaussian;
@@ -50,11 +53,13 @@ struct Expression {
 /// A linear face: vertices = neutral + sum_s a_s identity_shape_s + sum_e b_e expression_shape_e.
 struct FaceModel {
   FaceTemplate face_template;
-  Eigen::MatrixXf identity_shapes;  ///< 3V x S, displacements in cm, coordinates of a vertex next to each other (x0 y0 z0 x1 ...).
+  Eigen::MatrixXf
+      identity_shapes;  ///< 3V x S, displacements in cm, coordinates of a vertex next to each other (x0 y0 z0 x1 ...).
   std::vector<IdentityControl> identity_controls;
-  bool align_identities = false;    ///< Macro shapes also move and scale the head: similarity-align identities to the neutral.
+  bool align_identities =
+      false;  ///< Macro shapes also move and scale the head: similarity-align identities to the neutral.
   std::vector<std::string> expression_shape_names;
-  Eigen::MatrixXf expression_shapes;  ///< 3V x E
+  Eigen::MatrixXf expression_shapes;    ///< 3V x E
   std::vector<Expression> expressions;  ///< The first is "neutral".
 };
 

@@ -1,0 +1,69 @@
+#include "faces/archive.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace daumier::faces {
+
+namespace {
+
+struct CloseArchive {
+  void operator()(archive* reader) const { archive_read_free(reader); }
+};
+
+void ForEachFileOfFolder(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& wanted,
+                         const std::function<void(const std::string&, std::string_view)>& use) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) paths.push_back(std::filesystem::relative(entry.path(), folder).generic_string());
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const std::string& path : paths) {
+    if (wanted(path)) use(path, MappedFile(folder / path).bytes());
+  }
+}
+
+}  // namespace
+
+void ForEachFile(const std::filesystem::path& folder_or_archive,
+                 const std::function<bool(const std::string& path)>& wanted,
+                 const std::function<void(const std::string& path, std::string_view content)>& use) {
+  DAUMIER_CHECK(std::filesystem::exists(folder_or_archive), "{} does not exist", folder_or_archive.string());
+  if (std::filesystem::is_directory(folder_or_archive)) return ForEachFileOfFolder(folder_or_archive, wanted, use);
+
+  const std::unique_ptr<archive, CloseArchive> reader(archive_read_new());
+  archive_read_support_filter_all(reader.get());
+  archive_read_support_format_tar(reader.get());
+  const auto check = [&](la_ssize_t code) {
+    DAUMIER_CHECK(code >= ARCHIVE_WARN || code > 0,
+                  "{} cannot be read as a tar archive: {}; it may be truncated, get it again",
+                  folder_or_archive.string(),
+                  archive_error_string(reader.get()) ? archive_error_string(reader.get()) : "no cause given");
+  };
+  check(archive_read_open_filename(reader.get(), folder_or_archive.c_str(), 1 << 20));
+  archive_entry* entry = nullptr;
+  std::string content;
+  for (int code = archive_read_next_header(reader.get(), &entry); code != ARCHIVE_EOF;
+       code = archive_read_next_header(reader.get(), &entry)) {
+    check(code);
+    const std::string path = archive_entry_pathname(entry);
+    if (archive_entry_filetype(entry) != AE_IFREG || !wanted(path)) continue;
+    const int64_t size = archive_entry_size(entry);
+    constexpr int64_t kLargest = int64_t{1} << 30;  // no face data comes near it; a hostile header asks for more
+    DAUMIER_CHECK(size >= 0 && size <= kLargest, "{}: {} claims {} bytes", folder_or_archive.string(), path, size);
+    content.resize(size);
+    const la_ssize_t got = archive_read_data(reader.get(), content.data(), content.size());
+    check(got);
+    DAUMIER_CHECK(got == size, "{}: {} is truncated, {} of {} bytes", folder_or_archive.string(), path, got, size);
+    use(path, content);
+  }
+}
+
+}  // namespace daumier::faces
