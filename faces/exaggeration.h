@@ -11,20 +11,31 @@ struct ExaggerationOptions {
   int smoothing_rings = 4;
   double clamp_ratio = 20.0;
   double ear_damping = 0.3;
+  int blend_rings = 4;
 
   template <class V>
   void Visit(V&& visit) {
-    visit("gammas", gammas, Range{0.0, 0.8}, "Exponent of normalised |Gaussian curvature| that scales gradients, a level each.");
+    visit("gammas", gammas, Range{0.0, 0.8},
+          "Exponent of normalised |Gaussian curvature| that scales gradients, a level each.");
     visit("smoothing_rings", smoothing_rings, Range{0, 20}, "Rings over which |K| is averaged before use.");
     visit("clamp_ratio", clamp_ratio, Range{1.0, 1e6}, "|K| is clamped to [Kbar / ratio, ratio * Kbar].");
     visit("ear_damping", ear_damping, Range{0.0, 1.0}, "Multiplier of gamma on the ears.");
+    visit("blend_rings", blend_rings, Range{0, 20},
+          "Rings over which the scaling fades in around what is fixed, and from the ears' damping to none.");
   }
 };
 
-/// Exaggerates a neutral face [Sela et al. 2015; Han et al. 2017, section 4.1]: every triangle's coordinate gradients are scaled
-/// by w = (|K| / Kbar)^gamma, Kbar the area-weighted geometric mean of |K|, and the surface is rebuilt by a Poisson solve with
-/// the regions eyes, mouth and neck_border fixed. Returns one face a gamma, in the order of options.gammas.
-/// Promises: gamma 0 returns the input; a larger gamma moves more; see tests for the bounds.
+/// Exaggerates a neutral face [Sela et al. 2015; Han et al. 2017, section 4.1]: every triangle's coordinate gradients
+/// are scaled by
+///   w_f = mean over the corners of (|K| / Kbar)^(gamma d),
+/// K the Gaussian curvature (angle defect over area), |K| averaged over rings and clamped to [Kbar / ratio, ratio
+/// Kbar], Kbar the area-weighted geometric mean of |K| over what is free to move, d the damping (ear_damping on the
+/// ears, fading from 0 to 1 around what is fixed). The surface is rebuilt by L x' = div(w grad x), L the clamped
+/// cotangent Laplacian, with the regions eyes, mouth and neck_border where they were. Returns one face a gamma, in the
+/// order of options.gammas; `face` is V x 3 in cm. Promises: gamma 0 returns the input; a larger gamma moves more; at
+/// the default gammas a face's height from chin to hairline changes by less than 10 %, no vertex moves more than 60 mm,
+/// and no triangle of the face flips.
+/// @throws Error if `face` has another number of vertices, or a triangle without area.
 std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, const geometry::Points& face,
                                          const ExaggerationOptions& options);
 
