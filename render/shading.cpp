@@ -1,0 +1,161 @@
+#include "render/shading.h"
+
+#include "core/error.h"
+#include "geometry/normals.h"
+#include "render/rasteriser.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace daumier::render {
+namespace {
+
+using Colour = Eigen::Array3f;  ///< Linear RGB.
+
+constexpr Rgb kEyeWhite = {236, 234, 230};
+constexpr Rgb kMouthDark = {96, 58, 54};
+constexpr float kInsideLight = 0.5f;
+
+float LinearOf(uint8_t encoded) {
+  const float value = static_cast<float>(encoded) / 255.0f;
+  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+Colour LinearOf(const Rgb& colour) {
+  return {LinearOf(colour[0]), LinearOf(colour[1]), LinearOf(colour[2])};
+}
+
+uint8_t EncodedOf(float linear) {
+  const float value = std::clamp(linear, 0.0f, 1.0f);
+  const float encoded = value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
+  return static_cast<uint8_t>(std::lround(255.0f * encoded));
+}
+
+struct Light {
+  Eigen::Vector3f direction;  ///< Towards the light, in the camera's frame: x right, y down, z away from the viewer.
+  Colour colour;
+  float wrap;  ///< How far the light reaches around the surface.
+  float specular;
+};
+
+const std::array<Light, 3>& Lights() {
+  static const std::array<Light, 3> lights = {
+      Light{Eigen::Vector3f(-0.55f, -0.65f, -0.75f).normalized(), {0.80f, 0.76f, 0.70f}, 0.15f, 0.06f},
+      Light{Eigen::Vector3f(0.85f, 0.05f, -0.45f).normalized(), {0.15f, 0.17f, 0.20f}, 0.3f, 0.0f},
+      Light{Eigen::Vector3f(0.45f, -0.55f, 0.70f).normalized(), {0.32f, 0.33f, 0.36f}, 0.0f, 0.0f}};
+  return lights;
+}
+
+/// normal and view (towards the viewer) are unit vectors in the camera's frame.
+Colour Shade(const Colour& albedo, const Eigen::Vector3f& normal, const Eigen::Vector3f& view, float flatness) {
+  const float upwards = 0.5f - 0.5f * normal.y();
+  Colour light = Colour(0.10f, 0.09f, 0.08f) * (1.0f - upwards) + Colour(0.22f, 0.23f, 0.25f) * upwards;
+  Colour gloss = Colour::Zero();
+  for (const Light& source : Lights()) {
+    const float cosine = normal.dot(source.direction);
+    light += source.colour * std::max(0.0f, (cosine + source.wrap) / (1.0f + source.wrap));
+    if (source.specular > 0.0f && cosine > 0.0f) {
+      const float half = std::max(0.0f, normal.dot((source.direction + view).normalized()));
+      gloss += source.colour * source.specular * std::pow(half, 28.0f);
+    }
+  }
+  return (1.0f - flatness) * (albedo * light + gloss) + flatness * albedo;
+}
+
+/// Surface and closing triangles as one mesh with one list of corner attributes each.
+struct Scene {
+  geometry::TriangleMesh mesh;
+  Eigen::Index num_surface_triangles;
+  geometry::Points surface_normals, closing_normals;  ///< V x 3, in the camera's frame.
+  std::vector<Colour> vertex_colours, closing_colours;
+};
+
+Scene MakeScene(const RenderInput& input, const Camera& camera, const Rgb& clay) {
+  const auto& surface = input.surface;
+  DAUMIER_CHECK(input.vertex_colours.empty() || Eigen::Index(input.vertex_colours.size()) == surface.vertices.rows(),
+                "{} colours were given for {} vertices", input.vertex_colours.size(), surface.vertices.rows());
+  DAUMIER_CHECK(Eigen::Index(input.closing_colours.size()) == input.closing_triangles.rows(),
+                "{} colours were given for {} closing triangles", input.closing_colours.size(),
+                input.closing_triangles.rows());
+  Scene scene;
+  scene.num_surface_triangles = surface.triangles.rows();
+  scene.mesh.vertices = surface.vertices;
+  scene.mesh.triangles.resize(surface.triangles.rows() + input.closing_triangles.rows(), 3);
+  scene.mesh.triangles << surface.triangles, input.closing_triangles;
+  const Eigen::Matrix3d world_from_camera = camera.camera_from_world.transpose();
+  scene.surface_normals = geometry::VertexNormals(surface) * world_from_camera;
+  scene.closing_normals = geometry::VertexNormals({surface.vertices, input.closing_triangles}) * world_from_camera;
+  for (const Rgb& colour : input.vertex_colours) scene.vertex_colours.push_back(LinearOf(colour));
+  if (scene.vertex_colours.empty()) scene.vertex_colours.assign(surface.vertices.rows(), LinearOf(clay));
+  for (const Rgb& colour : input.closing_colours) scene.closing_colours.push_back(LinearOf(colour));
+  return scene;
+}
+
+Colour ShadePixel(const Scene& scene, const Camera& camera, const Raster& raster, size_t pixel, float flatness) {
+  const int triangle = raster.triangle[pixel];
+  const auto& barycentric = raster.barycentric[pixel];
+  const bool on_surface = triangle < scene.num_surface_triangles;
+  const auto& normals = on_surface ? scene.surface_normals : scene.closing_normals;
+  const auto corners = scene.mesh.triangles.row(triangle);
+
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();
+  Colour albedo = Colour::Zero();
+  for (int k = 0; k < 3; ++k) {
+    normal += double{barycentric[k]} * normals.row(corners(k)).transpose();
+    point += double{barycentric[k]} * scene.mesh.vertices.row(corners(k)).transpose();
+    if (on_surface) albedo += barycentric[k] * scene.vertex_colours[corners(k)];
+  }
+  if (!on_surface) albedo = scene.closing_colours[triangle - scene.num_surface_triangles];
+
+  Eigen::Vector3d view(0.0, 0.0, -1.0);
+  if (camera.perspective) view = -(camera.camera_from_world * point + camera.translation).normalized();
+  const Eigen::Vector3d p0 = scene.mesh.vertices.row(corners(0)), p1 = scene.mesh.vertices.row(corners(1)),
+                        p2 = scene.mesh.vertices.row(corners(2));
+  const bool from_inside = (camera.camera_from_world * (p1 - p0).cross(p2 - p0)).dot(view) < 0.0;
+  if (from_inside) normal = -normal;
+  const Colour colour = Shade(albedo, normal.normalized().cast<float>(), view.cast<float>(), flatness);
+  return from_inside ? Colour(colour * kInsideLight) : colour;
+}
+
+}  // namespace
+
+std::vector<Rgb> ClosingColours(int num_triangles, int num_eyes) {
+  DAUMIER_CHECK(0 <= num_eyes && num_eyes <= num_triangles, "{} of {} closing triangles are said to be of the eyes",
+                num_eyes, num_triangles);
+  std::vector<Rgb> colours(num_triangles, kMouthDark);
+  std::fill_n(colours.begin(), num_eyes, kEyeWhite);
+  return colours;
+}
+
+Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style) {
+  const Scene scene = MakeScene(input, camera, style.clay);
+  const Camera sampled = Enlarged(camera, style.supersampling);
+  const Raster raster = Rasterise(sampled, scene.mesh);
+  const Colour background = LinearOf(style.background);
+  const auto flatness = static_cast<float>(style.flatness);
+
+  Image image(camera.height, camera.width, 3);
+  const int n = style.supersampling;
+  for (int row = 0; row < camera.height; ++row) {
+    for (int column = 0; column < camera.width; ++column) {
+      Colour sum = Colour::Zero();
+      bool empty = true;
+      for (int sample = 0; sample < n * n; ++sample) {
+        const size_t pixel = raster.index(row * n + sample / n, column * n + sample % n);
+        const bool covered = raster.triangle[pixel] >= 0;
+        empty = empty && !covered;
+        sum += covered ? ShadePixel(scene, camera, raster, pixel, flatness).min(1.0f) : background;
+      }
+      for (int channel = 0; channel < 3; ++channel) {
+        image.at(row, column, channel) =
+            empty ? style.background[channel] : EncodedOf(sum[channel] / static_cast<float>(n * n));
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace daumier::render

@@ -1,0 +1,35 @@
+#pragma once
+#include "geometry/mesh.h"
+#include "render/camera.h"
+#include "render/image.h"
+
+#include <vector>
+
+namespace daumier::render {
+
+/// What is drawn: a surface, and triangles between its vertices that close its holes and have colours of their own.
+struct RenderInput {
+  geometry::TriangleMesh surface;
+  std::vector<Rgb> vertex_colours = {};        ///< V, or empty: all of the style's clay.
+  geometry::Triangles closing_triangles = {};  ///< N x 3, vertices of the surface.
+  std::vector<Rgb> closing_colours = {};       ///< N.
+};
+
+/// Colours of triangles that close a face: the first num_eyes whitish (the eyes), the rest dark (the mouth).
+std::vector<Rgb> ClosingColours(int num_triangles, int num_eyes);
+
+struct ShadingStyle {
+  Rgb clay = {206, 190, 176};
+  Rgb background = {246, 244, 240};
+  double flatness = 0.0;  ///< 0: lit; 1: every pixel has just its colour, which a heat map needs in part.
+  int supersampling = 3;  ///< Samples a pixel and axis.
+};
+
+/// A picture of camera.height x camera.width, RGB. Smooth normals [Max 1999]; a warm key light from the upper left in
+/// front of the picture, a cool fill from the right, a rim from behind and a sky above, all fixed to the camera, so
+/// that every view is lit alike. Light is added up and averaged over samples in linear colour. Triangles seen from
+/// inside are lit half as much.
+/// @throws Error if there is not one colour a vertex, or one a closing triangle, or as Rasterise does.
+Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style = {});
+
+}  // namespace daumier::render
