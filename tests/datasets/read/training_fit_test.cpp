@@ -62,7 +62,7 @@ TEST_F(TrainingFitTest, NoFaceBesideTheTrainingFacesIsRead) {
     const Split split = MakeSplit(*database_, {.kind = kind, .validation = 0.15, .test = 0.15}, 2);
     const FittedBilinear fitted = FitOnTraining(*database_, split, kRanks);
     const faces::FaceDatabase ruined = WithOnly(split.train);
-    EXPECT_EQ(FitOnTraining(ruined, split, kRanks).model.core, fitted.model.core) << kind;
+    EXPECT_TRUE(FitOnTraining(ruined, split, kRanks).model.core == fitted.model.core) << kind;
   }
 }
 
