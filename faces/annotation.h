@@ -13,8 +13,8 @@ enum class View { kFrontal, kSide };
 
 /// A line of a sketch as a path of vertices on the template [Han et al. 2017, section 4.1].
 struct FeatureCurve {
-  std::string name;           ///< Unique: "brow_left_upper".
-  std::string kind;           ///< One of CurveKinds(): several curves may share it.
+  std::string name;  ///< Unique: "brow_left_upper".
+  std::string kind;  ///< One of CurveKinds(): several curves may share it.
   View view = View::kFrontal;
   bool closed = false;
   std::vector<int> vertices;  ///< Neighbours along mesh edges; a closed curve does not repeat its first vertex.
@@ -29,8 +29,8 @@ struct Annotation {
   std::array<int, 68> landmarks{};
   int hairline_vertex = -1;
   std::vector<FeatureCurve> curves;
-  /// Sorted vertex lists. Always there: face (where errors are averaged), eyes, mouth (each loop with two rings), neck_border,
-  /// ears, nose.
+  /// Sorted vertex lists. Always there: face (where errors are averaged), eyes, mouth (each loop with two rings),
+  /// neck_border, ears, nose.
   std::map<std::string, std::vector<int>> regions;
   /// mirror[v] is the vertex on the other side; an involution. Left is the face's own left, +x.
   std::vector<int> mirror;

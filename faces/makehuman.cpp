@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kCmPerDecimetre = 10.0;
 constexpr double kSliderSigma = 0.18, kAsymmetrySigma = 0.04, kMacroSigma = 0.3;
-constexpr const char* kExpressionFolder = "expression/units/caucasian/";
+constexpr std::string_view kExpressionFolder = "expression/units/caucasian/";
 
 /// Ends of the names of two targets that are the ends of one slider: the first decreases, the second increases.
 /// Upstream and the older npm snapshot use different words for the same sliders.
@@ -204,7 +204,7 @@ void AddExpressions(const MakeHumanFiles& files, const geometry::VertexMap& map,
   std::vector<Eigen::VectorXf> columns;
   for (const std::string& name : files.target_names) {
     if (!name.starts_with(kExpressionFolder)) continue;
-    model.expression_shape_names.push_back(name);
+    model.expression_shape_names.push_back(name.substr(kExpressionFolder.size()));
     columns.push_back(static_cast<float>(kCmPerDecimetre) * ShapeColumn(files.target(name), map));
   }
   DAUMIER_CHECK(!columns.empty(), "MakeHuman's data hold no targets below {}", kExpressionFolder);
