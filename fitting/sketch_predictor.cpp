@@ -2,111 +2,154 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/manifest.h"
 #include "geometry/obj.h"
 #include "render/camera.h"
 #include "render/draw.h"
 #include "render/shading.h"
 #include "render/sheet.h"
-
-#include <torch/torch.h>
+#include "tensor/eigen.h"
+#include "tensor/torch_version.h"
 
 #include <algorithm>
 #include <set>
 
 namespace daumier::fitting {
-
 namespace {
 
-constexpr double kLumaRed = 0.299, kLumaGreen = 0.587, kLumaBlue = 0.114;  // ITU-R BT.601
-constexpr int kLeastContrast = 32;                                         // of 255
-constexpr int kPictureSize = 320;
+namespace fs = std::filesystem;
+using render::Image;
 
-render::Image ToGrey(const render::Image& image) {
+/// Share of black below which a pixel counts as paper.
+constexpr float kPaperGrain = 0.08f;
+/// Ink of the inkiest fiftieth of a training sketch.
+constexpr float kTypicalInk = 0.75f;
+constexpr int kPictureSide = 360;
+
+Image ToGrey(const Image& image) {
   if (image.channels == 1) return image;
-  render::Image grey(image.height, image.width, 1);
+  Image grey(image.height, image.width, 1);
   for (size_t pixel = 0; pixel < grey.pixels.size(); ++pixel) {
-    const uint8_t* const rgb = &image.pixels[3 * pixel];
-    grey.pixels[pixel] = static_cast<uint8_t>(kLumaRed * rgb[0] + kLumaGreen * rgb[1] + kLumaBlue * rgb[2] + 0.5);
+    const uint8_t* rgb = &image.pixels[3 * pixel];
+    grey.pixels[pixel] = static_cast<uint8_t>((299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2] + 500) / 1000);
   }
   return grey;
 }
 
-/// The brightness of most of the picture.
-uint8_t Median(std::vector<uint8_t> values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// The value below which `share` of the values lie.
+template <class T>
+T Quantile(std::vector<T> values, double share) {
+  const auto rank = values.begin() + static_cast<int64_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), rank, values.end());
+  return *rank;
 }
 
-void WritePicture(const std::filesystem::path& file, const render::Image& drawing, const faces::FaceTemplate& face,
-                  const geometry::Points& points) {
-  const render::RenderInput input{.surface = {points, face.triangles},
-                                  .closing_triangles = face.closing_triangles,
-                                  .closing_colours = render::ClosingColours(
-                                      static_cast<int>(face.closing_triangles.rows()), face.num_eye_closing_triangles)};
-  const render::Frame frame = render::FrameOf(points);
-  const int longer = std::max(drawing.height, drawing.width);
-  const auto scaled = [&](int side) { return std::max(1, side * kPictureSize / longer); };
-  render::WriteImage(
-      file,
-      render::MakeSheet(
-          {{render::Resize(drawing, scaled(drawing.height), scaled(drawing.width)), "drawing"},
-           {render::RenderMesh(input, render::FrontalCamera(frame.centre, frame.half_height, kPictureSize)), "front"},
-           {render::RenderMesh(input, render::SideCamera(frame.centre, frame.half_height, kPictureSize)), "side"}},
-          3));
+Image PaddedToSquare(const Image& image, uint8_t paper) {
+  const int side = std::max(image.height, image.width);
+  Image square(side, side, 1, paper);
+  render::Paste(square, image, (side - image.height) / 2, (side - image.width) / 2);
+  return square;
+}
+
+Image PictureOfSketch(const torch::Tensor& sketch) {
+  Image image(static_cast<int>(sketch.size(2)), static_cast<int>(sketch.size(3)), 1);
+  const float* ink = sketch.data_ptr<float>();
+  std::transform(ink, ink + sketch.numel(), image.pixels.begin(),
+                 [](float value) { return static_cast<uint8_t>(255.0f * (1.0f - value) + 0.5f); });
+  return render::Resize(image, kPictureSide, kPictureSide);
+}
+
+Image SheetOf(const faces::FaceTemplate& face_template, const torch::Tensor& sketch, const geometry::Points& face) {
+  const int num_closing = static_cast<int>(face_template.closing_triangles.rows());
+  const render::RenderInput input{
+      .surface = {face, face_template.triangles},
+      .closing_triangles = face_template.closing_triangles,
+      .closing_colours = render::ClosingColours(num_closing, face_template.num_eye_closing_triangles)};
+  const auto frame = render::FrameOf(face);
+  return render::MakeSheet(
+      {{PictureOfSketch(sketch), "sketch"},
+       {RenderMesh(input, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)), "front"},
+       {RenderMesh(input, render::SideCamera(frame.centre, frame.half_height, kPictureSide)), "side"}},
+      3);
+}
+
+/// The stem of each picture, made unique.
+std::vector<std::string> NamesOf(const std::vector<fs::path>& pictures) {
+  std::set<std::string> taken;
+  std::vector<std::string> names;
+  for (const auto& picture : pictures) {
+    const std::string stem = picture.stem().string();
+    std::string name = stem;
+    for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("{}-{}", stem, copy);
+    names.push_back(name);
+  }
+  return names;
 }
 
 }  // namespace
 
-std::vector<float> InkOfDrawing(const render::Image& drawing, int resolution) {
-  DAUMIER_CHECK(!drawing.pixels.empty(), "the drawing is empty");
-  render::Image grey = ToGrey(drawing);
-  const auto [darkest, lightest] = std::minmax_element(grey.pixels.begin(), grey.pixels.end());
-  DAUMIER_CHECK(*lightest - *darkest >= kLeastContrast,
-                "the drawing shows no lines: its darkest and lightest pixel are {} and {}", *darkest, *lightest);
-  if (const int middle = (*darkest + *lightest) / 2; Median(grey.pixels) < middle) {
-    for (uint8_t& value : grey.pixels) value = 255 - value;
+torch::Tensor SketchFromImage(const Image& image, int resolution) {
+  DAUMIER_CHECK(!image.pixels.empty(), "the picture is empty");
+  Image grey = ToGrey(image);
+  uint8_t paper = Quantile(grey.pixels, 0.5);
+  if (paper < 128) {
+    for (uint8_t& value : grey.pixels) value = static_cast<uint8_t>(255 - value);
+    paper = static_cast<uint8_t>(255 - paper);
   }
-  const uint8_t paper = Median(grey.pixels), ink = *std::min_element(grey.pixels.begin(), grey.pixels.end());
-  const int side = std::max(grey.height, grey.width);
-  render::Image square(side, side, 1, paper);
-  render::Paste(square, grey, (side - grey.height) / 2, (side - grey.width) / 2);
-  const render::Image scaled = render::Resize(square, resolution, resolution);
-  std::vector<float> result(scaled.pixels.size());
-  std::transform(scaled.pixels.begin(), scaled.pixels.end(), result.begin(), [&](uint8_t value) {
-    return std::clamp((static_cast<float>(paper) - value) / static_cast<float>(paper - ink), 0.0f, 1.0f);
+  const Image small = render::Resize(PaddedToSquare(grey, paper), resolution, resolution);
+
+  std::vector<float> ink(small.pixels.size());
+  std::transform(small.pixels.begin(), small.pixels.end(), ink.begin(), [&](uint8_t value) {
+    const float share = static_cast<float>(paper - value) / static_cast<float>(paper);
+    return share < kPaperGrain ? 0.0f : share;
   });
-  return result;
+  const float inkiest = *std::max_element(ink.begin(), ink.end());
+  DAUMIER_CHECK(inkiest > 0, "the picture holds no lines; expected dark lines on light paper");
+  const float typical = std::max(Quantile(ink, 0.98), inkiest * kPaperGrain);
+  const float gain = std::max(1.0f, kTypicalInk / typical);
+  for (float& value : ink) value = std::min(1.0f, gain * value);
+  return torch::tensor(ink).view({1, 1, resolution, resolution});
 }
 
-geometry::Points PredictFace(models::SketchRun& run, const render::Image& drawing) {
-  const torch::NoGradGuard no_grad;
-  const int resolution = run.network->options().resolution;
-  std::vector<float> ink = InkOfDrawing(drawing, resolution);
-  const torch::Tensor vertices =
-      run.network->Decode(run.network->forward(torch::from_blob(ink.data(), {1, 1, resolution, resolution})))
-          .contiguous();
-  using FloatPoints = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
-  return Eigen::Map<const FloatPoints>(vertices.data_ptr<float>(), vertices.numel() / 3, 3).cast<double>();
+SketchPredictor::SketchPredictor(const fs::path& run_directory) : run_(models::LoadSketchRun(run_directory)) {}
+
+geometry::Points SketchPredictor::Predict(const torch::Tensor& sketch) {
+  at::NoGradGuard no_grad;
+  const auto vertices = run_.network->Decode(run_.network->forward(sketch));
+  return tensor::CopyToMatrix<double>(vertices.view({-1, 3}));
 }
 
-void PredictSketches(const std::filesystem::path& run_directory, const std::vector<std::filesystem::path>& inputs,
-                     const std::filesystem::path& out_directory) {
-  std::vector<render::Image> drawings;
-  std::set<std::string> names;
-  for (const auto& input : inputs) {
-    drawings.push_back(render::ReadImage(input));
-    DAUMIER_CHECK(names.insert(input.stem().string()).second,
-                  "two inputs are named {}; their results would overwrite each other", input.stem().string());
+void PredictSketches(const fs::path& run_directory, const std::vector<fs::path>& pictures,
+                     const fs::path& out_directory) {
+  SketchPredictor predictor(run_directory);
+  std::vector<torch::Tensor> sketches;
+  for (const auto& picture : pictures) {
+    const Image image = render::ReadImage(picture);
+    try {
+      sketches.push_back(SketchFromImage(image, predictor.resolution()));
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", picture.string(), error.what()));
+    }
   }
-  models::SketchRun run = models::LoadSketchRun(run_directory);
+
+  const auto& run = predictor.run();
+  Manifest manifest;
+  manifest.kind = "predictions";
+  manifest.verb = "predict";
+  manifest.seed = run.manifest.seed;
+  manifest.sources = run.manifest.sources;
+  manifest.counts = {{"pictures", pictures.size()}};
+  manifest.details = {{"run_data_hash", DataHash(run_directory)}};
   MakeDirectory(out_directory);
-  for (size_t i = 0; i < inputs.size(); ++i) {
-    const geometry::Points points = PredictFace(run, drawings[i]);
-    const std::string name = inputs[i].stem().string();
-    geometry::WriteObj(out_directory / (name + ".obj"), {points, run.face_template.triangles});
-    WritePicture(out_directory / (name + ".png"), drawings[i], run.face_template, points);
+  const auto names = NamesOf(pictures);
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    const geometry::Points face = predictor.Predict(sketches[i]);
+    const std::string mesh = names[i] + ".obj", sheet = names[i] + ".png";
+    geometry::WriteObj(out_directory / mesh, {face, run.face_template.triangles});
+    render::WriteImage(out_directory / sheet, SheetOf(run.face_template, sketches[i], face));
+    for (const auto& name : {mesh, sheet}) manifest.checksums[name] = Sha256OfFile(out_directory / name);
   }
+  WriteManifest(out_directory, manifest);
 }
 
 }  // namespace daumier::fitting

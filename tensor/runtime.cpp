@@ -1,28 +1,17 @@
 #include "tensor/runtime.h"
 
 #include "core/error.h"
+#include "core/runtime.h"
 
 #include <ATen/Parallel.h>
-#include <sched.h>
 #include <torch/cuda.h>
 
 #include <charconv>
-#include <thread>
 
 namespace daumier::tensor {
-namespace {
-
-int NumUsableCores() {
-  cpu_set_t cores;
-  if (sched_getaffinity(0, sizeof(cores), &cores) == 0) return CPU_COUNT(&cores);
-  return std::max(1u, std::thread::hardware_concurrency());
-}
-
-}  // namespace
-
 int SetUpTorch(int threads) {
   DAUMIER_CHECK(threads >= 0, "threads is {}, expected 0 (all cores) or more", threads);
-  at::set_num_threads(threads == 0 ? NumUsableCores() : threads);
+  at::set_num_threads(threads == 0 ? NumCores() : threads);
   return at::get_num_threads();
 }
 

@@ -117,6 +117,7 @@ TEST(SketchExport, FailureLeavesNothingBehind) {
   WriteFileAtomically(folder / "run/report/metrics.json", "[");
   ExpectError([&] { ExportSketchRun(folder / "run", folder / "out"); }, "metrics.json");
   EXPECT_EQ(NamesIn(folder.path()), (std::vector<std::string>{"run"}));
+  fs::remove_all(folder / "run/report");
   ExpectError([&] { ExportSketchRun(folder / "run", folder / "run"); }, "holds no earlier export");
   EXPECT_TRUE(fs::exists(folder / "run/best/model.safetensors"));
 }
