@@ -72,8 +72,9 @@ class ReportPainter {
     const auto side = render::SideCamera(frame_.centre, frame_.half_height, kMeanCell);
     const render::RenderInput input = InputOf(data_.mean_face);
     return render::MakeSheet({{render::RenderHeatMap(input, data_.mean_error_mm, range_, front), "front"},
-                              {WithColourBar(render::RenderHeatMap(input, data_.mean_error_mm, range_, side)), "side"}},
-                             2);
+                              {render::RenderHeatMap(input, data_.mean_error_mm, range_, side), "side"},
+                              {ColourBar(kMeanCell)}},
+                             3);
   }
 
  private:
@@ -85,11 +86,10 @@ class ReportPainter {
                                                       surface.num_eye_closing_triangles)};
   }
 
-  render::Image WithColourBar(const render::Image& picture) const {
-    render::Image wider(picture.height, picture.width + render::kColourBarWidth, 3);
-    render::Paste(wider, picture, 0, 0);
-    render::DrawColourBar(wider, range_, "mm");
-    return wider;
+  render::Image ColourBar(int height) const {
+    render::Image bar(height, render::kColourBarWidth, 3);
+    render::DrawColourBar(bar, range_, "mm");
+    return bar;
   }
 
   /// All rows are equally wide, with or without a sketch.
@@ -102,8 +102,9 @@ class ReportPainter {
           has_sketch ? "sketch" : ""},
          {render::RenderMesh(truth, camera), "truth"},
          {render::RenderMesh(prediction, camera), "prediction"},
-         {WithColourBar(render::RenderHeatMap(prediction, sample.error_mm, range_, camera)), "error"}},
-        4, {.title = sample.title, .gap = 8});
+         {render::RenderHeatMap(prediction, sample.error_mm, range_, camera), "error"},
+         {ColourBar(kCell)}},
+        5, {.title = sample.title, .gap = 8});
   }
 
   const ReportData& data_;

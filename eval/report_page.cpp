@@ -24,7 +24,7 @@ th:first-child, td:first-child { text-align: left; padding-left: 0; }
 figure { margin: 0; }
 figcaption { color: var(--soft); font-size: .9rem; margin-top: .4rem; }
 img { display: block; max-width: 100%; height: auto; border: 1px solid var(--line); border-radius: 6px; }
-.chart { width: 40rem; }
+img[src$=".svg"] { width: 40rem; }
 dl { display: grid; grid-template-columns: minmax(8rem, max-content) 1fr; gap: .3rem 1.2rem; margin: 0;
   padding: 1rem; background: var(--card); border-radius: 6px; }
 dt { color: var(--soft); }
@@ -45,12 +45,11 @@ std::string TableHtml(const ReportTable& table) {
   return html + "</tbody>\n</table></div>\n";
 }
 
-std::string FigureHtml(std::string_view title, std::string_view file, std::string_view css_class,
-                       std::string_view caption) {
+std::string FigureHtml(std::string_view title, std::string_view file, std::string_view caption) {
   return fmt::format(
-      "<h2>{}</h2>\n<figure><a href=\"{}\"><img src=\"{}\" class=\"{}\" alt=\"{}\"></a>\n"
+      "<h2>{}</h2>\n<figure><a href=\"{}\"><img src=\"{}\" alt=\"{}\"></a>\n"
       "<figcaption>{}</figcaption></figure>\n",
-      title, file, file, css_class, title, caption);
+      title, file, file, title, caption);
 }
 
 std::string FactsHtml(const std::vector<ReportFact>& facts) {
@@ -96,12 +95,12 @@ std::string ReportPage(const ReportData& data) {
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"summary\">{}</p>\n",
       title, kStyle, title, EscapeHtml(data.summary));
   for (const ReportTable& table : data.tables) html += TableHtml(table);
-  html += FigureHtml("Samples", "sheet.png", "picture",
+  html += FigureHtml("Samples", "sheet.png",
                      "Each row: sketch, true face, predicted face, and the distance of each vertex from the true "
                      "one. Grey is not counted.");
-  html += FigureHtml("Mean error", "mean_error.png", "picture",
+  html += FigureHtml("Mean error", "mean_error.png",
                      "The distance of each vertex from the true one, mean over all test faces, on the mean face.");
-  html += FigureHtml("Distribution of errors", "errors.svg", "chart",
+  html += FigureHtml("Distribution of errors", "errors.svg",
                      "Above: how many faces have which mean error. Below: the share of faces with at most that error.");
   if (!data.facts.empty()) html += FactsHtml(data.facts);
   return html + "</body>\n</html>\n";
