@@ -22,6 +22,15 @@ uint64_t EdgeKey(int a, int b) {
   return (static_cast<uint64_t>(std::min(a, b)) << 32) | static_cast<uint32_t>(std::max(a, b));
 }
 
+std::vector<int> Trace(const geometry::Points& points, const geometry::Adjacency& neighbours,
+                       const std::vector<int>& waypoints, bool closed, const std::string& what) {
+  try {
+    return geometry::TracePath(points, neighbours, waypoints, closed);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", what, error.what()));
+  }
+}
+
 /// A source mesh with what is asked of it again and again.
 class SourceMesh {
  public:
@@ -51,11 +60,8 @@ class SourceMesh {
 
   std::vector<int> Trace(const std::vector<int>& waypoints, bool closed, const std::string& what) const {
     for (const int vertex : waypoints) CheckVertex(vertex, what);
-    try {
-      return geometry::TracePath(mesh_.vertices, neighbours_, waypoints, closed);
-    } catch (const Error& error) {
-      throw Error(fmt::format("annotation of {}, {}: {}", source_, what, error.what()));
-    }
+    return faces::Trace(mesh_.vertices, neighbours_, waypoints, closed,
+                        fmt::format("annotation of {}, {}", source_, what));
   }
 
   std::vector<int> Mirrored(std::vector<int> vertices) const {
@@ -151,23 +157,34 @@ int Kept(const geometry::VertexMap& map, int vertex, const std::string& what) {
   return map.new_from_old[vertex];
 }
 
-std::vector<FeatureCurve> TraceCurves(const SourceMesh& mesh, const AnnotationFile& file,
+/// Curves may also run along the diagonals of the triangulation, so they are traced on the cropped face.
+std::vector<FeatureCurve> TraceCurves(const FaceTemplate& face, const AnnotationFile& file,
                                       const geometry::VertexMap& map) {
+  const auto neighbours = geometry::VertexNeighbours(face.triangles, face.num_vertices());
   std::vector<FeatureCurve> curves;
   std::set<std::string> names;
-  const auto add = [&](FeatureCurve curve, const std::vector<int>& path) {
+  const auto add = [&](FeatureCurve curve, std::vector<int> path) {
     DAUMIER_CHECK(names.insert(curve.name).second, "annotation: two curves have the name '{}'", curve.name);
-    curve.vertices.clear();
-    for (const int vertex : path) curve.vertices.push_back(Kept(map, vertex, "curve " + curve.name));
+    for (size_t i = 0; i + (curve.closed ? 0 : 1) < path.size(); ++i) {
+      const auto around = neighbours[path[i]];
+      DAUMIER_CHECK(std::binary_search(around.begin(), around.end(), path[(i + 1) % path.size()]),
+                    "annotation: curve {} leaves the edges of the mesh where it is mirrored", curve.name);
+    }
+    curve.vertices = std::move(path);
     curves.push_back(std::move(curve));
   };
   for (const CurveRule& rule : file.curves) {
-    const std::vector<int> path = mesh.Trace(rule.curve.vertices, rule.curve.closed, "curve " + rule.curve.name);
+    const std::string what = "curve " + rule.curve.name;
+    std::vector<int> waypoints;
+    for (const int vertex : rule.curve.vertices) waypoints.push_back(Kept(map, vertex, what));
+    std::vector<int> path = Trace(face.neutral, neighbours, waypoints, rule.curve.closed,
+                                  fmt::format("annotation of {}, {}", face.source, what));
     add(rule.curve, path);
     if (!rule.mirror) continue;
     FeatureCurve other = rule.curve;
     other.name = SwapSides(other.name);
-    add(other, mesh.Mirrored(path));
+    for (int& vertex : path) vertex = face.annotation.mirror[vertex];
+    add(other, path);
   }
   return curves;
 }
@@ -289,7 +306,7 @@ AnnotatedTemplate Annotate(const PolygonMesh& mesh, const AnnotationFile& file, 
 
   for (int i = 0; i < 68; ++i) annotation.landmarks[i] = Kept(map, file.landmarks[i], fmt::format("landmark {}", i));
   annotation.hairline_vertex = Kept(map, file.hairline, "hairline");
-  annotation.curves = TraceCurves(source_mesh, file, map);
+  annotation.curves = TraceCurves(face, file, map);
 
   const FaceLoops loops = ClassifyLoops(face);
   std::map<std::string, std::vector<int>> drawn = FillRegions(source_mesh, file, map);
