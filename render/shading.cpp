@@ -67,24 +67,28 @@ Colour Shade(const Colour& albedo, const Eigen::Vector3f& normal, const Eigen::V
 
 /// Surface and closing triangles as one mesh with one list of corner attributes each.
 struct Scene {
-  geometry::TriangleMesh mesh;
+  const geometry::TriangleMesh& mesh;
   Eigen::Index num_surface_triangles;
-  geometry::Points surface_normals, closing_normals;  ///< V x 3, in the camera's frame.
-  std::vector<Colour> vertex_colours, closing_colours;
+  geometry::Points surface_normals = {}, closing_normals = {};  ///< V x 3, in the camera's frame.
+  std::vector<Colour> vertex_colours = {}, closing_colours = {};
 };
 
-Scene MakeScene(const RenderInput& input, const Camera& camera, const Rgb& clay) {
+/// The surface's triangles, then the closing ones.
+geometry::TriangleMesh ClosedSurface(const RenderInput& input) {
+  const geometry::Triangles &surface = input.surface.triangles, &closing = input.closing_triangles;
+  geometry::TriangleMesh mesh{input.surface.vertices, geometry::Triangles(surface.rows() + closing.rows(), 3)};
+  mesh.triangles << surface, closing;
+  return mesh;
+}
+
+Scene MakeScene(const RenderInput& input, const geometry::TriangleMesh& mesh, const Camera& camera, const Rgb& clay) {
   const auto& surface = input.surface;
   DAUMIER_CHECK(input.vertex_colours.empty() || Eigen::Index(input.vertex_colours.size()) == surface.vertices.rows(),
                 "{} colours were given for {} vertices", input.vertex_colours.size(), surface.vertices.rows());
   DAUMIER_CHECK(Eigen::Index(input.closing_colours.size()) == input.closing_triangles.rows(),
                 "{} colours were given for {} closing triangles", input.closing_colours.size(),
                 input.closing_triangles.rows());
-  Scene scene;
-  scene.num_surface_triangles = surface.triangles.rows();
-  scene.mesh.vertices = surface.vertices;
-  scene.mesh.triangles.resize(surface.triangles.rows() + input.closing_triangles.rows(), 3);
-  scene.mesh.triangles << surface.triangles, input.closing_triangles;
+  Scene scene{.mesh = mesh, .num_surface_triangles = surface.triangles.rows()};
   const Eigen::Matrix3d world_from_camera = camera.camera_from_world.transpose();
   scene.surface_normals = geometry::VertexNormals(surface) * world_from_camera;
   scene.closing_normals = geometry::VertexNormals({surface.vertices, input.closing_triangles}) * world_from_camera;
@@ -131,9 +135,10 @@ std::vector<Rgb> ClosingColours(int num_triangles, int num_eyes) {
 }
 
 Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style) {
-  const Scene scene = MakeScene(input, camera, style.clay);
-  const Camera sampled = Enlarged(camera, style.supersampling);
-  const Raster raster = Rasterise(sampled, scene.mesh);
+  const geometry::TriangleMesh mesh = ClosedSurface(input);
+  // First, since it checks the triangles.
+  const Raster raster = Rasterise(Enlarged(camera, style.supersampling), mesh);
+  const Scene scene = MakeScene(input, mesh, camera, style.clay);
   const Colour background = LinearOf(style.background);
   const auto flatness = static_cast<float>(style.flatness);
 

@@ -16,6 +16,7 @@ struct RenderInput {
 };
 
 /// Colours of triangles that close a face: the first num_eyes whitish (the eyes), the rest dark (the mouth).
+/// @throws Error unless 0 <= num_eyes <= num_triangles.
 std::vector<Rgb> ClosingColours(int num_triangles, int num_eyes);
 
 struct ShadingStyle {
