@@ -1,6 +1,9 @@
 #include "cli/verb.h"
 #include "core/runtime.h"
-#include "tensor/runtime.h"
+
+#include <ATen/Parallel.h>
+#include <torch/cuda.h>
+#include <torch/version.h>
 
 #include <memory>
 
@@ -13,10 +16,10 @@ Verb InfoVerb() {
             return [as_json] {
               const BlasInfo blas = DescribeBlas();
               PrintResult({{"daumier", DAUMIER_VERSION},
-                           {"libtorch", tensor::TorchVersion()},
-                           {"device", tensor::DescribeDevice()},
-                           {"threads", tensor::NumThreads()},
-                           {"blas", {{"library", blas.library}, {"kernel", blas.kernel}}},
+                           {"libtorch", TORCH_VERSION},
+                           {"device", torch::cuda::is_available() ? "cuda" : "cpu"},
+                           {"threads", at::get_num_threads()},
+                           {"blas", {{"library", blas.library}, {"kernel", blas.kernel}, {"double_library", blas.double_library}}},
                            {"sgemm_gflops", MeasureSgemm()}},
                           *as_json);
             };

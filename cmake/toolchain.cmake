@@ -11,6 +11,7 @@ option(DAUMIER_BENCH "Build the benchmarks" OFF)
 set(DAUMIER_DEBUG_INFO "" CACHE STRING "Debug information of release builds, for example -g1")
 
 add_compile_options(-Wall -Wextra ${DAUMIER_DEBUG_INFO})
+set_source_files_properties(cli/info.cpp PROPERTIES COMPILE_DEFINITIONS DAUMIER_VERSION="${PROJECT_VERSION}")
 
 find_program(ccache_program ccache)
 if(DAUMIER_CCACHE AND ccache_program)
