@@ -62,7 +62,9 @@ Eigen::MatrixXd PoissonSolver::Solve(const Eigen::MatrixXd& rhs, const Eigen::Ma
   solution(fixed_, Eigen::all) = fixed_values;
   if (free_.empty()) return solution;
   const Eigen::MatrixXd free_rhs = rhs(free_, Eigen::all) - free_from_fixed_ * fixed_values;
-  solution(free_, Eigen::all) = factor_->solve(free_rhs);
+  // Evaluated first: Eigen 3.4 gives wrong values if a solve is assigned to an indexed view.
+  const Eigen::MatrixXd free_solution = factor_->solve(free_rhs);
+  solution(free_, Eigen::all) = free_solution;
   return solution;
 }
 

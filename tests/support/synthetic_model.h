@@ -56,7 +56,7 @@ inline faces::FaceModel SyntheticModel() {
   }
 
   const double mouth_height = mouth_corner.y();
-  const auto smile = [=](const Vector3& p) { return Vector3(0.5, 0.6, -0.2) * near(p, mouth_corner, 1.5); };
+  const auto smile = [=](const Vector3& p) -> Vector3 { return Vector3(0.5, 0.6, -0.2) * near(p, mouth_corner, 1.5); };
   const auto blink = [=](const Vector3& p) {
     return Vector3(0, p.y() > eye.y() - 0.5 ? -0.5 * near(p, eye, 0.8) : 0.0, 0);
   };
@@ -70,7 +70,7 @@ inline faces::FaceModel SyntheticModel() {
       blink,
       mirrored(blink),
       [=](const Vector3& p) { return Vector3(0, 0.6 * on_both(p, brow, 1.5), 0); },
-      [=](const Vector3& p) { return Vector3(-0.2 * p.x(), 0, 0.4) * on_both(p, mouth_corner, 1.2); },
+      [=](const Vector3& p) -> Vector3 { return Vector3(-0.2 * p.x(), 0, 0.4) * on_both(p, mouth_corner, 1.2); },
   });
 
   const auto add = [&](const std::string& name, std::initializer_list<float> weights) {
