@@ -1,5 +1,7 @@
 #include "export/model_card.h"
 
+#include "export/onnx_graph.h"
+
 namespace daumier::exporting {
 namespace {
 

@@ -1,22 +1,10 @@
 #pragma once
+#include "export/exported_function.h"
 #include "export/onnx_graph.h"
 
 #include <torch/nn/module.h>
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace daumier::exporting {
-
-/// A network as a function of one tensor to several, each with the batch in dimension 0.
-struct ExportedFunction {
-  std::string name;
-  std::string input_name;
-  std::vector<int64_t> input_shape;  ///< Of one sample, without the batch.
-  std::vector<std::string> output_names;
-  std::function<std::vector<torch::Tensor>(const torch::Tensor& input)> forward;
-};
 
 /// Traces `function`, which uses the parameters and buffers of `module`, and lowers the trace to ONNX (opset kOpset).
 /// Parameters and buffers that are used become initializers under their own names; dimension 0 of inputs and outputs is

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "export/onnx_graph.h"
 #include "export/onnx_runtime.h"
 #include "tensor/torch_version.h"
 

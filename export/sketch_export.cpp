@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/manifest.h"
 #include "export/model_card.h"
+#include "export/onnx_export.h"
 #include "export/parity.h"
 #include "export/staged_directory.h"
 #include "faces/face_database.h"

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/json.h"
-#include "export/onnx_export.h"
+#include "export/exported_function.h"
 #include "models/sketch_network.h"
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "export/sketch_export.h"
 
 #include "core/manifest.h"
+#include "export/onnx_export.h"
 #include "tests/export/test_function.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_run_folder.h"
