@@ -100,6 +100,7 @@ function(daumier_executable)
   endif()
   daumier_startup()
   add_executable(daumier ${PROJECT_SOURCE_DIR}/cli/main.cpp)
+  target_precompile_headers(daumier REUSE_FROM daumier_pch_torch)
   target_link_libraries(daumier PRIVATE daumier_startup daumier_cli)
   set_target_properties(daumier PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   if(TARGET daumier_cli_tests)  # They start the program itself.

@@ -214,6 +214,15 @@ void AddExpressions(const MakeHumanFiles& files, const geometry::VertexMap& map,
       ParseExpressionFile(EmbeddedAnnotation("makehuman_expressions"), "makehuman_expressions.json"), model);
 }
 
+/// Puts the bridge of the nose at height and depth 0: a body stands on the floor, and coordinates of a head 75 cm up
+/// would cost float32 two decimal digits.
+void MoveToBridge(const AnnotationFile& annotation, geometry::Points& points) {
+  const int bridge = annotation.landmarks[27];
+  DAUMIER_CHECK(bridge >= 0 && bridge < points.rows(), "makehuman.json: landmark 27 is vertex {}", bridge);
+  const geometry::Vector3 origin(0, points(bridge, 1), points(bridge, 2));
+  points.rowwise() -= origin.transpose();
+}
+
 }  // namespace
 
 std::filesystem::path DefaultMakeHumanFolder() {
@@ -227,8 +236,9 @@ FaceModel LoadMakeHuman(const std::filesystem::path& folder) {
   average.vertices +=
       Macros().Mean("young", "averageweight", [&](const std::string& name) { return files.target(name); });
   average.vertices *= kCmPerDecimetre;
-  const AnnotatedTemplate annotated =
-      Annotate(average, ParseAnnotationFile(EmbeddedAnnotation("makehuman"), "makehuman.json"), "makehuman");
+  const AnnotationFile annotation = ParseAnnotationFile(EmbeddedAnnotation("makehuman"), "makehuman.json");
+  MoveToBridge(annotation, average.vertices);
+  const AnnotatedTemplate annotated = Annotate(average, annotation, "makehuman");
 
   FaceModel model;
   model.face_template = annotated.face_template;
