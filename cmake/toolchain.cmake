@@ -15,9 +15,10 @@ set_source_files_properties(cli/info.cpp PROPERTIES COMPILE_DEFINITIONS DAUMIER_
 
 find_program(ccache_program ccache)
 if(DAUMIER_CCACHE AND ccache_program)
-  # Precompiled headers only hit the cache under these rules.
+  # Precompiled headers only hit the cache under these rules, and other checkouts and build folders only by relative paths.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${ccache_program})
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${ccache_program})
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
   add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
