@@ -89,6 +89,7 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
     files.target_names.push_back(TargetName(paths[row]));
     rows[files.target_names.back()] = static_cast<int>(row);
   }
+  std::sort(files.target_names.begin(), files.target_names.end());  // "a" before "a-b", though "a-b.x" before "a.x"
 
   const auto binary = std::make_shared<const MappedFile>(binary_file);
   const size_t expected = paths.size() * kNumVertices * 3 * sizeof(int16_t);

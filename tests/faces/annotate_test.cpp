@@ -1,0 +1,114 @@
+#include "faces/annotate.h"
+
+#include "geometry/topology.h"
+#include "tests/faces/template_checks.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/synthetic_face.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::faces {
+namespace {
+
+using testing::ExpectError;
+using testing::SyntheticGrid;
+
+const SyntheticGrid& Grid() {
+  static const SyntheticGrid grid;
+  return grid;
+}
+
+std::vector<int> Row(int j) {
+  std::vector<int> row;
+  for (int i = 1 - SyntheticGrid::kHalf; i <= SyntheticGrid::kHalf; ++i) row.push_back(Grid().at(i, j));
+  return row;
+}
+
+/// The border of the cells low_i..high_i, low_j..high_j, every vertex told.
+std::vector<int> Border(int low_i, int high_i, int low_j, int high_j) {
+  std::vector<int> border;
+  for (int i = low_i; i < high_i; ++i) border.push_back(Grid().at(i, low_j));
+  for (int j = low_j; j < high_j; ++j) border.push_back(Grid().at(high_i, j));
+  for (int i = high_i; i > low_i; --i) border.push_back(Grid().at(i, high_j));
+  for (int j = high_j; j > low_j; --j) border.push_back(Grid().at(low_i, j));
+  return border;
+}
+
+/// The synthetic face with its lowest row of polygons cut away.
+AnnotationFile File() {
+  AnnotationFile file;
+  file.landmarks = testing::SyntheticFace().annotation.landmarks;
+  file.hairline = Grid().at(0, 21);
+  file.crop_seed = Grid().at(0, 15);
+  file.cuts = {{.name = "neck", .waypoints = Row(1), .mirror_of = {}}};
+  const auto region = [](const std::string& name, std::vector<int> loop, int seed) {
+    return RegionRule{.name = name, .loop = std::move(loop), .seed = seed, .mirror_of = {}, .range = {}};
+  };
+  file.regions = {region("face", Border(-11, 11, 2, 21), Grid().at(0, 15)),
+                  region("nose", Border(-2, 2, 9, 11), Grid().at(0, 10)),
+                  region("ear_left", Border(11, 14, 8, 16), Grid().at(12, 12))};
+  file.regions.push_back({.name = "ear_right", .loop = {}, .seed = -1, .mirror_of = "ear_left", .range = {}});
+  file.curves = {
+      {.curve = {"brow_left", "brow", View::kFrontal, false, {Grid().at(3, 15), Grid().at(7, 15)}}, .mirror = true},
+      {.curve = {"ring", "nose", View::kFrontal, true, Border(-2, 2, 8, 11)}, .mirror = false}};
+  return file;
+}
+
+FaceTemplate Annotated(const AnnotationFile& file) {
+  return Annotate(Grid().mesh(), file, "synthetic").face_template;
+}
+
+TEST(Annotate, CropsRemapsAndCloses) {
+  const AnnotatedTemplate annotated = Annotate(Grid().mesh(), File(), "synthetic");
+  const FaceTemplate& face = annotated.face_template;
+  testing::ExpectSoundTopology(face);
+  EXPECT_EQ(face.num_vertices(), Grid().mesh().vertices.rows() - 2 * SyntheticGrid::kHalf);
+  for (int v = 0; v < face.num_vertices(); ++v)
+    EXPECT_EQ(face.neutral.row(v), Grid().mesh().vertices.row(annotated.vertices.old_from_new[v]));
+  EXPECT_EQ(annotated.vertices.old_from_new[face.annotation.hairline_vertex], Grid().at(0, 21));
+}
+
+TEST(Annotate, RegionsAreWhatTheirLoopsEnclose) {
+  const AnnotatedTemplate annotated = Annotate(Grid().mesh(), File(), "synthetic");
+  const auto expected = [&](std::vector<int> block) { return geometry::SelectVertices(block, annotated.vertices); };
+  const auto& regions = annotated.face_template.annotation.regions;
+  EXPECT_EQ(regions.at("face"), expected(Grid().Block(0, 11, 2, 21)));
+  EXPECT_EQ(regions.at("nose"), expected(Grid().Block(0, 2, 9, 11)));
+  EXPECT_EQ(regions.at("ears"), expected(Grid().Block(11, 14, 8, 16)));
+  EXPECT_EQ(regions.at("neck_border"), expected(Grid().Block(0, SyntheticGrid::kHalf, 1, 1)));
+}
+
+TEST(Annotate, CurvesAreTracedAndMirrored) {
+  const AnnotatedTemplate annotated = Annotate(Grid().mesh(), File(), "synthetic");
+  const Annotation& annotation = annotated.face_template.annotation;
+  ASSERT_EQ(annotation.curves.size(), 3u);
+  const FeatureCurve &left = annotation.curves[0], &right = annotation.curves[1];
+  EXPECT_EQ(left.name, "brow_left");
+  EXPECT_EQ(right.name, "brow_right");
+  EXPECT_EQ(left.vertices.size(), 5u);
+  for (size_t i = 0; i < left.vertices.size(); ++i) EXPECT_EQ(right.vertices[i], annotation.mirror[left.vertices[i]]);
+  testing::ExpectCurvesAreEdgePaths(annotated.face_template);
+}
+
+TEST(Annotate, WhatDoesNotFitIsRefusedByName) {
+  const auto refused = [](const std::function<void(AnnotationFile&)>& spoil, const std::string& part) {
+    AnnotationFile file = File();
+    spoil(file);
+    ExpectError([&] { Annotated(file); }, part);
+  };
+  refused([](AnnotationFile& f) { f.landmarks[3] = Grid().at(0, 0); }, "landmark 3");
+  refused([](AnnotationFile& f) { f.hairline = 99999; }, "hairline");
+  refused([](AnnotationFile& f) { f.cuts[0].waypoints[0] = -1; }, "cut neck");
+  refused([](AnnotationFile& f) { f.curves[0].curve.vertices.pop_back(); }, "curve brow_left");
+  refused([](AnnotationFile& f) { f.curves[1].curve.name = "brow_right"; }, "brow_right");
+  refused([](AnnotationFile& f) { f.regions.erase(f.regions.begin()); }, "region 'face' is missing");
+  refused([](AnnotationFile& f) { f.regions[3].mirror_of = "tail"; }, "tail");
+  refused(
+      [](AnnotationFile& f) {
+        f.cuts.push_back({.name = "hole", .waypoints = Border(-1, 1, 17, 19), .mirror_of = {}});
+      },
+      "5 holes");
+}
+
+}  // namespace
+}  // namespace daumier::faces
