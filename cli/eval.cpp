@@ -1,6 +1,6 @@
 #include "cli/verb.h"
+#include "core/files.h"
 #include "eval/sketch_eval.h"
-#include "eval/table.h"
 
 #include <fmt/core.h>
 
@@ -25,8 +25,11 @@ Verb EvalVerb() {
             return [arguments] {
               const auto out = arguments->out.empty() ? arguments->run / "report" : arguments->out;
               const Json metrics = eval::EvaluateSketchRun(arguments->run, arguments->split, out);
-              PrintResult(metrics, arguments->as_json);
-              if (!arguments->as_json) fmt::print("pictures: {}\n", (out / "index.html").string());
+              if (arguments->as_json) {
+                PrintResult(metrics, true);
+              } else {
+                fmt::print("{}\npictures: {}\n", ReadFile(out / "table.md"), (out / "index.html").string());
+              }
             };
           }};
 }

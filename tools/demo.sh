@@ -12,7 +12,7 @@ step daumier dataset faces --config configs/faces/demo.toml --out "$data/faces"
 step daumier dataset sketches --config configs/sketches/frontal.toml --out "$data/sketches" faces="$data/faces"
 step daumier dataset gallery "$data/faces" "$data/sketches" --out "$data/gallery"
 resume=()
-[ -d "$run" ] && resume=(--resume)
+[ -f "$run/manifest.json" ] && resume=(--resume)
 step daumier train configs/sketch/demo.toml --out "$run" "${resume[@]}" data.faces="$data/faces" data.sketches="$data/sketches"
 step daumier eval "$run"
 step daumier export "$run" --out "$run/export"

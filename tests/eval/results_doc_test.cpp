@@ -1,0 +1,46 @@
+#include "core/files.h"
+#include "core/json.h"
+#include "eval/table.h"
+#include "tests/support/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace daumier::eval {
+
+namespace {
+
+std::vector<ErrorRow> RowsOf(const Json& table) {
+  std::vector<ErrorRow> rows;
+  for (const Json& entry : table) {
+    rows.push_back({.name = entry.at("name"),
+                    .error_mm = entry.at("error"),
+                    .interval_mm = {entry.at("error_low"), entry.at("error_high")},
+                    .p50_mm = entry.at("p50"),
+                    .p90_mm = entry.at("p90"),
+                    .p99_mm = entry.at("p99"),
+                    .interocular_share = entry.at("interocular_share")});
+  }
+  return rows;
+}
+
+TEST(ResultsDocument, ShowsTheTablesOfItsRecords) {
+  const std::string document = ReadFile(testing::SourceRoot() / "docs/results.md");
+  int num_records = 0;
+  for (const auto& file : std::filesystem::directory_iterator(testing::SourceRoot() / "docs/results")) {
+    if (file.path().extension() != ".json") continue;
+    ++num_records;
+    const Json record = Json::parse(ReadFile(file.path()));
+    for (const char* key : {"command", "commit", "seeds", "train_seconds", "metrics"})
+      EXPECT_TRUE(record.contains(key)) << key;
+    EXPECT_TRUE(record.at("metrics").contains("data_hash"));
+    EXPECT_NE(document.find(TableMarkdown(RowsOf(record.at("metrics").at("table")))), std::string::npos)
+        << file.path() << " and docs/results.md do not agree";
+    EXPECT_NE(document.find(record.at("command").get<std::string>()), std::string::npos) << file.path();
+  }
+  EXPECT_GT(num_records, 0);
+}
+
+}  // namespace
+}  // namespace daumier::eval
