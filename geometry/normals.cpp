@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace daumier::geometry {
 namespace {
@@ -17,6 +19,12 @@ std::array<Vector3, 3> OppositeEdges(const TriangleMesh& mesh, int triangle) {
   return edges;
 }
 
+/// Rows of unit length; rows of zeros stay (Eigen's own rowwise form makes them NaN).
+Points NormalizedRows(Points rows) {
+  for (auto row : rows.rowwise()) row.normalize();
+  return rows;
+}
+
 }  // namespace
 
 Points AreaNormals(const TriangleMesh& mesh) {
@@ -29,7 +37,7 @@ Points AreaNormals(const TriangleMesh& mesh) {
 }
 
 Points TriangleNormals(const TriangleMesh& mesh) {
-  return AreaNormals(mesh).rowwise().normalized();
+  return NormalizedRows(AreaNormals(mesh));
 }
 
 Eigen::VectorXd TriangleAreas(const TriangleMesh& mesh) {
@@ -46,7 +54,7 @@ Points VertexNormals(const TriangleMesh& mesh) {
       if (scale > 0) normals.row(mesh.triangles(f, k)) += normal / scale;
     }
   }
-  return normals.rowwise().normalized();
+  return NormalizedRows(std::move(normals));
 }
 
 Points CornerAreas(const TriangleMesh& mesh) {

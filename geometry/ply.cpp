@@ -44,6 +44,8 @@ size_t HeaderCount(const std::string& bytes, const std::string& name) {
 PolygonMesh ReadPly(const std::filesystem::path& path) {
   const std::string bytes = ReadFile(path);
   DAUMIER_CHECK(bytes.starts_with("ply"), "{}: not a PLY file", path.string());
+  // OpenMesh reads on for ever behind a header without an end.
+  DAUMIER_CHECK(bytes.find("end_header") != std::string::npos, "{}: cut amid its header", path.string());
   const SilentOpenMesh silent;
   PolygonHalfEdges half_edges;
   std::istringstream stream(bytes);
