@@ -11,10 +11,10 @@ namespace daumier::render {
 /// What each pixel's centre sees, row-major, height * width entries.
 struct Raster {
   int height = 0, width = 0;
-  std::vector<int> triangle;  ///< Row of the triangle in front, -1 where there is none.
-  std::vector<std::array<float, 3>>
-      barycentric;            ///< Of the point on the surface, in the order of the triangle's corners; sum 1.
-  std::vector<double> depth;  ///< Of the point, cm; infinite where there is none.
+  std::vector<int> triangle = {};  ///< Row of the triangle in front, -1 where there is none.
+  std::vector<std::array<float, 3>> barycentric =
+      {};                          ///< Of the point on the surface, in the order of the triangle's corners; sum 1.
+  std::vector<double> depth = {};  ///< Of the point, cm; infinite where there is none.
 
   size_t index(int row, int column) const { return size_t(row) * width + column; }
 };

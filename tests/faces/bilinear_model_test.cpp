@@ -90,7 +90,9 @@ double SquaredError(const BilinearModel& model, const Tensor& tensor) {
 }
 
 TEST(BilinearModel, ReconstructsByHand) {
-  BilinearModel model{.num_identity = 2, .num_expression = 2, .core = BilinearModel::Core(4, 3)};
+  BilinearModel model;
+  model.num_identity = model.num_expression = 2;
+  model.core.resize(4, 3);
   model.core << 1, 0, 0,  //
       0, 2, 0,            //
       0, 0, 3,            //

@@ -6,9 +6,12 @@
 /// Where tests find what is not in the repository. A test that needs it skips with a message where it is absent.
 namespace daumier::testing {
 
-/// The root of the source tree.
+/// The root of the source tree: the working directory, or the nearest folder above it, that holds the presets.
 inline std::filesystem::path SourceRoot() {
-  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  for (auto folder = std::filesystem::current_path(); folder != folder.root_path(); folder = folder.parent_path()) {
+    if (std::filesystem::exists(folder / "CMakePresets.json")) return folder;
+  }
+  return std::filesystem::current_path();
 }
 
 /// The folder that the environment variable names, else `otherwise`; nothing where there is no such folder.
