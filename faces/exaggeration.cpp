@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/curvature.h"
+#include "geometry/flips.h"
 #include "geometry/normals.h"
 #include "geometry/operators.h"
 #include "geometry/poisson.h"
@@ -14,6 +15,7 @@ namespace daumier::faces {
 
 namespace {
 
+constexpr int kMaxUnflipRounds = 12;
 constexpr double kFlat = 1e-6;  // 1/cm^2: what is flatter counts as this flat, so that a logarithm exists
 
 std::vector<int> FixedVertices(const Annotation& annotation) {
@@ -37,6 +39,14 @@ Eigen::VectorXd Fade(const geometry::Adjacency& neighbours, const std::vector<in
     fade[v] = inside + (1.0 - inside) * way;
   }
   return fade;
+}
+
+std::vector<int> CornersOf(const geometry::Triangles& triangles, const std::vector<int>& rows) {
+  std::vector<int> corners;
+  for (const int row : rows) {
+    for (int k = 0; k < 3; ++k) corners.push_back(triangles(row, k));
+  }
+  return corners;
 }
 
 /// V: log(|K| / Kbar), smoothed and clamped.
@@ -70,12 +80,22 @@ std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, cons
 
   const geometry::PoissonSolver solver(geometry::CotangentLaplacian(mesh), fixed);
   const geometry::Points fixed_points = face(fixed, Eigen::all);
+  const auto rebuild = [&](const Eigen::VectorXd& log_scales) -> geometry::Points {
+    const Eigen::VectorXd scales = geometry::VerticesToTriangles(mesh.triangles, log_scales.array().exp().matrix());
+    const Eigen::MatrixXd divergence = geometry::CotangentLaplacian(mesh, geometry::kMinCotangent, scales) * face;
+    return solver.Solve(divergence, fixed_points);
+  };
   std::vector<geometry::Points> levels;
   for (const double gamma : options.gammas) {
-    const Eigen::VectorXd scales =
-        geometry::VerticesToTriangles(mesh.triangles, (gamma * exponent).array().exp().matrix());
-    const Eigen::MatrixXd divergence = geometry::CotangentLaplacian(mesh, geometry::kMinCotangent, scales) * face;
-    levels.emplace_back(solver.Solve(divergence, fixed_points));
+    Eigen::VectorXd log_scales = gamma * exponent;
+    geometry::Points& level = levels.emplace_back(rebuild(log_scales));
+    for (int round = 0; round < kMaxUnflipRounds; ++round) {
+      const std::vector<int> flipped = geometry::FlippedTriangles(face, level, mesh.triangles);
+      if (flipped.empty()) break;
+      log_scales.array() *=
+          Fade(neighbours, CornersOf(mesh.triangles, flipped), 0.5, (round + 1) * options.blend_rings).array();
+      level = rebuild(log_scales);
+    }
   }
   return levels;
 }
