@@ -1,71 +1,17 @@
 #include "eval/sketch_eval.h"
 
-#include "core/config.h"
-#include "core/files.h"
-#include "core/manifest.h"
-#include "datasets/read/training_fit.h"
 #include "eval/baselines.h"
 #include "eval/metrics.h"
 #include "eval/sketch_run_data.h"
-#include "tensor/module_state.h"
+#include "tests/eval/sketch_run_fixture.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/synthetic_database.h"
-#include "tests/support/temp_dir.h"
-
-#include <gtest/gtest.h>
-#include <torch/utils.h>
 
 namespace daumier::eval {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// An untrained network on six synthetic persons, in a run folder as a training leaves it.
-class SketchEvalTest : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = std::make_unique<testing::TempDir>();
-    testing::BuildSyntheticFaces(*folder_ / "faces");
-    testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "sketches");
-    WriteRun(*folder_ / "run");
-  }
-  static void TearDownTestSuite() { folder_.reset(); }
-
-  static void WriteRun(const fs::path& run) {
-    const faces::FaceDatabase faces(*folder_ / "faces");
-    const datasets::SplitOptions split_options;
-    const datasets::Split split = datasets::MakeSplit(faces, split_options, 7);
-    const datasets::FittedBilinear fitted =
-        datasets::FitOnTraining(faces, split, {.num_identity = 6, .num_expression = 4});
-    const models::PixelCnnOptions network_options{.resolution = 32, .width = 4, .hidden = 16};
-    torch::manual_seed(7);
-    models::SketchNetwork network(network_options, fitted.model);
-    const Json config = {
-        {"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
-        {"split", ToJson(split_options)},
-        {"network", ToJson(network_options)},
-        {"seed", 7}};
-    MakeDirectory(run / "best");
-    WriteFileAtomically(run / "resolved.toml", ToToml(config));
-    Manifest manifest;
-    manifest.kind = "run";
-    manifest.verb = "train";
-    manifest.seed = 7;
-    manifest.details = {
-        {"data", {{"faces", DataHash(*folder_ / "faces")}, {"sketches", DataHash(*folder_ / "sketches")}}},
-        {"split", datasets::SplitToJson(faces, split)},
-        {"bilinear", fitted.proof}};
-    manifest.sources = faces.manifest().sources;
-    manifest.checksums = faces::WriteFaceTemplate(run, faces.face_template());
-    manifest.checksums["bilinear.safetensors"] = faces::WriteBilinearModel(run / "bilinear.safetensors", fitted.model);
-    WriteManifest(run, manifest);
-    tensor::SaveModule(run / "best" / "model.safetensors", *network);
-  }
-
-  static std::unique_ptr<testing::TempDir> folder_;
-};
-
-std::unique_ptr<testing::TempDir> SketchEvalTest::folder_;
+using SketchEvalTest = SketchRunFixture;
 
 TEST_F(SketchEvalTest, WritesTheKeysThatAreAgreedOnAndAReport) {
   const fs::path out = *folder_ / "report";
@@ -128,25 +74,6 @@ TEST_F(SketchEvalTest, ManifestProvesThatNothingWasFittedOnValidationOrTestPerso
 TEST_F(SketchEvalTest, RefusesAnUnknownSideAndLeavesNothing) {
   testing::ExpectError([&] { EvaluateSketchRun(*folder_ / "run", "tset", *folder_ / "none"); }, "no side of a split");
   EXPECT_FALSE(fs::exists(*folder_ / "none"));
-}
-
-TEST_F(SketchEvalTest, RefusesOtherDataThanTheRunWasTrainedOn) {
-  const fs::path run = *folder_ / "other_run";
-  WriteRun(run);
-  testing::BuildSyntheticFaces(*folder_ / "other_faces", 7);
-  Json config = LoadConfig(run / "resolved.toml");
-  config["data"]["faces"] = (*folder_ / "other_faces").string();
-  WriteFileAtomically(run / "resolved.toml", ToToml(config));
-  testing::ExpectError([&] { OpenSketchRunData(run); }, "holds other faces than");
-}
-
-TEST_F(SketchEvalTest, RefusesASplitThatComesOutOtherwise) {
-  const fs::path run = *folder_ / "other_split";
-  WriteRun(run);
-  Manifest manifest = ReadManifest(run, "run");
-  manifest.details["split"]["test"]["faces_checksum"] = "0";
-  WriteManifest(run, manifest);
-  testing::ExpectError([&] { OpenSketchRunData(run); }, "was split otherwise");
 }
 
 }  // namespace
