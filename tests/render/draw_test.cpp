@@ -42,8 +42,11 @@ TEST(DrawText, AlignsAtCentreAndRight) {
     Image image(30, 200, 1);
     DrawText(image, "HHHHHH", x, 5, {.height = 18, .align = align});
     const Extent ink = InkOf(image);
-    if (align == TextAlign::kCentre) EXPECT_NEAR(0.5 * (ink.left + ink.right), 100, 2);
-    if (align == TextAlign::kRight) EXPECT_NEAR(ink.right, 150, 3);
+    if (align == TextAlign::kCentre) {
+      EXPECT_NEAR(0.5 * (ink.left + ink.right), 100, 2);
+    } else {
+      EXPECT_NEAR(ink.right, 150, 3);
+    }
   }
 }
 

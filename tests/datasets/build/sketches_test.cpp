@@ -68,7 +68,9 @@ TEST_F(BuildSketchesTest, StrokesAreTheProjectedCurves) {
         EXPECT_NEAR(strokes[k].points[p][0], pixels(curve.vertices[p], 0), 1e-4);
         EXPECT_NEAR(strokes[k].points[p][1], pixels(curve.vertices[p], 1), 1e-4);
       }
-      if (curve.closed) EXPECT_EQ(strokes[k].points.back(), strokes[k].points.front());
+      if (curve.closed) {
+        EXPECT_EQ(strokes[k].points.back(), strokes[k].points.front());
+      }
       ++k;
     }
     EXPECT_EQ(k, strokes.size());
