@@ -64,6 +64,20 @@ Eigen::VectorXd LogCurvatureRatio(const geometry::TriangleMesh& mesh, const geom
   return (logarithm.array() - mean).max(-limit).min(limit);
 }
 
+/// Makes the exponent of the nose one number, its area-weighted mean: a nose that is scaled as a whole is not pierced
+/// by its own nostrils, whose pockets are curved more than what surrounds them.
+void ScaleNoseAsOne(const geometry::TriangleMesh& mesh, const geometry::Adjacency& neighbours,
+                    const std::vector<int>& nose, int blend_rings, Eigen::VectorXd& exponent) {
+  const Eigen::VectorXd areas = geometry::VertexAreas(mesh);
+  double sum = 0, area = 0;
+  for (const int v : nose) {
+    sum += areas[v] * exponent[v];
+    area += areas[v];
+  }
+  const Eigen::ArrayXd outside = Fade(neighbours, nose, 0.0, blend_rings).array();
+  exponent = outside * exponent.array() + (1.0 - outside) * (sum / area);
+}
+
 }  // namespace
 
 std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, const geometry::Points& face,
@@ -73,10 +87,11 @@ std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, cons
   const geometry::TriangleMesh mesh{face, face_template.triangles};
   const auto neighbours = geometry::VertexNeighbours(mesh.triangles, face_template.num_vertices());
   const std::vector<int> fixed = FixedVertices(face_template.annotation);
-  const Eigen::VectorXd exponent =
-      LogCurvatureRatio(mesh, neighbours, fixed, options).array() *
-      Fade(neighbours, fixed, 0.0, options.blend_rings).array() *
-      Fade(neighbours, face_template.annotation.regions.at("ears"), options.ear_damping, options.blend_rings).array();
+  const Annotation& annotation = face_template.annotation;
+  Eigen::VectorXd exponent = LogCurvatureRatio(mesh, neighbours, fixed, options);
+  ScaleNoseAsOne(mesh, neighbours, annotation.regions.at("nose"), options.blend_rings, exponent);
+  exponent.array() *= Fade(neighbours, fixed, 0.0, options.blend_rings).array() *
+                      Fade(neighbours, annotation.regions.at("ears"), options.ear_damping, options.blend_rings).array();
 
   const geometry::PoissonSolver solver(geometry::CotangentLaplacian(mesh), fixed);
   const geometry::Points fixed_points = face(fixed, Eigen::all);

@@ -7,7 +7,7 @@
 namespace daumier::faces {
 
 struct ExaggerationOptions {
-  std::vector<double> gammas = {0.0, 0.1, 0.2, 0.3};
+  std::vector<double> gammas = {0.0, 0.08, 0.16, 0.24};
   int smoothing_rings = 4;
   double clamp_ratio = 20.0;
   double ear_damping = 0.3;
@@ -30,10 +30,11 @@ struct ExaggerationOptions {
 ///   w_f = mean over the corners of (|K| / Kbar)^(gamma d),
 /// K the Gaussian curvature (angle defect over area), |K| averaged over rings and clamped to [Kbar / ratio, ratio
 /// Kbar], Kbar the area-weighted geometric mean of |K| over what is free to move, d the damping (ear_damping on the
-/// ears, fading from 0 to 1 around what is fixed). The surface is rebuilt by L x' = div(w grad x), L the clamped
-/// cotangent Laplacian, with the regions eyes, mouth and neck_border where they were. Where a triangle's normal would
-/// turn by more than 90 degrees, log w is halved around it and the surface rebuilt, again and again over ever more
-/// rings. Returns one face a gamma, in the order of options.gammas; `face` is V x 3 in cm.
+/// ears, fading from 0 to 1 around what is fixed); on the nose log(|K| / Kbar) is its mean over the nose, so that the
+/// nose is scaled as one and its nostrils do not pass through its wings. The surface is rebuilt by L x' = div(w grad
+/// x), L the clamped cotangent Laplacian, with the regions eyes, mouth and neck_border where they were. Where a
+/// triangle's normal would turn by more than 90 degrees, log w is halved around it and the surface rebuilt, again and
+/// again over ever more rings. Returns one face a gamma, in the order of options.gammas; `face` is V x 3 in cm.
 /// Promises: gamma 0 returns the input; a larger gamma moves more; at the default gammas a face's height from chin to
 /// hairline changes by less than 10 %, no vertex moves more than 60 mm, and no triangle of the face flips.
 /// @throws Error if `face` has another number of vertices, or a triangle without area.

@@ -2,4 +2,4 @@
 build_packages="ca-certificates git g++ clang clang-format clang-tidy cmake ninja-build ccache mold pkg-config"
 library_packages="libtorch-dev libdnnl-dev libopenblas-dev libeigen3-dev libceres-dev libopenmesh-dev libopencv-dev
   libonnx-dev libprotobuf-dev protobuf-compiler libarchive-dev libnanoflann-dev libssl-dev
-  libcli11-dev libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev"
+  libcli11-dev libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev"
