@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "tests/eval/report_fixture.h"
 
 #include <gtest/gtest.h>
