@@ -168,7 +168,7 @@ TEST_F(Pipeline, AFullDiskFailsCleanlyAndTheBuildGoesOnElsewhere) {
   if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=1m") != 0) GTEST_SKIP() << "this user may not mount a small disk";
   const ProcessResult result = Daumier(FacesCommand(disk / "faces"));
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("No space left"));
+  EXPECT_THAT(result.err, HasSubstr("no space left"));
   EXPECT_FALSE(std::filesystem::exists(disk / "faces/manifest.json"));
   int num_temporary = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(disk)) {

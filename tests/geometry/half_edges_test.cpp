@@ -41,7 +41,7 @@ TEST(HalfEdges, BoundaryIsWhatHasOneTriangle) {
 TEST(HalfEdges, RefuseAnEdgeWithThreeTriangles) {
   Triangles triangles(3, 3);
   triangles << 0, 1, 2, 1, 0, 3, 0, 1, 4;
-  testing::ExpectError([&] { ToHalfEdges(triangles, 5); }, "edge");
+  testing::ExpectError([&] { ToHalfEdges(triangles, 5); }, "non-manifold");
 }
 
 }  // namespace

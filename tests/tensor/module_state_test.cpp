@@ -33,7 +33,8 @@ TEST(ModuleState, SavedAndLoadedModuleAnswersTheSame) {
   saved->eval();
   loaded->eval();
   ASSERT_FALSE(torch::equal(saved->forward(images), loaded->forward(images)));
-  EXPECT_EQ(SaveModule(folder / "model.safetensors", *saved), Sha256OfFile(folder / "model.safetensors"));
+  const std::string checksum = SaveModule(folder / "model.safetensors", *saved);
+  EXPECT_EQ(checksum, Sha256OfFile(folder / "model.safetensors"));
   LoadModule(folder / "model.safetensors", *loaded);
   EXPECT_TRUE(torch::equal(saved->forward(images), loaded->forward(images)));
 }
