@@ -21,8 +21,8 @@ struct VertexMoments {
 /// It is evaluated as a sum of squares, E = 1/V (||R q - t||^2 + r), from the thin QR decomposition W^(1/2) C' = Q R: G
 /// = R' R, h = R' t, t = Q' W^(1/2) g. The expanded sum would cancel: in float32 it keeps no digit of an error of 1 mm
 /// on a head that stands 1 m from the origin, the squares keep five. Equal to VertexLoss within 1e-6 in float64, and
-/// 20 to 50 times cheaper in training (bench/vertex_loss_bench.cpp). The gradient reaches u and v only: core and weights
-/// are constants, as they are in the network.
+/// 20 to 50 times cheaper in training (bench/vertex_loss_bench.cpp). The gradient reaches u and v only: core and
+/// weights are constants, as they are in the network.
 class GramVertexLoss {
  public:
   /// core: (Ku * Kv, 3V), weights: (V), not negative. @throws daumier::Error if the shapes disagree.
