@@ -1,0 +1,65 @@
+#include "datasets/build/person_faces.h"
+
+#include <algorithm>
+
+namespace daumier::datasets {
+namespace {
+
+/// A strength of each expression about 1, cut at two deviations; 1 of neutral.
+Eigen::VectorXf DrawExpressionStrengths(int num_expressions, double deviation, Rng& rng) {
+  Eigen::VectorXf strengths = Eigen::VectorXf::Ones(num_expressions);
+  for (int e = 1; e < num_expressions; ++e)
+    strengths[e] = static_cast<float>(1 + deviation * std::clamp(rng.Normal(), -2.0, 2.0));
+  return strengths;
+}
+
+void Append(const faces::PartStrengths& strengths, std::vector<float>& values) {
+  for (Eigen::Index p = 0; p < strengths.gammas.size(); ++p) {
+    values.push_back(static_cast<float>(strengths.gammas[p]));
+    for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(strengths.log_stretches(p, k)));
+  }
+}
+
+}  // namespace
+
+PersonFacesMaker::PersonFacesMaker(const faces::FaceModel& model, const std::vector<faces::Expression>& expressions,
+                                   const FacesOptions& options)
+    : model_(model), options_(options), transfer_(model, expressions) {
+  if (options.levels == "parts") parts_ = faces::MakeFaceParts(model.face_template, options.parts.blend_rings);
+}
+
+std::vector<geometry::Points> PersonFacesMaker::Levels(const geometry::Points& neutral, int person,
+                                                       PersonArrays& arrays) const {
+  if (options_.levels == "whole") return faces::Exaggerate(model_.face_template, neutral, options_.exaggeration);
+  Rng rng = Stream(options_.seed, "parts", person);
+  std::vector<geometry::Points> levels;
+  for (const double gamma : options_.exaggeration.gammas) {
+    const faces::PartStrengths strengths = faces::DrawPartStrengths(parts_, gamma, options_.parts, rng);
+    Append(strengths, arrays.part_strengths);
+    levels.push_back(faces::ExaggerateParts(model_.face_template, parts_, neutral, strengths, options_.exaggeration));
+  }
+  return levels;
+}
+
+PersonArrays PersonFacesMaker::Make(int person) const {
+  Rng identity_rng = Stream(options_.seed, "identity", person);
+  const Eigen::VectorXf identity = faces::DrawIdentity(model_, identity_rng, options_.identity_spread);
+  Rng strengths_rng = Stream(options_.seed, "expression strengths", person);
+  const Eigen::VectorXf strengths =
+      DrawExpressionStrengths(transfer_.num_expressions(), options_.expression_variation, strengths_rng);
+
+  PersonArrays arrays;
+  arrays.identity_weights.assign(identity.begin(), identity.end());
+  arrays.expression_strengths.assign(strengths.begin(), strengths.end());
+  for (const geometry::Points& level : Levels(faces::IdentityFace(model_, identity), person, arrays)) {
+    const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
+    const Eigen::MatrixXf offsets = transfer_.Offsets(level);
+    for (Eigen::Index e = 0; e < offsets.cols(); ++e) {
+      const Eigen::VectorXf face = base + strengths[e] * offsets.col(e);
+      arrays.vertices.insert(arrays.vertices.end(), face.begin(), face.end());
+    }
+  }
+  return arrays;
+}
+
+}  // namespace daumier::datasets
