@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "faces/gradient_scaling.h"
+#include "geometry/alignment.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace daumier::faces {
 namespace {
 
 constexpr double kMaxDeviations = 2.0;
+constexpr double kLeastLump = 0.7, kLargestLump = 2.2;  // cm
 
 double DrawNormal(Rng& rng) {
   return std::clamp(rng.Normal(), -kMaxDeviations, kMaxDeviations);
@@ -21,10 +23,10 @@ bool AnswersToCurvature(const std::string& part) {
 
 }  // namespace
 
-PartStrengths DrawPartStrengths(const FaceParts& parts, double gamma, const PartExaggerationOptions& options,
-                                Rng& rng) {
+PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FaceParts& parts, double gamma,
+                                const PartExaggerationOptions& options, Rng& rng) {
   const auto num_parts = static_cast<Eigen::Index>(parts.names.size());
-  PartStrengths strengths{Eigen::VectorXd::Zero(num_parts), geometry::Points::Zero(num_parts, 3)};
+  PartStrengths strengths{Eigen::VectorXd::Zero(num_parts), geometry::Points::Zero(num_parts, 3), {}};
   for (Eigen::Index p = 0; p < num_parts; ++p) {
     const Eigen::Index other = parts.mirror[p];
     const bool is_shared = other < p;  // Drawn with the part of the other side already.
@@ -36,6 +38,17 @@ PartStrengths DrawPartStrengths(const FaceParts& parts, double gamma, const Part
           is_shared ? strengths.log_stretches(other, k) + options.asymmetry * stretch : stretch;
     }
   }
+  for (int i = 0; i < options.num_lumps; ++i) {
+    Lump lump{.vertex = static_cast<int>(rng.Below(face_template.num_vertices())),
+              .radius = rng.Uniform(kLeastLump, kLargestLump),
+              .offset = {}};
+    for (double& offset : lump.offset) offset = options.lump_offset * gamma * lump.radius * DrawNormal(rng);
+    strengths.lumps.push_back(lump);
+    if (i % 2 == 1 || face_template.annotation.mirror.empty()) continue;
+    lump.vertex = face_template.annotation.mirror[lump.vertex];
+    lump.offset.x() *= -1;
+    strengths.lumps.push_back(lump);
+  }
   return strengths;
 }
 
@@ -46,11 +59,19 @@ geometry::Points ExaggerateParts(const FaceTemplate& face_template, const FacePa
   DAUMIER_CHECK(strengths.gammas.size() == num_parts && strengths.log_stretches.rows() == num_parts,
                 "strengths of {} and {} parts, the face has {}", strengths.gammas.size(),
                 strengths.log_stretches.rows(), num_parts);
+  const auto& regions = face_template.annotation.regions;
   const Eigen::VectorXd exponent = CurvatureExponent(face_template, face, options);
   geometry::Points log_scales = parts.weights * strengths.log_stretches;
   log_scales.colwise() += (parts.weights * strengths.gammas).cwiseProduct(exponent);
-  return GradientScaling({face, face_template.triangles}, face_template.annotation.regions.at("neck_border"))
-      .RebuildWithoutFlips(log_scales, options.blend_rings);
+  geometry::Points result = GradientScaling({face, face_template.triangles}, regions.at("neck_border"))
+                                .RebuildWithoutFlips(log_scales, options.blend_rings);
+  for (const Lump& lump : strengths.lumps) {
+    const Eigen::ArrayXd squared = (face.rowwise() - face.row(lump.vertex)).rowwise().squaredNorm();
+    result += (-0.5 / (lump.radius * lump.radius) * squared).exp().matrix() * lump.offset.transpose();
+  }
+  Eigen::VectorXd in_face = Eigen::VectorXd::Zero(face.rows());
+  for (const int v : regions.at("face")) in_face[v] = 1;
+  return geometry::AlignSimilarity(result, face, in_face).Apply(result);
 }
 
 }  // namespace daumier::faces

@@ -67,9 +67,11 @@ std::string WritePersonShard(const std::filesystem::path& file, const Manifest& 
   add("vertices", {count("levels"), count("expressions"), count("vertices"), 3}, arrays.vertices);
   add("identity_weights", {static_cast<int64_t>(arrays.identity_weights.size())}, arrays.identity_weights);
   add("expression_strengths", {count("expressions")}, arrays.expression_strengths);
-  constexpr int kStrengthsAPart = 4;
-  const int64_t num_parts = static_cast<int64_t>(arrays.part_strengths.size()) / kStrengthsAPart / count("levels");
-  add("part_strengths", {count("levels"), num_parts, kStrengthsAPart}, arrays.part_strengths);
+  const auto add_rows = [&](const std::string& name, int64_t row_size, const std::vector<float>& values) {
+    add(name, {count("levels"), static_cast<int64_t>(values.size()) / row_size / count("levels"), row_size}, values);
+  };
+  add_rows("part_strengths", 4, arrays.part_strengths);
+  add_rows("lumps", 5, arrays.lumps);
   return writer.Write(file);
 }
 

@@ -13,10 +13,14 @@ Eigen::VectorXf DrawExpressionStrengths(int num_expressions, double deviation, R
   return strengths;
 }
 
-void Append(const faces::PartStrengths& strengths, std::vector<float>& values) {
+void Append(const faces::PartStrengths& strengths, PersonArrays& arrays) {
   for (Eigen::Index p = 0; p < strengths.gammas.size(); ++p) {
-    values.push_back(static_cast<float>(strengths.gammas[p]));
-    for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(strengths.log_stretches(p, k)));
+    arrays.part_strengths.push_back(static_cast<float>(strengths.gammas[p]));
+    for (int k = 0; k < 3; ++k) arrays.part_strengths.push_back(static_cast<float>(strengths.log_stretches(p, k)));
+  }
+  for (const faces::Lump& lump : strengths.lumps) {
+    arrays.lumps.insert(arrays.lumps.end(), {static_cast<float>(lump.vertex), static_cast<float>(lump.radius)});
+    for (const double offset : lump.offset) arrays.lumps.push_back(static_cast<float>(offset));
   }
 }
 
@@ -34,8 +38,9 @@ std::vector<geometry::Points> PersonFacesMaker::Levels(const geometry::Points& n
   Rng rng = Stream(options_.seed, "parts", person);
   std::vector<geometry::Points> levels;
   for (const double gamma : options_.exaggeration.gammas) {
-    const faces::PartStrengths strengths = faces::DrawPartStrengths(parts_, gamma, options_.parts, rng);
-    Append(strengths, arrays.part_strengths);
+    const faces::PartStrengths strengths =
+        faces::DrawPartStrengths(model_.face_template, parts_, gamma, options_.parts, rng);
+    Append(strengths, arrays);
     levels.push_back(faces::ExaggerateParts(model_.face_template, parts_, neutral, strengths, options_.exaggeration));
   }
   return levels;

@@ -1,5 +1,6 @@
 #include "faces/part_exaggeration.h"
 
+#include "geometry/alignment.h"
 #include "geometry/flips.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
@@ -20,7 +21,7 @@ struct Subject {
   }
   PartStrengths None() const {
     const auto count = static_cast<Eigen::Index>(parts.names.size());
-    return {Eigen::VectorXd::Zero(count), Points::Zero(count, 3)};
+    return {Eigen::VectorXd::Zero(count), Points::Zero(count, 3), {}};
   }
   Points Apply(const PartStrengths& strengths) const {
     return ExaggerateParts(face, parts, face.neutral, strengths, {});
@@ -42,7 +43,27 @@ TEST(PartExaggeration, AStretchedPartGrowsInThatDirection) {
     return points(landmarks[30], 2) - points(landmarks[27], 2);
   };
   EXPECT_GT(depth(result), 1.3 * depth(subject.face.neutral));
-  EXPECT_LT((result.col(0) - subject.face.neutral.col(0)).cwiseAbs().maxCoeff(), 1e-9) << "widths stay";
+}
+
+TEST(PartExaggeration, ALumpMovesWhatStandsThere) {
+  const Subject subject;
+  PartStrengths strengths = subject.None();
+  const int top = subject.face.annotation.hairline_vertex, chin = subject.face.annotation.landmarks[8];
+  strengths.lumps.push_back({.vertex = top, .radius = 1.5, .offset = {0, 0, 1}});
+  const Points moves = subject.Apply(strengths) - subject.face.neutral;
+  EXPECT_NEAR(moves(top, 2), 1, 0.15) << "cm; the alignment takes up a little";
+  EXPECT_LT(moves.row(chin).norm(), 0.15);
+}
+
+TEST(PartExaggeration, TheResultLiesOnTheFaceItCameFrom) {
+  const Subject subject;
+  Rng rng = Stream(4, "parts");
+  const Points result = subject.Apply(DrawPartStrengths(subject.face, subject.parts, 0.2, {}, rng));
+  Eigen::VectorXd in_face = Eigen::VectorXd::Zero(result.rows());
+  for (const int v : subject.face.annotation.regions.at("face")) in_face[v] = 1;
+  const geometry::Similarity rest = geometry::AlignSimilarity(result, subject.face.neutral, in_face);
+  EXPECT_NEAR(rest.scale, 1, 1e-9);
+  EXPECT_LT(rest.translation.norm(), 1e-8);
 }
 
 TEST(PartExaggeration, CurvatureOfOnePartLeavesTheOthersAlone) {
@@ -59,7 +80,8 @@ TEST(PartExaggeration, CurvatureOfOnePartLeavesTheOthersAlone) {
 TEST(PartExaggeration, EqualStrengthsOnBothSidesKeepSymmetry) {
   const Subject subject;
   Rng rng = Stream(3, "parts");
-  const PartStrengths strengths = DrawPartStrengths(subject.parts, 0.2, {.asymmetry = 0}, rng);
+  const PartStrengths strengths =
+      DrawPartStrengths(subject.face, subject.parts, 0.2, {.asymmetry = 0, .num_lumps = 0}, rng);
   const Points result = subject.Apply(strengths);
   double largest = 0;
   for (int v = 0; v < result.rows(); ++v) {
@@ -73,13 +95,13 @@ TEST(PartExaggeration, EqualStrengthsOnBothSidesKeepSymmetry) {
 TEST(PartExaggeration, DrawsAreZeroWithoutGammaAndBoundedWithIt) {
   const Subject subject;
   Rng rng = Stream(3, "parts");
-  const PartStrengths none = DrawPartStrengths(subject.parts, 0.0, {}, rng);
+  const PartStrengths none = DrawPartStrengths(subject.face, subject.parts, 0.0, {}, rng);
   EXPECT_EQ(none.gammas.cwiseAbs().maxCoeff(), 0);
   EXPECT_EQ(none.log_stretches.cwiseAbs().maxCoeff(), 0);
   const PartExaggerationOptions options;
   double largest = 0;
   for (int draw = 0; draw < 50; ++draw) {
-    const PartStrengths strengths = DrawPartStrengths(subject.parts, 0.2, options, rng);
+    const PartStrengths strengths = DrawPartStrengths(subject.face, subject.parts, 0.2, options, rng);
     EXPECT_LE(strengths.gammas.maxCoeff(), 2 * options.curvature * 0.2);
     EXPECT_EQ(strengths.gammas[subject.part("mouth")], 0);
     EXPECT_EQ(strengths.gammas[subject.part("eye_left")], 0);
@@ -94,14 +116,14 @@ TEST(PartExaggeration, NoTriangleFlips) {
   const Subject subject;
   for (int draw = 0; draw < 10; ++draw) {
     Rng rng = Stream(5, "parts", draw);
-    const Points result = subject.Apply(DrawPartStrengths(subject.parts, 0.24, {}, rng));
+    const Points result = subject.Apply(DrawPartStrengths(subject.face, subject.parts, 0.24, {}, rng));
     EXPECT_EQ(geometry::CountFlippedTriangles(subject.face.neutral, result, subject.face.triangles), 0);
   }
 }
 
 TEST(PartExaggeration, RefusesStrengthsOfOtherParts) {
   const Subject subject;
-  const PartStrengths few{Eigen::VectorXd::Zero(2), Points::Zero(2, 3)};
+  const PartStrengths few{Eigen::VectorXd::Zero(2), Points::Zero(2, 3), {}};
   testing::ExpectError([&] { subject.Apply(few); }, "strengths of 2 and 2 parts, the face has 14");
 }
 

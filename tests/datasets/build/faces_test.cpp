@@ -81,12 +81,17 @@ TEST_F(BuildFacesTest, LevelsByPartsDifferFromPersonToPersonAndAreRecorded) {
     const ArrayView& stored = shard.at("part_strengths");
     ASSERT_EQ(stored.shape, (std::vector<int64_t>{2, int64_t(names.size()), 4}));
     const auto values = stored.As<float>();
-    faces::PartStrengths strengths{Eigen::VectorXd(names.size()), geometry::Points(names.size(), 3)};
+    faces::PartStrengths strengths{Eigen::VectorXd(names.size()), geometry::Points(names.size(), 3), {}};
     for (size_t p = 0; p < names.size(); ++p) {
       EXPECT_EQ(values[4 * p], 0) << "level 0 is the person";
       const float* const row = &values[4 * (names.size() + p)];
       strengths.gammas[Eigen::Index(p)] = row[0];
       strengths.log_stretches.row(Eigen::Index(p)) << row[1], row[2], row[3];
+    }
+    const auto lumps = shard.at("lumps").As<float>();
+    ASSERT_EQ(shard.at("lumps").shape, (std::vector<int64_t>{2, options.parts.num_lumps * 3 / 2, 5}));
+    for (size_t i = lumps.size() / 2; i < lumps.size(); i += 5) {
+      strengths.lumps.push_back({static_cast<int>(lumps[i]), lumps[i + 1], {lumps[i + 2], lumps[i + 3], lumps[i + 4]}});
     }
     const geometry::Points neutral = database.points(database.index({person, 0, 0}));
     const geometry::Points expected =
