@@ -15,13 +15,14 @@ namespace daumier::faces {
 
 namespace {
 
+constexpr const char* kPurpose = "exaggeration";
 constexpr int kMaxUnflipRounds = 12;
 constexpr double kFlat = 1e-6;  // 1/cm^2: what is flatter counts as this flat, so that a logarithm exists
 
 std::vector<int> FixedVertices(const Annotation& annotation) {
   std::vector<int> fixed;
   for (const char* region : {"eyes", "mouth", "neck_border"}) {
-    const auto& vertices = annotation.regions.at(region);
+    const auto& vertices = RegionFor(annotation, region, kPurpose);
     fixed.insert(fixed.end(), vertices.begin(), vertices.end());
   }
   std::sort(fixed.begin(), fixed.end());
@@ -89,9 +90,10 @@ std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, cons
   const std::vector<int> fixed = FixedVertices(face_template.annotation);
   const Annotation& annotation = face_template.annotation;
   Eigen::VectorXd exponent = LogCurvatureRatio(mesh, neighbours, fixed, options);
-  ScaleNoseAsOne(mesh, neighbours, annotation.regions.at("nose"), options.blend_rings, exponent);
-  exponent.array() *= Fade(neighbours, fixed, 0.0, options.blend_rings).array() *
-                      Fade(neighbours, annotation.regions.at("ears"), options.ear_damping, options.blend_rings).array();
+  ScaleNoseAsOne(mesh, neighbours, RegionFor(annotation, "nose", kPurpose), options.blend_rings, exponent);
+  exponent.array() *=
+      Fade(neighbours, fixed, 0.0, options.blend_rings).array() *
+      Fade(neighbours, RegionFor(annotation, "ears", kPurpose), options.ear_damping, options.blend_rings).array();
 
   const geometry::PoissonSolver solver(geometry::CotangentLaplacian(mesh), fixed);
   const geometry::Points fixed_points = face(fixed, Eigen::all);

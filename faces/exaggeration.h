@@ -37,7 +37,8 @@ struct ExaggerationOptions {
 /// again over ever more rings. Returns one face a gamma, in the order of options.gammas; `face` is V x 3 in cm.
 /// Promises: gamma 0 returns the input; a larger gamma moves more; at the default gammas a face's height from chin to
 /// hairline changes by less than 10 %, no vertex moves more than 60 mm, and no triangle of the face flips.
-/// @throws Error if `face` has another number of vertices, or a triangle without area.
+/// @throws Error if `face` has another number of vertices, or a triangle without area, or naming the region that the
+/// annotation lacks.
 std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, const geometry::Points& face,
                                          const ExaggerationOptions& options);
 

@@ -4,6 +4,8 @@
 #include "core/files.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 
 namespace daumier::faces {
 namespace {
@@ -72,6 +74,20 @@ void CheckIndices(const FaceTemplate& face, const std::filesystem::path& directo
   for (const auto& [name, vertices] : face.annotation.regions) {
     for (const int vertex : vertices) check("region " + name, vertex);
   }
+}
+
+/// Numbers the labels of `groups` in order of their first person; without them every person is its own group.
+std::vector<int> NumberGroups(const Json& details, int num_persons, const std::filesystem::path& directory) {
+  std::vector<int> groups(std::max(0, num_persons));
+  std::iota(groups.begin(), groups.end(), 0);
+  if (!details.contains("groups")) return groups;
+  const auto labels = details.at("groups").get<std::vector<std::string>>();
+  DAUMIER_CHECK(labels.size() == groups.size(), "{}: its manifest tells the groups of {} persons, there are {}",
+                directory.string(), labels.size(), num_persons);
+  std::map<std::string, int> numbers;
+  for (size_t person = 0; person < labels.size(); ++person)
+    groups[person] = numbers.emplace(labels[person], static_cast<int>(numbers.size())).first->second;
+  return groups;
 }
 
 }  // namespace
@@ -144,6 +160,7 @@ FaceDatabase::FaceDatabase(const std::filesystem::path& directory, bool verify)
     num_persons_ = manifest_.counts.at("persons").get<int>();
     num_levels_ = manifest_.counts.at("levels").get<int>();
     expression_names_ = manifest_.details.at("expressions").get<std::vector<std::string>>();
+    groups_ = NumberGroups(manifest_.details, num_persons_, directory);
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }

@@ -21,7 +21,8 @@ struct FaceId {
 /// A folder of faces on disk: manifest.json (kind "faces"), template.safetensors, template.json, and a shard a person
 /// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`).
 /// Face index = (person * num_levels + level) * num_expressions + expression.
-/// The manifest holds counts {persons, levels, expressions, faces, vertices} and details {source, gammas, expressions}.
+/// The manifest holds counts {persons, levels, expressions, faces, vertices} and details {source, gammas, expressions},
+/// and where faces were imported also {names, groups}: a name of each person, and whom it shows in truth.
 class FaceDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its
@@ -38,7 +39,10 @@ class FaceDatabase {
   int index(const FaceId& id) const;
   /// Exaggeration of each level, num_levels.
   std::vector<double> gammas() const { return manifest_.details.at("gammas").get<std::vector<double>>(); }
-  /// Weights of the source's identity shapes that made a person.
+  /// A number of each person, num_persons: equal for persons that show the same real one, 0, 1, ... in order of the
+  /// first of them. Where the manifest tells no groups every person is its own.
+  const std::vector<int>& groups() const { return groups_; }
+  /// Weights of the source's identity shapes that made a person; none where faces were imported.
   std::span<const float> identity_weights(int person) const;
   /// Vertices of a face, 3V floats (x0 y0 z0 x1 ...), mapped from disk.
   std::span<const float> vertices(int face) const;
@@ -55,6 +59,7 @@ class FaceDatabase {
   FaceTemplate face_template_;
   std::vector<std::string> expression_names_;
   int num_persons_ = 0, num_levels_ = 0;
+  std::vector<int> groups_;
   std::vector<SafetensorsFile> shards_;
 };
 

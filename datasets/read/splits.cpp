@@ -16,6 +16,20 @@ int Count(double share, int total) {
   return share > 0 ? std::max(1, static_cast<int>(std::lround(share * total))) : 0;
 }
 
+/// The faces of every group of persons, groups in order of their first person.
+std::vector<std::vector<int>> FacesOfGroups(const faces::FaceDatabase& database) {
+  const std::vector<int> groups = database.groups();
+  std::vector<std::vector<int>> faces(*std::max_element(groups.begin(), groups.end()) + 1);
+  for (int face = 0; face < database.num_faces(); ++face) faces[groups[database.id(face).person]].push_back(face);
+  return faces;
+}
+
+std::vector<std::vector<int>> SingleFaces(const faces::FaceDatabase& database) {
+  std::vector<std::vector<int>> faces(database.num_faces());
+  for (int face = 0; face < database.num_faces(); ++face) faces[face] = {face};
+  return faces;
+}
+
 Json SideToJson(const faces::FaceDatabase& database, const std::vector<int>& faces) {
   std::set<int> persons;
   for (const int face : faces) persons.insert(database.id(face).person);
@@ -36,7 +50,8 @@ std::string FacesChecksum(const std::vector<int>& faces) {
 Split MakeSplit(const faces::FaceDatabase& database, const SplitOptions& options, uint64_t seed) {
   const bool by_person = options.kind == "person";
   const char* const unit = by_person ? "persons" : "faces";
-  const int num_units = by_person ? database.num_persons() : database.num_faces();
+  const std::vector<std::vector<int>> units = by_person ? FacesOfGroups(database) : SingleFaces(database);
+  const int num_units = static_cast<int>(units.size());
   const int num_test = Count(options.test, num_units), num_validation = Count(options.validation, num_units);
   DAUMIER_CHECK(
       num_test + num_validation < num_units,
@@ -44,10 +59,9 @@ Split MakeSplit(const faces::FaceDatabase& database, const SplitOptions& options
       num_units, unit, num_test, num_validation);
   const std::vector<int> order = Stream(seed, "split").Permutation(num_units);
   Split split;
-  const int faces_per_unit = database.num_faces() / num_units;
   for (int place = 0; place < num_units; ++place) {
     auto& side = place < num_test ? split.test : place < num_test + num_validation ? split.validation : split.train;
-    for (int k = 0; k < faces_per_unit; ++k) side.push_back(order[place] * faces_per_unit + k);
+    side.insert(side.end(), units[order[place]].begin(), units[order[place]].end());
   }
   for (auto* side : {&split.train, &split.validation, &split.test}) std::sort(side->begin(), side->end());
   return split;

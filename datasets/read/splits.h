@@ -27,7 +27,8 @@ struct Split {
   std::vector<int> train, validation, test;
 };
 
-/// Deterministic in seed. Every non-zero share gets at least one person (or face).
+/// Deterministic in seed. Every non-zero share gets at least one person (or face). Persons of one group, which show the
+/// same real person (faces::FaceDatabase::groups), count as one and stay on one side.
 /// @throws Error if there are too few persons for the shares.
 Split MakeSplit(const faces::FaceDatabase& database, const SplitOptions& options, uint64_t seed);
 

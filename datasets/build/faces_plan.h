@@ -1,0 +1,29 @@
+#pragma once
+#include "datasets/build/faces.h"
+#include "datasets/build/sharded_build.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace daumier::datasets {
+
+/// Which of a source's expressions are built: the index of each wanted name, in the order wanted; all if none is named.
+/// @throws UsageError on a name that the source does not have (suggesting the nearest) or that comes twice, or if
+/// neutral is not the first.
+std::vector<int> ChooseExpressions(const std::vector<std::string>& available, const std::vector<std::string>& wanted,
+                                   const std::string& source);
+
+/// What every build of faces has in common: the manifest with counts, sources and details, the shards' names, and the
+/// template beside them; write_shard is left empty. Keeps a reference to `face_template`.
+/// @throws UsageError if gamma 0 is not the first.
+ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
+                       const std::vector<std::string>& expressions);
+
+/// Writes the shard of a person; `vertices` are (levels, expressions, V, 3) as the counts of the manifest tell.
+/// Returns its checksum.
+std::string WritePersonShard(const std::filesystem::path& file, const Manifest& manifest,
+                             std::span<const float> vertices, std::span<const float> identity_weights);
+
+}  // namespace daumier::datasets
