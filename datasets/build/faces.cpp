@@ -14,7 +14,7 @@ std::vector<float> PersonVertices(const faces::FaceModel& model, const Eigen::Ve
   const geometry::Points neutral = faces::IdentityFace(model, identity);
   std::vector<float> vertices;
   vertices.reserve(exaggeration.gammas.size() * offsets.size());
-  for (const geometry::Points& level : faces::Exaggerate(model.face_template, neutral, exaggeration)) {
+  for (const geometry::Points& level : FaceLevels(model.face_template, neutral, exaggeration)) {
     const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
     for (Eigen::Index e = 0; e < offsets.cols(); ++e) {
       const Eigen::VectorXf face = base + offsets.col(e);

@@ -9,9 +9,7 @@ namespace {
 std::vector<float> PersonVertices(const faces::GivenFaces& given, int person, const std::vector<int>& expressions,
                                   const faces::ExaggerationOptions& exaggeration) {
   const geometry::Points neutral = given.face(person, 0);
-  const bool is_plain = exaggeration.gammas == std::vector<double>{0.0};
-  const std::vector<geometry::Points> levels =
-      is_plain ? std::vector{neutral} : faces::Exaggerate(given.face_template, neutral, exaggeration);
+  const std::vector<geometry::Points> levels = FaceLevels(given.face_template, neutral, exaggeration);
   std::vector<geometry::Points> offsets;
   for (const int expression : expressions) offsets.push_back(given.face(person, expression) - neutral);
   std::vector<float> vertices;
