@@ -1,5 +1,6 @@
 #include "faces/import/linear_model.h"
 
+#include "core/error.h"
 #include "faces/annotate.h"
 #include "faces/model_shapes.h"
 
