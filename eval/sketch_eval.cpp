@@ -52,7 +52,8 @@ class SketchEvaluation {
         mean_error_map_(size_t(data.faces.num_vertices()), 0) {
     if (test_.empty()) throw UsageError(fmt::format("the split has no {} face", side_name));
     for (const int face : test_) {
-      persons_.push_back(data.faces.id(face).person);
+      groups_.push_back(data.faces.group(face));
+      for (const int person : data.faces.persons(face)) persons_.insert(person);
       const std::span<const float> truth = data.faces.vertices(face);
       interocular_mm_.push_back(mm_per_cm_ *
                                 VertexDistance(truth, annotation_.landmarks[36], annotation_.landmarks[45]));
@@ -89,7 +90,7 @@ class SketchEvaluation {
   Json Metrics(double seconds) const {
     const ErrorRow& network = Row(kNetwork);
     return {{"num_faces", test_.size()},
-            {"num_persons", std::set<int>(persons_.begin(), persons_.end()).size()},
+            {"num_persons", persons_.size()},
             {"split", side_name_},
             {"shape_input", "none"},
             {"mean_vertex_error_mm", network.error_mm},
@@ -114,7 +115,7 @@ class SketchEvaluation {
         "{} faces of {} persons. Mean distance of vertices over the face region in millimetres, where the face from "
         "chin "
         "to hairline is 200 mm high; nothing is aligned before measuring. The interval resamples persons.",
-        test_.size(), std::set<int>(persons_.begin(), persons_.end()).size());
+        test_.size(), persons_.size());
     report.surface = {face_template.triangles, face_template.closing_triangles,
                       face_template.num_eye_closing_triangles};
     report.samples = Samples();
@@ -195,7 +196,7 @@ class SketchEvaluation {
   }
 
   void AddRow(const std::string& name, const std::vector<double>& errors_mm) {
-    rows_.push_back(MakeErrorRow(name, errors_mm, interocular_mm_, persons_, data_.run.manifest.seed));
+    rows_.push_back(MakeErrorRow(name, errors_mm, interocular_mm_, groups_, data_.run.manifest.seed));
   }
 
   const ErrorRow& Row(const std::string& name) const {
@@ -222,11 +223,10 @@ class SketchEvaluation {
 
   ReportSample Sample(const std::string& what, int test_index) const {
     const int face = test_[size_t(test_index)];
-    const faces::FaceId id = data_.faces.id(face);
     const FaceRows prediction = PredictByNetwork(std::span(&face, 1));
     ReportSample sample;
-    sample.title = fmt::format("{}: {:.2f} mm; person {}, level {}, {}", what, network_errors_mm_[size_t(test_index)],
-                               id.person, id.level, data_.faces.expression_names()[size_t(id.expression)]);
+    sample.title =
+        fmt::format("{}: {:.2f} mm; {}", what, network_errors_mm_[size_t(test_index)], data_.faces.Describe(face));
     sample.sketch = render::RasteriseStrokes(data_.sketches.strokes(face), render::kSketchCanvas);
     sample.truth = data_.faces.points(face);
     sample.prediction = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
@@ -243,7 +243,8 @@ class SketchEvaluation {
   const faces::Annotation& annotation_;
   const std::vector<int>& region_;
   const double mm_per_cm_;
-  std::vector<int> persons_;
+  std::set<int> persons_;    ///< Who is seen.
+  std::vector<int> groups_;  ///< Of each test face: what is resampled as one.
   std::vector<double> interocular_mm_, network_errors_mm_, mean_error_map_;
   std::vector<ErrorRow> rows_;
   double ridge_lambda_ = 0;

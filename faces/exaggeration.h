@@ -25,20 +25,24 @@ struct ExaggerationOptions {
   }
 };
 
-/// Exaggerates a neutral face [Sela et al. 2015; Han et al. 2017, section 4.1]: every triangle's coordinate gradients
-/// are scaled by
-///   w_f = mean over the corners of (|K| / Kbar)^(gamma d),
+/// V: how strongly the gradients around each vertex of a neutral face (V x 3, cm) answer to curvature,
+///   e = d log(|K| / Kbar),
 /// K the Gaussian curvature (angle defect over area), |K| averaged over rings and clamped to [Kbar / ratio, ratio
 /// Kbar], Kbar the area-weighted geometric mean of |K| over what is free to move, d the damping (ear_damping on the
-/// ears, fading from 0 to 1 around what is fixed); on the nose log(|K| / Kbar) is its mean over the nose, so that the
-/// nose is scaled as one and its nostrils do not pass through its wings. The surface is rebuilt by L x' = div(w grad
-/// x), L the clamped cotangent Laplacian, with the regions eyes, mouth and neck_border where they were. Where a
-/// triangle's normal would turn by more than 90 degrees, log w is halved around it and the surface rebuilt, again and
-/// again over ever more rings. Returns one face a gamma, in the order of options.gammas; `face` is V x 3 in cm.
-/// Promises: gamma 0 returns the input; a larger gamma moves more; at the default gammas a face's height from chin to
-/// hairline changes by less than 10 %, no vertex moves more than 60 mm, and no triangle of the face flips.
-/// @throws Error if `face` has another number of vertices, or a triangle without area, or naming the region that the
-/// annotation lacks.
+/// ears, fading from 0 to 1 around the regions eyes, mouth and neck_border, where curvature is not stable); on the nose
+/// log(|K| / Kbar) is its mean over the nose, so that the nose is scaled as one and its nostrils do not pass through
+/// its wings. @throws Error if `face` has another number of vertices, if eyes, mouth and neck are the whole surface, or
+/// naming the region that the annotation lacks.
+Eigen::VectorXd CurvatureExponent(const FaceTemplate& face_template, const geometry::Points& face,
+                                  const ExaggerationOptions& options);
+
+/// Exaggerates a neutral face [Sela et al. 2015; Han et al. 2017, section 4.1]: the surface is rebuilt by
+/// GradientScaling::RebuildWithoutFlips from gradients scaled by exp(gamma e), e its CurvatureExponent, with the
+/// regions eyes, mouth and neck_border where they were. Returns one face a gamma, in the order of options.gammas;
+/// `face` is V x 3 in cm. Promises: gamma 0 returns the input; a larger gamma moves more; at the default gammas a
+/// face's height from chin to hairline changes by less than 10 %, no vertex moves more than 60 mm, and no triangle of
+/// the face flips.
+/// @throws Error if `face` has another number of vertices, or a triangle without area.
 std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, const geometry::Points& face,
                                          const ExaggerationOptions& options);
 

@@ -76,6 +76,16 @@ void CheckIndices(const FaceTemplate& face, const std::filesystem::path& directo
   }
 }
 
+/// Maps a shard whose vertices have to be there in this shape.
+SafetensorsFile OpenShard(const std::filesystem::path& path, const std::vector<int64_t>& shape) {
+  SafetensorsFile shard(path);
+  const ArrayView& array = shard.at("vertices");
+  DAUMIER_CHECK(array.shape == shape && array.dtype == Dtype::kF32,
+                "{}: vertices have the shape {}, the manifest says {} of float32", path.string(),
+                Json(array.shape).dump(), Json(shape).dump());
+  return shard;
+}
+
 /// Numbers the labels of `groups` in order of their first person; without them every person is its own group.
 std::vector<int> NumberGroups(const Json& details, int num_persons, const std::filesystem::path& directory) {
   std::vector<int> groups(std::max(0, num_persons));
@@ -94,6 +104,11 @@ std::vector<int> NumberGroups(const Json& details, int num_persons, const std::f
 
 std::string PersonShardName(int person) {
   return fmt::format("shards/person-{:05}.safetensors", person);
+}
+
+std::string FaceShardName(int num_persons, int shard) {
+  if (shard < num_persons) return PersonShardName(shard);
+  return fmt::format("shards/interpolated-{:05}.safetensors", shard - num_persons);
 }
 
 std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory,
@@ -160,23 +175,35 @@ FaceDatabase::FaceDatabase(const std::filesystem::path& directory, bool verify)
     num_persons_ = manifest_.counts.at("persons").get<int>();
     num_levels_ = manifest_.counts.at("levels").get<int>();
     expression_names_ = manifest_.details.at("expressions").get<std::vector<std::string>>();
+    num_interpolated_ = manifest_.counts.value("interpolated", 0);
     groups_ = NumberGroups(manifest_.details, num_persons_, directory);
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }
-  const std::vector<int64_t> shape = {num_levels_, num_expressions(), num_vertices(), 3};
   for (int person = 0; person < num_persons_; ++person) {
-    const auto path = directory / PersonShardName(person);
-    const SafetensorsFile& shard = shards_.emplace_back(path);
-    const ArrayView& array = shard.at("vertices");
-    DAUMIER_CHECK(array.shape == shape && array.dtype == Dtype::kF32,
-                  "{}: vertices have the shape {}, the manifest says {} of float32", path.string(),
-                  Json(array.shape).dump(), Json(shape).dump());
+    shards_.push_back(
+        OpenShard(directory / PersonShardName(person), {num_levels_, num_expressions(), num_vertices(), 3}));
+  }
+  const int per_shard = num_levels_ * num_expressions();
+  for (int begin = 0; begin < num_interpolated_; begin += per_shard) {
+    const auto path = directory / FaceShardName(num_persons_, num_persons_ + begin / per_shard);
+    const int count = std::min(per_shard, num_interpolated_ - begin);
+    const SafetensorsFile& shard = shards_.emplace_back(OpenShard(path, {count, num_vertices(), 3}));
+    const auto parents = shard.at("parents").As<int32_t>();
+    DAUMIER_CHECK(parents.size() == 2 * size_t(count), "{}: {} parents of {} faces", path.string(), parents.size(),
+                  count);
+    for (size_t i = 0; i < parents.size(); ++i) {
+      DAUMIER_CHECK(parents[i] >= 0 && parents[i] < num_grid_faces(), "{}: face {} is no parent", path.string(),
+                    parents[i]);
+      DAUMIER_CHECK(groups_[id(parents[i]).person] == groups_[id(parents[i - i % 2]).person],
+                    "{}: the parents of a face belong to different groups", path.string());
+    }
   }
 }
 
 FaceId FaceDatabase::id(int face) const {
-  DAUMIER_CHECK(face >= 0 && face < num_faces(), "face {} of a database of {} faces", face, num_faces());
+  DAUMIER_CHECK(face >= 0 && face < num_grid_faces(), "face {} is not one of the grid of {} faces", face,
+                num_grid_faces());
   const int identity = face / num_expressions();
   return {identity / num_levels_, identity % num_levels_, face % num_expressions()};
 }
@@ -191,14 +218,32 @@ int FaceDatabase::index(const FaceId& id) const {
 
 std::span<const float> FaceDatabase::identity_weights(int person) const {
   DAUMIER_CHECK(person >= 0 && person < num_persons_, "person {} of a database of {} persons", person, num_persons_);
-  return shards_[person].at("identity_weights").As<float>();
+  const SafetensorsFile& shard = shards_[person];
+  return shard.contains("identity_weights") ? shard.at("identity_weights").As<float>() : std::span<const float>();
+}
+
+std::vector<int> FaceDatabase::persons(int face) const {
+  if (face < num_grid_faces()) return {id(face).person};
+  const int row = face - num_grid_faces();
+  DAUMIER_CHECK(row < num_interpolated_, "face {} of a database of {} faces", face, num_faces());
+  const int per_shard = num_levels_ * num_expressions();
+  const auto parents = shards_[num_persons_ + row / per_shard].at("parents").As<int32_t>();
+  const int a = parents[2 * (row % per_shard)], b = parents[2 * (row % per_shard) + 1];
+  return {id(a).person, id(b).person};
+}
+
+std::string FaceDatabase::Describe(int face) const {
+  const std::vector<int> shown = persons(face);
+  if (shown.size() == 2) return fmt::format("between persons {} and {}", shown[0], shown[1]);
+  const FaceId where = id(face);
+  return fmt::format("person {}, level {}, {}", where.person, where.level, expression_names_[where.expression]);
 }
 
 std::span<const float> FaceDatabase::vertices(int face) const {
-  const FaceId where = id(face);
+  DAUMIER_CHECK(face >= 0 && face < num_faces(), "face {} of a database of {} faces", face, num_faces());
   const size_t size = size_t(3) * num_vertices();
-  const auto all = shards_[where.person].at("vertices").As<float>();
-  return all.subspan((size_t(where.level) * num_expressions() + where.expression) * size, size);
+  const int per_shard = num_levels_ * num_expressions();
+  return shards_[face / per_shard].at("vertices").As<float>().subspan(size_t(face % per_shard) * size, size);
 }
 
 geometry::Points FaceDatabase::points(int face) const {

@@ -20,7 +20,8 @@ struct FaceId {
 
 /// A folder of faces on disk: manifest.json (kind "faces"), template.safetensors, template.json, and a shard a person
 /// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`).
-/// Face index = (person * num_levels + level) * num_expressions + expression.
+/// Face index = (person * num_levels + level) * num_expressions + expression. Behind these, the grid, stand faces that
+/// were interpolated between two of them (shards/interpolated-00000.safetensors), as many a shard as a person has.
 /// The manifest holds counts {persons, levels, expressions, faces, vertices} and details {source, gammas, expressions},
 /// and where faces were imported also {names, groups}: a name of each person, and whom it shows in truth.
 class FaceDatabase {
@@ -32,9 +33,12 @@ class FaceDatabase {
   int num_persons() const { return num_persons_; }
   int num_levels() const { return num_levels_; }
   int num_expressions() const { return static_cast<int>(expression_names_.size()); }
-  int num_faces() const { return num_persons_ * num_levels_ * num_expressions(); }
+  /// Faces of the grid of persons, levels and expressions: the first ones.
+  int num_grid_faces() const { return num_persons_ * num_levels_ * num_expressions(); }
+  int num_faces() const { return num_grid_faces() + num_interpolated_; }
   int num_vertices() const { return face_template_.num_vertices(); }
 
+  /// @throws Error unless the face is one of the grid.
   FaceId id(int face) const;
   int index(const FaceId& id) const;
   /// Exaggeration of each level, num_levels.
@@ -44,6 +48,12 @@ class FaceDatabase {
   const std::vector<int>& groups() const { return groups_; }
   /// Weights of the source's identity shapes that made a person; none where faces were imported.
   std::span<const float> identity_weights(int person) const;
+  /// Whom a face shows: one person of the grid, or the two between whom it was interpolated.
+  std::vector<int> persons(int face) const;
+  /// The group of these, which is always the same one.
+  int group(int face) const { return groups_[persons(face).front()]; }
+  /// "person 3, level 1, smile", or of an interpolated face "between persons 3 and 4".
+  std::string Describe(int face) const;
   /// Vertices of a face, 3V floats (x0 y0 z0 x1 ...), mapped from disk.
   std::span<const float> vertices(int face) const;
   geometry::Points points(int face) const;
@@ -58,13 +68,15 @@ class FaceDatabase {
   Manifest manifest_;
   FaceTemplate face_template_;
   std::vector<std::string> expression_names_;
-  int num_persons_ = 0, num_levels_ = 0;
+  int num_persons_ = 0, num_levels_ = 0, num_interpolated_ = 0;
   std::vector<int> groups_;
-  std::vector<SafetensorsFile> shards_;
+  std::vector<SafetensorsFile> shards_;  ///< Of the persons, then of interpolated faces.
 };
 
 /// The shard of a person inside a database's folder: shards/person-00000.safetensors.
 std::string PersonShardName(int person);
+/// Shard `shard` of a database: those of the persons come first, then shards/interpolated-00000.safetensors and on.
+std::string FaceShardName(int num_persons, int shard);
 
 /// Writes / reads template.safetensors and template.json in `directory`. Returns name -> checksum of the files written.
 std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory,

@@ -1,47 +1,66 @@
 #include "datasets/build/faces.h"
 
+#include "core/error.h"
 #include "datasets/build/faces_plan.h"
 #include "datasets/build/given_faces.h"
+#include "datasets/build/interpolation.h"
+#include "datasets/build/person_faces.h"
+#include "faces/face_database.h"
 
+#include <algorithm>
 #include <variant>
 
 namespace daumier::datasets {
 namespace {
 
-/// All faces of a person, (levels, expressions, 3V), next to each other.
-std::vector<float> PersonVertices(const faces::FaceModel& model, const Eigen::VectorXf& identity,
-                                  const Eigen::MatrixXf& offsets, const faces::ExaggerationOptions& exaggeration) {
-  const geometry::Points neutral = faces::IdentityFace(model, identity);
-  std::vector<float> vertices;
-  vertices.reserve(exaggeration.gammas.size() * offsets.size());
-  for (const geometry::Points& level : FaceLevels(model.face_template, neutral, exaggeration)) {
-    const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
-    for (Eigen::Index e = 0; e < offsets.cols(); ++e) {
-      const Eigen::VectorXf face = base + offsets.col(e);
-      vertices.insert(vertices.end(), face.begin(), face.end());
-    }
-  }
-  return vertices;
+std::vector<faces::Expression> ChosenExpressions(const faces::FaceModel& model, const std::vector<std::string>& names) {
+  std::vector<std::string> available;
+  for (const faces::Expression& expression : model.expressions) available.push_back(expression.name);
+  std::vector<faces::Expression> chosen;
+  for (const int e : ChooseExpressions(available, names, model.face_template.source))
+    chosen.push_back(model.expressions[e]);
+  return chosen;
+}
+
+/// Adds shards of interpolated faces, as large as a person's, behind those of the persons.
+void PlanInterpolation(const FacesOptions& options, const std::filesystem::path& directory, ShardedBuild& build) {
+  const std::vector<Family> families = MakeFamilies(options.num_persons, options.family_size);
+  std::vector<std::string> groups;
+  for (size_t f = 0; f < families.size(); ++f)
+    groups.insert(groups.end(), families[f].size, fmt::format("family {}", f));
+  const int per_shard = build.units_per_shard;
+  build.manifest.counts["interpolated"] = options.num_interpolated;
+  build.manifest.details["groups"] = groups;
+  build.num_units = int64_t(options.num_persons) * per_shard + options.num_interpolated;
+  build.num_independent = options.num_persons;
+  build.num_shards = options.num_persons + (options.num_interpolated + per_shard - 1) / per_shard;
+  build.shard_name = [num_persons = options.num_persons](int shard) {
+    return faces::FaceShardName(num_persons, shard);
+  };
+  const int num_levels = build.manifest.counts.at("levels"), num_expressions = build.manifest.counts.at("expressions");
+  build.write_shard = [=, write_person = build.write_shard](int shard, const std::filesystem::path& file) {
+    if (shard < options.num_persons) return write_person(shard, file);
+    const int begin = (shard - options.num_persons) * per_shard;
+    std::vector<Interpolation> interpolations;
+    for (int i = begin; i < std::min(begin + per_shard, options.num_interpolated); ++i)
+      interpolations.push_back(DrawInterpolation(families, num_levels, num_expressions, options.seed, i));
+    return WriteInterpolatedShard(file, directory, interpolations);
+  };
 }
 
 }  // namespace
 
 void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, const std::filesystem::path& directory) {
-  std::vector<std::string> available, names;
-  for (const faces::Expression& expression : model.expressions) available.push_back(expression.name);
-  const std::vector<int> chosen = ChooseExpressions(available, options.expressions, model.face_template.source);
-  Eigen::MatrixXf offsets(model.face_template.neutral.size(), chosen.size());
-  for (size_t e = 0; e < chosen.size(); ++e) {
-    names.push_back(available[chosen[e]]);
-    offsets.col(Eigen::Index(e)) = faces::ExpressionOffset(model, model.expressions[chosen[e]].weights);
-  }
+  const std::vector<faces::Expression> expressions = ChosenExpressions(model, options.expressions);
+  std::vector<std::string> names;
+  for (const faces::Expression& expression : expressions) names.push_back(expression.name);
   ShardedBuild build = PlanFaces(model.face_template, options, options.num_persons, names);
+  if (options.levels == "parts") build.manifest.details["parts"] = faces::FacePartNames();
+  const PersonFacesMaker maker(model, expressions, options);
   build.write_shard = [&](int person, const std::filesystem::path& file) {
-    Rng rng = Stream(options.seed, "identity", person);
-    const Eigen::VectorXf identity = faces::DrawIdentity(model, rng, options.identity_spread);
-    return WritePersonShard(file, build.manifest, PersonVertices(model, identity, offsets, options.exaggeration),
-                            {identity.data(), static_cast<size_t>(identity.size())});
+    return WritePersonShard(file, build.manifest, maker.Make(person));
   };
+  if (options.num_interpolated > 0) PlanInterpolation(options, directory, build);
   BuildShards(directory, build);
 }
 

@@ -2,6 +2,7 @@
 #include "core/options.h"
 #include "faces/exaggeration.h"
 #include "faces/face_model.h"
+#include "faces/part_exaggeration.h"
 #include "faces/source.h"
 
 #include <cstdint>
@@ -17,7 +18,12 @@ struct FacesOptions {
   uint64_t seed = 1;
   double identity_spread = 1.0;
   std::vector<std::string> expressions;
+  double expression_variation = 0.1;
+  std::string levels = "whole";
   faces::ExaggerationOptions exaggeration;
+  faces::PartExaggerationOptions parts;
+  int num_interpolated = 0;
+  int family_size = 5;
 
   template <class V>
   void Visit(V&& visit) {
@@ -28,14 +34,30 @@ struct FacesOptions {
     visit("seed", seed, Range{0, 9e15}, "Of all that is drawn at random.");
     visit("identity_spread", identity_spread, Range{0.0, 3.0}, "Multiplies the deviation of every identity control.");
     visit("expressions", expressions, Text{}, "Names of expressions, neutral first; empty for all of the source.");
+    visit("expression_variation", expression_variation, Range{0.0, 0.5},
+          "Standard deviation of a person's strength of an expression about 1, cut at two deviations.");
+    visit("levels", levels, Choices{{"whole", "parts"}},
+          "whole: a level exaggerates the whole face by its gamma; parts: it exaggerates each part by a strength that "
+          "is drawn anew for every person and level, in proportion to its gamma.");
     visit("exaggeration", exaggeration, Table{}, "Levels of exaggeration; the first gamma has to be 0.");
+    visit("parts", parts, Table{}, "How strengths of parts are drawn.");
+    visit("num_interpolated", num_interpolated, Range{0, 10000000}, "Faces between two persons of a family.");
+    visit("family_size", family_size, Range{2, 1000},
+          "Persons between whom faces are interpolated; a split by person keeps a family on one side.");
   }
 };
 
-/// Writes a faces::FaceDatabase: person p is DrawIdentity from Stream(seed, "identity", p); its neutral face is
-/// exaggerated once a gamma, and the expression's linear offset is added. A source that gives faces instead of a model
-/// goes to BuildGivenFaces. Goes on where an earlier, stopped build of the same options ended.
-/// @throws Error as BuildShards; UsageError on an unknown expression, or if neutral or gamma 0 is not first.
+/// Writes a faces::FaceDatabase.
+/// - Person p is DrawIdentity from Stream(seed, "identity", p).
+/// - Levels of its neutral face are Exaggerate, or ExaggerateParts with strengths from Stream(seed, "parts", p).
+/// - Every expression is carried to every level by ExpressionTransfer; its displacement is multiplied by the person's
+///   strength of that expression, from Stream(seed, "expression strengths", p), so that the faces are no plain
+///   bilinear product of persons and expressions.
+/// - Interpolated faces are Interpolate of faces of two persons of a family (datasets/build/interpolation.h).
+/// A source that gives faces instead of a model goes to BuildGivenFaces. Goes on where an earlier, stopped build of the
+/// same options ended.
+/// @throws Error as BuildShards; UsageError on an unknown expression, if neutral or gamma 0 is not first, or if there
+/// is nobody to interpolate with.
 void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory);
 /// The same from a model at hand; `options.source` is only recorded.
 void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, const std::filesystem::path& directory);

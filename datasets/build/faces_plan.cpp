@@ -61,19 +61,19 @@ ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOpti
   return build;
 }
 
-std::vector<geometry::Points> FaceLevels(const faces::FaceTemplate& face_template, const geometry::Points& neutral,
-                                         const faces::ExaggerationOptions& options) {
-  if (options.gammas == std::vector<double>{0.0}) return {neutral};
-  return faces::Exaggerate(face_template, neutral, options);
-}
-
-std::string WritePersonShard(const std::filesystem::path& file, const Manifest& manifest,
-                             std::span<const float> vertices, std::span<const float> identity_weights) {
+std::string WritePersonShard(const std::filesystem::path& file, const Manifest& manifest, const PersonArrays& arrays) {
   const auto count = [&](const char* name) { return manifest.counts.at(name).get<int64_t>(); };
   SafetensorsWriter writer;
   writer.SetMetadata("kind", "faces");
-  writer.Add<float>("vertices", {count("levels"), count("expressions"), count("vertices"), 3}, vertices);
-  writer.Add<float>("identity_weights", {static_cast<int64_t>(identity_weights.size())}, identity_weights);
+  const auto add = [&](const std::string& name, std::vector<int64_t> shape, const std::vector<float>& values) {
+    if (!values.empty()) writer.Add<float>(name, std::move(shape), values);
+  };
+  add("vertices", {count("levels"), count("expressions"), count("vertices"), 3}, arrays.vertices);
+  add("identity_weights", {static_cast<int64_t>(arrays.identity_weights.size())}, arrays.identity_weights);
+  add("expression_strengths", {count("expressions")}, arrays.expression_strengths);
+  constexpr int kStrengthsAPart = 4;
+  const int64_t num_parts = static_cast<int64_t>(arrays.part_strengths.size()) / kStrengthsAPart / count("levels");
+  add("part_strengths", {count("levels"), num_parts, kStrengthsAPart}, arrays.part_strengths);
   return writer.Write(file);
 }
 

@@ -3,7 +3,6 @@
 #include "datasets/build/sharded_build.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -22,13 +21,15 @@ std::vector<int> ChooseExpressions(const std::vector<std::string>& available, co
 ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
                        const std::vector<std::string>& expressions);
 
-/// faces::Exaggerate of a neutral face; with gamma 0 alone the face itself, which needs no region.
-std::vector<geometry::Points> FaceLevels(const faces::FaceTemplate& face_template, const geometry::Points& neutral,
-                                         const faces::ExaggerationOptions& options);
+/// The arrays of a person's shard. Empty ones are left out.
+struct PersonArrays {
+  std::vector<float> vertices;              ///< (levels, expressions, V, 3) as the counts of the manifest tell, cm.
+  std::vector<float> identity_weights;      ///< (S)
+  std::vector<float> expression_strengths;  ///< (expressions)
+  std::vector<float> part_strengths;        ///< (levels, P, 4): gamma, then log_stretch of width, height, depth.
+};
 
-/// Writes the shard of a person; `vertices` are (levels, expressions, V, 3) as the counts of the manifest tell.
-/// Returns its checksum.
-std::string WritePersonShard(const std::filesystem::path& file, const Manifest& manifest,
-                             std::span<const float> vertices, std::span<const float> identity_weights);
+/// Writes the shard of a person and returns its checksum.
+std::string WritePersonShard(const std::filesystem::path& file, const Manifest& manifest, const PersonArrays& arrays);
 
 }  // namespace daumier::datasets

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace daumier::datasets {
@@ -115,14 +116,25 @@ void BuildShards(const fs::path& directory, const ShardedBuild& build) {
   };
   int num_done = 0;
   {
-    Progress progress(build.manifest.kind, int64_t(build.num_shards) * build.units_per_shard, build.unit);
-    ForEachInOrder(build.num_shards, make, [&](const Shard& shard) {
-      if (!shard.checksum) return;
-      ++num_done;
-      journal.checksums[shard.name] = *shard.checksum;
-      if (shard.is_new) journal.Write(directory);
-      progress.Step(build.units_per_shard);
-    });
+    const int64_t num_units = build.num_units ? build.num_units : int64_t(build.num_shards) * build.units_per_shard;
+    Progress progress(build.manifest.kind, num_units, build.unit);
+    int64_t num_left = num_units;
+    const auto make_range = [&](int begin, int end) {
+      ForEachInOrder(
+          end - begin, [&](int i) { return make(begin + i); },
+          [&](const Shard& shard) {
+            if (!shard.checksum) return;
+            ++num_done;
+            journal.checksums[shard.name] = *shard.checksum;
+            if (shard.is_new) journal.Write(directory);
+            const int64_t num_here = std::min<int64_t>(build.units_per_shard, num_left);
+            progress.Step(num_here);
+            num_left -= num_here;
+          });
+    };
+    const int num_independent = build.num_independent < 0 ? build.num_shards : build.num_independent;
+    make_range(0, num_independent);
+    if (num_done == num_independent) make_range(num_independent, build.num_shards);
   }
   DAUMIER_CHECK(num_done == build.num_shards, "{}: stopped after {} of {} shards; the same command goes on from there",
                 directory.string(), num_done, build.num_shards);

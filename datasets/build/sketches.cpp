@@ -52,10 +52,9 @@ Json CameraToJson(const render::Camera& camera) {
           {"height", camera.height}};
 }
 
-/// The sketches of a person's faces as arrays of a shard (docs/formats.md).
-std::string WriteSketchShard(const std::filesystem::path& file, const faces::FaceDatabase& database, int person,
-                             const CurveLayout& layout, const render::Camera& camera) {
-  const int num_faces = database.num_levels() * database.num_expressions();
+/// The sketches of the faces from `first_face` on as arrays of a shard (docs/formats.md).
+std::string WriteSketchShard(const std::filesystem::path& file, const faces::FaceDatabase& database, int first_face,
+                             int num_faces, const CurveLayout& layout, const render::Camera& camera) {
   const auto num_curves = static_cast<int64_t>(layout.kinds.size());
   const auto num_points = static_cast<int64_t>(layout.vertices.size());
   std::vector<float> points;
@@ -63,7 +62,7 @@ std::string WriteSketchShard(const std::filesystem::path& file, const faces::Fac
   std::vector<int32_t> stroke_kinds;
   points.reserve(2 * num_faces * num_points);
   for (int face = 0; face < num_faces; ++face) {
-    const auto projected = render::Project(camera, Pick(database.points(person * num_faces + face), layout.vertices));
+    const auto projected = render::Project(camera, Pick(database.points(first_face + face), layout.vertices));
     for (int64_t point = 0; point < num_points; ++point) {
       points.push_back(static_cast<float>(projected(point, 0)));
       points.push_back(static_cast<float>(projected(point, 1)));
@@ -106,6 +105,7 @@ void BuildSketches(const SketchesOptions& options, const std::filesystem::path& 
   build.manifest.sources = database.manifest().sources;
   build.manifest.counts = {{"persons", database.num_persons()},
                            {"faces", database.num_faces()},
+                           {"faces_per_shard", database.num_levels() * database.num_expressions()},
                            {"strokes_per_face", layout.kinds.size()},
                            {"points_per_face", layout.vertices.size()}};
   build.manifest.details = {{"faces_data_hash", DataHash(options.faces)},
@@ -113,12 +113,17 @@ void BuildSketches(const SketchesOptions& options, const std::filesystem::path& 
                             {"camera", CameraToJson(camera)},
                             {"kinds", faces::CurveKinds()},
                             {"curves", layout.curves}};
-  build.num_shards = database.num_persons();
+  const int per_shard = database.num_levels() * database.num_expressions();
+  build.num_units = database.num_faces();
+  build.num_shards = (database.num_faces() + per_shard - 1) / per_shard;
   build.unit = "sketches";
-  build.units_per_shard = database.num_levels() * database.num_expressions();
-  build.shard_name = faces::PersonShardName;
-  build.write_shard = [&](int person, const std::filesystem::path& file) {
-    return WriteSketchShard(file, database, person, layout, camera);
+  build.units_per_shard = per_shard;
+  build.shard_name = [num_persons = database.num_persons()](int shard) {
+    return faces::FaceShardName(num_persons, shard);
+  };
+  build.write_shard = [&](int shard, const std::filesystem::path& file) {
+    const int first = shard * per_shard;
+    return WriteSketchShard(file, database, first, std::min(per_shard, database.num_faces() - first), layout, camera);
   };
   BuildShards(directory, build);
 }

@@ -26,17 +26,18 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool veri
   try {
     num_persons = manifest_.counts.at("persons").get<int>();
     num_faces_ = manifest_.counts.at("faces").get<int>();
+    faces_per_shard_ = manifest_.counts.at("faces_per_shard").get<int>();
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }
-  DAUMIER_CHECK(num_persons > 0 && num_faces_ % num_persons == 0, "{}: {} faces of {} persons",
-                (directory / "manifest.json").string(), num_faces_, num_persons);
-  faces_per_shard_ = num_faces_ / num_persons;
-  for (int person = 0; person < num_persons; ++person) {
-    const auto path = directory / faces::PersonShardName(person);
+  DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_faces_ >= int64_t(num_persons) * faces_per_shard_,
+                "{}: {} faces of {} persons in shards of {}", (directory / "manifest.json").string(), num_faces_,
+                num_persons, faces_per_shard_);
+  for (int begin = 0; begin < num_faces_; begin += faces_per_shard_) {
+    const auto path = directory / faces::FaceShardName(num_persons, begin / faces_per_shard_);
     const SafetensorsFile& shard = shards_.emplace_back(path);
     const auto num_strokes = shard.at("stroke_kinds").size();
-    CheckOffsets(path, shard, "face_offsets", faces_per_shard_, num_strokes);
+    CheckOffsets(path, shard, "face_offsets", std::min(faces_per_shard_, num_faces_ - begin), num_strokes);
     CheckOffsets(path, shard, "stroke_offsets", num_strokes, shard.at("points").As<float>().size() / 2);
   }
 }

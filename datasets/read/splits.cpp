@@ -20,7 +20,7 @@ int Count(double share, int total) {
 std::vector<std::vector<int>> FacesOfGroups(const faces::FaceDatabase& database) {
   const std::vector<int> groups = database.groups();
   std::vector<std::vector<int>> faces(*std::max_element(groups.begin(), groups.end()) + 1);
-  for (int face = 0; face < database.num_faces(); ++face) faces[groups[database.id(face).person]].push_back(face);
+  for (int face = 0; face < database.num_faces(); ++face) faces[database.group(face)].push_back(face);
   return faces;
 }
 
@@ -32,7 +32,9 @@ std::vector<std::vector<int>> SingleFaces(const faces::FaceDatabase& database) {
 
 Json SideToJson(const faces::FaceDatabase& database, const std::vector<int>& faces) {
   std::set<int> persons;
-  for (const int face : faces) persons.insert(database.id(face).person);
+  for (const int face : faces) {
+    for (const int person : database.persons(face)) persons.insert(person);
+  }
   return {{"num_faces", faces.size()},
           {"num_persons", persons.size()},
           {"persons", std::vector<int>(persons.begin(), persons.end())},

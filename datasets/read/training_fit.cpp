@@ -10,7 +10,7 @@ FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& s
 
   FittedBilinear fitted;
   std::vector<int> read;
-  for (int face = 0; face < database.num_faces(); ++face) {
+  for (int face = 0; face < database.num_grid_faces(); ++face) {
     if (!is_training[face]) continue;
     read.push_back(face);
     const int identity = face / num_expressions;

@@ -16,9 +16,9 @@ struct FittedBilinear {
   Json proof;
 };
 
-/// Fits the bilinear model to all coordinates of the split's training faces; no other face is read. Identities are the
-/// pairs of person and level that have a training face; faces of theirs that are held out (split "random") are imputed
-/// as FitBilinear tells.
+/// Fits the bilinear model to all coordinates of the split's training faces of the grid; no other face is read.
+/// Identities are the pairs of person and level that have a training face; faces of theirs that are held out (split
+/// "random") are imputed as FitBilinear tells.
 /// @throws Error as FitBilinear.
 FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& split,
                              const faces::BilinearOptions& options);

@@ -98,6 +98,46 @@ TEST_F(FaceDatabaseTest, TellsWhatItHolds) {
   EXPECT_EQ(database.manifest().kind, "faces");
 }
 
+class InterpolatedFacesTest : public FaceDatabaseTest {
+ protected:
+  /// One face between two others; persons 0 and 1 are one group if `related`.
+  void AddInterpolated(int parent_a, int parent_b, bool related) {
+    std::vector<float> vertices(size_t(3) * template_.num_vertices());
+    std::iota(vertices.begin(), vertices.end(), 100.0f);
+    SafetensorsWriter writer;
+    writer.Add<float>("vertices", {1, template_.num_vertices(), 3}, vertices);
+    writer.Add<int32_t>("parents", {1, 2}, std::vector<int32_t>{parent_a, parent_b});
+    writer.Add<float>("shares", {1, 2}, std::vector<float>{0.5f, 0.5f});
+    const std::string name = FaceShardName(kPersons, kPersons);
+    manifest_.checksums[name] = writer.Write(directory_ / name);
+    manifest_.counts["interpolated"] = 1;
+    manifest_.details["groups"] = {"a", related ? "a" : "b"};
+    WriteManifest(directory_.path(), manifest_);
+  }
+};
+
+TEST_F(InterpolatedFacesTest, StandBehindTheGridAndBelongToTheirParentsGroup) {
+  AddInterpolated(4, 9, true);
+  const FaceDatabase database(directory_.path());
+  EXPECT_EQ(database.num_grid_faces(), 12);
+  EXPECT_EQ(database.num_faces(), 13);
+  EXPECT_EQ(database.vertices(12)[1], 101.0f);
+  EXPECT_EQ(database.persons(12), (std::vector<int>{0, 1}));
+  EXPECT_EQ(database.persons(11), (std::vector<int>{1}));
+  EXPECT_EQ(database.group(12), 0);
+  EXPECT_EQ(database.Describe(12), "between persons 0 and 1");
+  EXPECT_EQ(database.Describe(11), "person 1, level 1, frown");
+  ExpectError([&] { database.id(12); }, "not one of the grid of 12 faces");
+  ExpectError([&] { database.persons(13); }, "face 13 of a database of 13");
+}
+
+TEST_F(InterpolatedFacesTest, ParentsOfTwoGroupsOrOutsideTheGridAreRefused) {
+  AddInterpolated(4, 9, false);
+  ExpectRefused("parents of a face belong to different groups");
+  AddInterpolated(4, 12, true);
+  ExpectRefused("face 12 is no parent");
+}
+
 TEST_F(FaceDatabaseTest, GroupsTellWhoIsTheSameInTruth) {
   EXPECT_EQ(FaceDatabase(directory_.path()).groups(), (std::vector<int>{0, 1}));
   manifest_.details["groups"] = {"bob", "bob"};

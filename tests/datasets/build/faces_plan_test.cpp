@@ -46,28 +46,21 @@ TEST(PlanFaces, MissingRegionsAreFoundBeforeAnythingBegins) {
   EXPECT_THROW(PlanFaces(face, Options({0.1}), 1, {"neutral"}), UsageError);
 }
 
-TEST(FaceLevels, GammaZeroAloneNeedsNoRegion) {
-  faces::FaceTemplate face = testing::SyntheticFace();
-  const auto levels = FaceLevels(face, face.neutral, Options({0.0, 0.1}).exaggeration);
-  ASSERT_EQ(levels.size(), 2u);
-  EXPECT_EQ(levels[1], faces::Exaggerate(face, face.neutral, Options({0.0, 0.1}).exaggeration)[1]);
-  face.annotation.regions.clear();
-  const auto plain = FaceLevels(face, face.neutral, Options({0.0}).exaggeration);
-  ASSERT_EQ(plain.size(), 1u);
-  EXPECT_EQ(plain[0], face.neutral);
-}
-
-TEST(PersonShard, HoldsVerticesAndWeights) {
+TEST(PersonShard, HoldsWhatIsThere) {
   const testing::TempDir folder;
   Manifest manifest;
   manifest.counts = {{"levels", 1}, {"expressions", 2}, {"vertices", 1}};
-  const std::string checksum =
-      WritePersonShard(folder / "p.safetensors", manifest, std::vector<float>{0, 1, 2, 3, 4, 5}, {});
+  PersonArrays arrays;
+  arrays.vertices = {0, 1, 2, 3, 4, 5};
+  arrays.part_strengths.assign(8, 0.5f);
+  const std::string checksum = WritePersonShard(folder / "p.safetensors", manifest, arrays);
   EXPECT_EQ(checksum, Sha256OfFile(folder / "p.safetensors"));
   const SafetensorsFile file(folder / "p.safetensors");
   EXPECT_EQ(file.at("vertices").shape, (std::vector<int64_t>{1, 2, 1, 3}));
-  EXPECT_EQ(file.at("identity_weights").size(), 0);
-  ExpectError([&] { WritePersonShard(folder / "q.safetensors", manifest, std::vector<float>{0, 1}, {}); }, "vertices");
+  EXPECT_EQ(file.at("part_strengths").shape, (std::vector<int64_t>{1, 2, 4}));
+  EXPECT_FALSE(file.contains("identity_weights") || file.contains("expression_strengths"));
+  arrays.vertices.pop_back();
+  ExpectError([&] { WritePersonShard(folder / "q.safetensors", manifest, arrays); }, "vertices");
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include "core/config.h"
 #include "core/files.h"
 #include "core/interrupt.h"
+#include "core/safetensors.h"
+#include "datasets/build/interpolation.h"
+#include "faces/expression_transfer.h"
 #include "faces/face_database.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
@@ -36,9 +39,11 @@ class BuildFacesTest : public ::testing::Test {
   static inline faces::FaceModel* model_ = nullptr;
 };
 
-TEST_F(BuildFacesTest, FacesAreExaggeratedIdentitiesPlusExpressions) {
+TEST_F(BuildFacesTest, FacesAreExaggeratedIdentitiesWithTransferredExpressions) {
   const faces::FaceDatabase database(faces());
   ASSERT_EQ(database.num_faces(), 3 * 2 * 4);
+  const auto& all = model_->expressions;
+  const faces::ExpressionTransfer transfer(*model_, {all[0], all[1], all[2], all[6]});
   for (int person = 0; person < 3; ++person) {
     Rng rng = Stream(7, "identity", person);
     const Eigen::VectorXf identity = faces::DrawIdentity(*model_, rng, 1.0);
@@ -48,15 +53,80 @@ TEST_F(BuildFacesTest, FacesAreExaggeratedIdentitiesPlusExpressions) {
     const auto levels =
         faces::Exaggerate(model_->face_template, neutral, testing::SyntheticFacesOptions(3).exaggeration);
     EXPECT_LT((database.points(database.index({person, 0, 0})) - neutral).cwiseAbs().maxCoeff(), 1e-5);
-    const Eigen::VectorXf smile = faces::ExpressionOffset(*model_, model_->expressions[2].weights);
+    const SafetensorsFile shard(faces() / faces::PersonShardName(person));
+    const auto strengths = shard.at("expression_strengths").As<float>();
+    EXPECT_EQ(strengths[0], 1);
+    EXPECT_NE(strengths[2], 1);
+    EXPECT_NEAR(strengths[2], 1, 0.2 + 1e-6);
     Eigen::VectorXd expected = Eigen::Map<const Eigen::VectorXd>(levels[1].data(), levels[1].size());
-    expected += smile.cast<double>();
+    expected += (strengths[2] * transfer.Offsets(levels[1]).col(2)).cast<double>();
     const auto face = database.vertices(database.index({person, 1, 2}));
     EXPECT_LT((Eigen::Map<const Eigen::VectorXf>(face.data(), expected.size()).cast<double>() - expected)
                   .cwiseAbs()
                   .maxCoeff(),
               1e-5);
   }
+}
+
+TEST_F(BuildFacesTest, LevelsByPartsDifferFromPersonToPersonAndAreRecorded) {
+  FacesOptions options = testing::SyntheticFacesOptions(2);
+  options.levels = "parts";
+  BuildFaces(*model_, options, *folder_ / "parts");
+  const faces::FaceDatabase database(*folder_ / "parts");
+  const auto names = database.manifest().details.at("parts").get<std::vector<std::string>>();
+  EXPECT_EQ(names, faces::FacePartNames());
+  const faces::FaceParts parts = faces::MakeFaceParts(model_->face_template, options.parts.blend_rings);
+  for (int person = 0; person < 2; ++person) {
+    const SafetensorsFile shard(*folder_ / "parts" / faces::PersonShardName(person));
+    const ArrayView& stored = shard.at("part_strengths");
+    ASSERT_EQ(stored.shape, (std::vector<int64_t>{2, int64_t(names.size()), 4}));
+    const auto values = stored.As<float>();
+    faces::PartStrengths strengths{Eigen::VectorXd(names.size()), geometry::Points(names.size(), 3)};
+    for (size_t p = 0; p < names.size(); ++p) {
+      EXPECT_EQ(values[4 * p], 0) << "level 0 is the person";
+      const float* const row = &values[4 * (names.size() + p)];
+      strengths.gammas[Eigen::Index(p)] = row[0];
+      strengths.log_stretches.row(Eigen::Index(p)) << row[1], row[2], row[3];
+    }
+    const geometry::Points neutral = database.points(database.index({person, 0, 0}));
+    const geometry::Points expected =
+        faces::ExaggerateParts(model_->face_template, parts, neutral, strengths, options.exaggeration);
+    EXPECT_LT((database.points(database.index({person, 1, 0})) - expected).cwiseAbs().maxCoeff(), 1e-4);
+  }
+}
+
+TEST_F(BuildFacesTest, InterpolatedFacesStandBehindTheGrid) {
+  FacesOptions options = testing::SyntheticFacesOptions(4);
+  options.num_interpolated = 11;  // A shard of 8 and one of 3.
+  options.family_size = 2;
+  BuildFaces(*model_, options, *folder_ / "interpolated");
+  const faces::FaceDatabase database(*folder_ / "interpolated");
+  ASSERT_EQ(database.num_grid_faces(), 4 * 2 * 4);
+  ASSERT_EQ(database.num_faces(), 4 * 2 * 4 + 11);
+  EXPECT_EQ(database.groups(), (std::vector<int>{0, 0, 1, 1}));
+  for (int i = 0; i < 11; ++i) {
+    const int face = database.num_grid_faces() + i;
+    const Interpolation drawn = DrawInterpolation(MakeFamilies(4, 2), 2, 4, 7, i);
+    EXPECT_EQ(database.persons(face), (std::vector<int>{drawn.a.person, drawn.b.person}));
+    EXPECT_EQ(database.group(face), drawn.a.person / 2);
+    const std::vector<float> expected = Interpolate(*folder_ / "interpolated", drawn);
+    const auto stored = database.vertices(face);
+    EXPECT_TRUE(std::equal(stored.begin(), stored.end(), expected.begin(), expected.end()));
+  }
+  EXPECT_EQ(database.Describe(32).substr(0, 16), "between persons ");
+  ExpectError([&] { database.id(32); }, "not one of the grid of 32 faces");
+}
+
+TEST_F(BuildFacesTest, InterpolationThatIsStoppedGoesOnWithTheSameBytes) {
+  FacesOptions options = testing::SyntheticFacesOptions(4);
+  options.num_interpolated = 5;
+  options.family_size = 2;
+  BuildFaces(*model_, options, *folder_ / "whole");
+  SetInterrupted(true);
+  ExpectError([&] { BuildFaces(*model_, options, *folder_ / "halted"); }, "stopped after 0 of 5");
+  SetInterrupted(false);
+  BuildFaces(*model_, options, *folder_ / "halted");
+  EXPECT_EQ(DataHash(*folder_ / "whole"), DataHash(*folder_ / "halted"));
 }
 
 TEST_F(BuildFacesTest, ManifestHoldsCountsLicencesAndNoPath) {
@@ -99,6 +169,7 @@ TEST_F(BuildFacesTest, WrongOptionsAreRefusedBeforeAnythingIsWritten) {
   refused([](FacesOptions& o) { o.expressions = {"neutral", "smile", "smile"}; }, "named twice");
   refused([](FacesOptions& o) { o.exaggeration.gammas = {0.1, 0.2}; }, "has to be 0");
   refused([](FacesOptions& o) { o.exaggeration.gammas = {}; }, "has to be 0");
+  refused([](FacesOptions& o) { o.num_interpolated = 3; }, "1 persons make no family of 5");
 }
 
 TEST_F(BuildFacesTest, NoExpressionsNamedMeansAll) {

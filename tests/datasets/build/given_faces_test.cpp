@@ -64,6 +64,19 @@ TEST(BuildGivenFaces, LevelsAreExaggeratedNeutralsPlusTheExpression) {
   EXPECT_LT((database.points(database.index({4, 1, 1})) - expected).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+TEST(BuildGivenFaces, LevelsMayBeExaggeratedByParts) {
+  const testing::TempDir folder;
+  FacesOptions options = Options({0.0, 0.2});
+  options.levels = "parts";
+  BuildGivenFaces(Given(), options, folder / "faces");
+  const faces::FaceDatabase database(folder / "faces");
+  const auto id = [&](int person, int level) { return database.points(database.index({person, level, 0})); };
+  EXPECT_GT((id(0, 1) - id(0, 0)).cwiseAbs().maxCoeff(), 0.05);
+  EXPECT_TRUE(database.manifest().details.contains("parts"));
+  options.num_interpolated = 3;
+  EXPECT_THROW(BuildGivenFaces(Given(), options, folder / "more"), UsageError);
+}
+
 TEST(BuildGivenFaces, ManifestCarriesLicenceNamesAndGroups) {
   const testing::TempDir folder;
   BuildGivenFaces(Given(), Options({0.0}), folder / "faces");

@@ -19,7 +19,7 @@ class SketchDatabaseTest : public ::testing::Test {
     MakeDirectory(directory_ / "shards");
     manifest_.kind = "sketches";
     manifest_.verb = "dataset sketches";
-    manifest_.counts = {{"persons", 1}, {"faces", 2}};
+    manifest_.counts = {{"persons", 1}, {"faces", 2}, {"faces_per_shard", 2}};
     Write({0, 1, 3, 6, 7});
   }
 

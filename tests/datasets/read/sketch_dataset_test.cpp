@@ -61,7 +61,7 @@ TEST(SketchDataset, InkIsOneAndPaperIsZero) {
   writer.Write(folder / faces::PersonShardName(0));
   Manifest manifest;
   manifest.kind = "sketches";
-  manifest.counts = {{"persons", 1}, {"faces", 1}};
+  manifest.counts = {{"persons", 1}, {"faces", 1}, {"faces_per_shard", 1}};
   WriteManifest(folder.path(), manifest);
   const torch::Tensor image = SketchDataset(SketchDatabase(folder.path()), {0}, 256).Get(std::vector<int>{0}).images;
   EXPECT_EQ(image[0][0][127][100].item<float>(), 1.0f);

@@ -130,5 +130,31 @@ TEST(FacesChecksum, IsTheSha256OfLines) {
   EXPECT_EQ(FacesChecksum({3, 12}), "043e42748d5d232a4cce13c014b426d22c35f56e48e6aa75e8c518b36968182a");
 }
 
+TEST(SplitOfFamilies, BothParentsOfAnInterpolatedFaceAreOnItsSide) {
+  const TempDir folder;
+  FacesOptions options = testing::SyntheticFacesOptions(8);
+  options.num_interpolated = 40;
+  options.family_size = 2;
+  BuildFaces(testing::SyntheticModel(), options, folder / "faces");
+  const faces::FaceDatabase database(folder / "faces");
+  for (const uint64_t seed : {1, 2, 3}) {
+    const Split split = MakeSplit(database, {.kind = "person", .validation = 0.25, .test = 0.25}, seed);
+    std::vector<int> side_of_person(8, -1);
+    const std::vector<int>* const sides[] = {&split.train, &split.validation, &split.test};
+    int num_interpolated = 0;
+    for (int side = 0; side < 3; ++side) {
+      for (const int face : *sides[side]) {
+        num_interpolated += face >= database.num_grid_faces();
+        for (const int person : database.persons(face)) {
+          EXPECT_TRUE(side_of_person[person] == -1 || side_of_person[person] == side);
+          side_of_person[person] = side;
+        }
+      }
+    }
+    EXPECT_EQ(num_interpolated, 40);
+    EXPECT_EQ(std::count(side_of_person.begin(), side_of_person.end(), 2), 2) << "one family of two";
+  }
+}
+
 }  // namespace
 }  // namespace daumier::datasets

@@ -1,0 +1,58 @@
+#include "faces/expression_transfer.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace daumier::faces {
+namespace {
+
+constexpr double kStillCm = 1e-3;
+constexpr double kUnchanged = 1e-5;  // Of a deformation gradient: what a rounding of the source's files leaves.
+
+geometry::Points PoseOf(const FaceModel& model, const Expression& expression) {
+  const Eigen::VectorXf offset = ExpressionOffset(model, expression.weights);
+  geometry::Points pose = model.face_template.neutral;
+  Eigen::Map<Eigen::VectorXd>(pose.data(), pose.size()) += offset.cast<double>();
+  return pose;
+}
+
+}  // namespace
+
+ExpressionTransfer::ExpressionTransfer(const FaceModel& model, const std::vector<Expression>& expressions)
+    : triangles_(model.face_template.triangles), num_vertices_(model.face_template.num_vertices()) {
+  const geometry::TriangleMesh rest{model.face_template.neutral, triangles_};
+  std::vector<geometry::Points> poses;
+  for (const Expression& expression : expressions) {
+    poses.push_back(PoseOf(model, expression));
+    gradients_.push_back(geometry::ComputeDeformationGradients(rest, poses.back(), kUnchanged));
+  }
+  pinned_ = geometry::StillVertices(rest.vertices, poses, kStillCm);
+  if (!pinned_.empty()) return;
+  linear_offsets_.resize(model.expression_shapes.rows(), expressions.size());
+  for (size_t e = 0; e < expressions.size(); ++e)
+    linear_offsets_.col(Eigen::Index(e)) = ExpressionOffset(model, expressions[e].weights);
+}
+
+Eigen::MatrixXf ExpressionTransfer::Offsets(const geometry::Points& neutral, unsigned max_threads) const {
+  DAUMIER_CHECK(neutral.rows() == num_vertices_, "the face has {} vertices, its template {}", neutral.rows(),
+                num_vertices_);
+  if (pinned_.empty()) return linear_offsets_;
+  if (static_cast<Eigen::Index>(pinned_.size()) == num_vertices_)
+    return Eigen::MatrixXf::Zero(3 * num_vertices_, num_expressions());
+  const geometry::DeformationTransfer transfer({neutral, triangles_}, pinned_);
+  Eigen::MatrixXf offsets(3 * num_vertices_, num_expressions());
+  int column = 0;
+  ForEachInOrder(
+      num_expressions(),
+      [&](int e) -> geometry::Points {
+        if (gradients_[e].triangles.empty()) return geometry::Points::Zero(num_vertices_, 3);
+        return transfer.Apply(gradients_[e]) - neutral;
+      },
+      [&](const geometry::Points& offset) {
+        offsets.col(column++) = Eigen::Map<const Eigen::VectorXd>(offset.data(), offset.size()).cast<float>();
+      },
+      max_threads);
+  return offsets;
+}
+
+}  // namespace daumier::faces

@@ -1,0 +1,43 @@
+#include "datasets/build/person_faces.h"
+
+#include "tests/support/synthetic_database.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::datasets {
+namespace {
+
+TEST(PersonFaces, ThePersonAloneDecides) {
+  const faces::FaceModel model = testing::SyntheticModel();
+  const FacesOptions options = testing::SyntheticFacesOptions(3);
+  const PersonFacesMaker maker(model, model.expressions, options);
+  const PersonArrays first = maker.Make(1), again = maker.Make(1), other = maker.Make(2);
+  EXPECT_EQ(first.vertices, again.vertices);
+  EXPECT_NE(first.vertices, other.vertices);
+  EXPECT_NE(first.expression_strengths, other.expression_strengths);
+}
+
+TEST(PersonFaces, WithoutVariationEveryStrengthIsOne) {
+  const faces::FaceModel model = testing::SyntheticModel();
+  FacesOptions options = testing::SyntheticFacesOptions(1);
+  options.expression_variation = 0;
+  const PersonArrays arrays = PersonFacesMaker(model, model.expressions, options).Make(0);
+  EXPECT_EQ(arrays.expression_strengths, std::vector<float>(model.expressions.size(), 1.0f));
+}
+
+TEST(MakeLevels, GammaZeroAloneNeedsNoRegion) {
+  faces::FaceTemplate face = testing::SyntheticFace();
+  FacesOptions options;
+  options.exaggeration.gammas = {0.0, 0.1};
+  PersonArrays arrays;
+  const auto levels = MakeLevels(face, {}, face.neutral, options, 0, arrays);
+  ASSERT_EQ(levels.size(), 2u);
+  EXPECT_EQ(levels[1], faces::Exaggerate(face, face.neutral, options.exaggeration)[1]);
+  face.annotation.regions.clear();
+  options.exaggeration.gammas = {0.0};
+  EXPECT_EQ(MakeLevels(face, {}, face.neutral, options, 0, arrays), std::vector{face.neutral});
+  EXPECT_TRUE(arrays.part_strengths.empty());
+}
+
+}  // namespace
+}  // namespace daumier::datasets
