@@ -31,8 +31,12 @@ add_library(image_libraries INTERFACE)
 target_link_libraries(image_libraries INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
 
 find_package(LibArchive REQUIRED)
+find_package(ZLIB REQUIRED)
+find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)  # CMake's own module needs the language C.
+find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
 add_library(archive_libraries INTERFACE)
-target_link_libraries(archive_libraries INTERFACE LibArchive::LibArchive)
+target_link_libraries(archive_libraries INTERFACE LibArchive::LibArchive ZLIB::ZLIB ${HDF5_LIBRARY})
+target_include_directories(archive_libraries SYSTEM INTERFACE ${HDF5_INCLUDE_DIR})
 
 if(NOT DAUMIER_SANITIZE)
   find_package(Torch REQUIRED)

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace daumier::faces {
@@ -29,11 +30,15 @@ struct Annotation {
   std::array<int, 68> landmarks{};
   int hairline_vertex = -1;
   std::vector<FeatureCurve> curves;
-  /// Sorted vertex lists. Always there: face (where errors are averaged), eyes, mouth (each loop with two rings),
-  /// neck_border, ears, nose.
+  /// Sorted vertex lists. Always there: face (where errors are averaged). With a complete annotation also eyes, mouth
+  /// (each loop with two rings), neck_border, ears, nose.
   std::map<std::string, std::vector<int>> regions;
-  /// mirror[v] is the vertex on the other side; an involution. Left is the face's own left, +x.
+  /// mirror[v] is the vertex on the other side; an involution. Left is the face's own left, +x. Empty where an imported
+  /// mesh is not its own mirror image.
   std::vector<int> mirror;
 };
+
+/// A region by its name. @throws Error saying what `purpose` needs and which entry of the annotation is missing.
+const std::vector<int>& RegionFor(const Annotation& annotation, const std::string& name, std::string_view purpose);
 
 }  // namespace daumier::faces

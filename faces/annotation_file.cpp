@@ -66,15 +66,21 @@ WaypointLoop ParseLoop(const Json& json, const std::string& where) {
 }
 
 RegionRule ParseRegion(const std::string& name, const Json& json, const std::string& where) {
-  const Entry entry(json, where, {"loop", "seed", "mirror_of", "range"});
+  const Entry entry(json, where, {"loop", "seed", "mirror_of", "range", "vertices"});
   RegionRule rule{.name = name,
                   .loop = entry.get<std::vector<int>>("loop", {}),
                   .seed = entry.get<int>("seed", -1),
                   .mirror_of = entry.get<std::string>("mirror_of", ""),
-                  .range = {}};
-  if (entry.has("range")) rule.range = entry.get<std::pair<int, int>>("range");
-  DAUMIER_CHECK(rule.range || !rule.mirror_of.empty() || (rule.loop.size() > 2 && rule.seed >= 0),
-                "{}: a region needs loop and seed, mirror_of, or range", where);
+                  .range = {},
+                  .vertices = entry.get<std::vector<int>>("vertices", {})};
+  if (entry.has("range")) {
+    rule.range = entry.get<std::pair<int, int>>("range");
+    DAUMIER_CHECK(rule.range->first <= rule.range->second, "{}: range [{}, {}] is empty", where, rule.range->first,
+                  rule.range->second);
+  }
+  DAUMIER_CHECK(
+      rule.range || !rule.mirror_of.empty() || !rule.vertices.empty() || (rule.loop.size() > 2 && rule.seed >= 0),
+      "{}: a region needs loop and seed, mirror_of, range, or vertices", where);
   return rule;
 }
 
@@ -103,9 +109,19 @@ const std::vector<std::string>& CurveKinds() {
   return kinds;
 }
 
+const std::vector<int>& RegionFor(const Annotation& annotation, const std::string& name, std::string_view purpose) {
+  const auto found = annotation.regions.find(name);
+  DAUMIER_CHECK(found != annotation.regions.end(),
+                "{} needs the region '{}', which this face does not have: add it to 'regions' of its annotation "
+                "(docs/annotation.md) and build the faces again",
+                purpose, name);
+  return found->second;
+}
+
 AnnotationFile ParseAnnotationFile(std::string_view text, std::string_view name) {
   const Json json = Parse(text, name);
-  const Entry file(json, std::string(name), {"format", "source", "landmarks", "hairline", "crop", "regions", "curves"});
+  const Entry file(json, std::string(name),
+                   {"format", "source", "landmarks", "hairline", "cm_per_unit", "crop", "regions", "curves"});
   CheckFormat(file);
   AnnotationFile result;
   const auto landmarks = file.get<std::vector<int>>("landmarks");
@@ -113,15 +129,24 @@ AnnotationFile ParseAnnotationFile(std::string_view text, std::string_view name)
   std::copy(landmarks.begin(), landmarks.end(), result.landmarks.begin());
   result.hairline = file.get<int>("hairline");
 
-  const Entry crop(file.at("crop"), fmt::format("{}: crop", name), {"seed", "cuts"});
-  result.crop_seed = crop.get<int>("seed");
-  for (const Json& cut : crop.at("cuts"))
-    result.cuts.push_back(ParseLoop(cut, fmt::format("{}: cut {}", name, result.cuts.size())));
-  for (const auto& [region, rule] : file.at("regions").items()) {
-    result.regions.push_back(ParseRegion(region, rule, fmt::format("{}: region {}", name, region)));
+  if (file.has("cm_per_unit")) {
+    result.cm_per_unit = file.get<double>("cm_per_unit");
+    DAUMIER_CHECK(*result.cm_per_unit > 0, "{}: 'cm_per_unit' is {}, expected a positive number", name,
+                  *result.cm_per_unit);
   }
-  for (const Json& curve : file.at("curves")) {
-    result.curves.push_back(ParseCurve(curve, fmt::format("{}: curve {}", name, result.curves.size())));
+  if (file.has("crop")) {
+    const Entry crop(file.at("crop"), fmt::format("{}: crop", name), {"seed", "cuts"});
+    result.crop_seed = crop.get<int>("seed");
+    for (const Json& cut : crop.at("cuts"))
+      result.cuts.push_back(ParseLoop(cut, fmt::format("{}: cut {}", name, result.cuts.size())));
+  }
+  if (file.has("regions")) {
+    for (const auto& [region, rule] : file.at("regions").items())
+      result.regions.push_back(ParseRegion(region, rule, fmt::format("{}: region {}", name, region)));
+  }
+  if (file.has("curves")) {
+    for (const Json& curve : file.at("curves"))
+      result.curves.push_back(ParseCurve(curve, fmt::format("{}: curve {}", name, result.curves.size())));
   }
   return result;
 }

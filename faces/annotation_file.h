@@ -18,13 +18,15 @@ struct WaypointLoop {
   std::string mirror_of;
 };
 
-/// The vertices of the polygons that are reached from a seed without crossing a loop, or those of an index range.
+/// The vertices of the polygons that are reached from a seed without crossing a loop, those of an index range, or
+/// those of a list.
 struct RegionRule {
   std::string name;
   std::vector<int> loop;
   int seed = -1;
   std::string mirror_of;
   std::optional<std::pair<int, int>> range;  ///< First and last, both included.
+  std::vector<int> vertices = {};
 };
 
 struct CurveRule {
@@ -32,19 +34,21 @@ struct CurveRule {
   bool mirror = false;  ///< Also its mirror image, with left and right exchanged in the name.
 };
 
-/// faces/annotations/<source>.json: what a person told about a topology, in the source's own vertex numbers.
-/// docs/annotation.md describes the format.
+/// What a person told about a topology, in the source's own vertex numbers: faces/annotations/<source>.json, or a file
+/// of the user's. docs/annotation.md describes the format.
 struct AnnotationFile {
   static constexpr int kFormat = 1;
 
   std::array<int, 68> landmarks{};
   int hairline = -1;
-  int crop_seed = -1;
+  std::optional<double> cm_per_unit;  ///< Length of the source's unit; absent: what its importer takes for granted.
+  std::optional<int> crop_seed;       ///< Absent: the whole mesh is kept.
   std::vector<WaypointLoop> cuts;
   std::vector<RegionRule> regions;
   std::vector<CurveRule> curves;
 };
 
+/// Only format, landmarks and hairline have to be there.
 /// @throws Error naming the file and the key on malformed JSON, a missing or unknown entry, or another format version.
 AnnotationFile ParseAnnotationFile(std::string_view text, std::string_view name);
 

@@ -14,6 +14,8 @@ namespace daumier::faces {
 
 namespace {
 
+constexpr size_t kBlock = size_t{1} << 22;
+
 struct CloseArchive {
   void operator()(archive* reader) const { archive_read_free(reader); }
 };
@@ -41,9 +43,10 @@ void ForEachFile(const std::filesystem::path& folder_or_archive,
   const std::unique_ptr<archive, CloseArchive> reader(archive_read_new());
   archive_read_support_filter_all(reader.get());
   archive_read_support_format_tar(reader.get());
+  archive_read_support_format_zip(reader.get());
   const auto check = [&](la_ssize_t code) {
     DAUMIER_CHECK(code >= ARCHIVE_WARN || code > 0,
-                  "{} cannot be read as a tar archive: {}; it may be truncated, get it again",
+                  "{} cannot be read as a tar or zip archive: {}; it may be truncated, get it again",
                   folder_or_archive.string(),
                   archive_error_string(reader.get()) ? archive_error_string(reader.get()) : "no cause given");
   };
@@ -56,12 +59,19 @@ void ForEachFile(const std::filesystem::path& folder_or_archive,
     const std::string path = archive_entry_pathname(entry);
     if (archive_entry_filetype(entry) != AE_IFREG || !wanted(path)) continue;
     const int64_t size = archive_entry_size(entry);
-    constexpr int64_t kLargest = int64_t{1} << 30;  // no face data comes near it; a hostile header asks for more
+    constexpr int64_t kLargest = int64_t{1} << 32;  // no face data comes near it; a hostile header asks for more
     DAUMIER_CHECK(size >= 0 && size <= kLargest, "{}: {} claims {} bytes", folder_or_archive.string(), path, size);
-    content.resize(size);
-    const la_ssize_t got = archive_read_data(reader.get(), content.data(), content.size());
-    check(got);
-    DAUMIER_CHECK(got == size, "{}: {} is truncated, {} of {} bytes", folder_or_archive.string(), path, got, size);
+    // Grows with what is there, not with what the header claims.
+    content.clear();
+    for (la_ssize_t got = 1; got > 0;) {
+      const size_t begin = content.size();
+      content.resize(std::min<size_t>(begin + kBlock, static_cast<size_t>(size) + 1));
+      got = archive_read_data(reader.get(), content.data() + begin, content.size() - begin);
+      check(got);
+      content.resize(begin + static_cast<size_t>(std::max<la_ssize_t>(got, 0)));
+    }
+    DAUMIER_CHECK(static_cast<int64_t>(content.size()) == size, "{}: {} is truncated, {} of {} bytes",
+                  folder_or_archive.string(), path, content.size(), size);
     use(path, content);
   }
 }

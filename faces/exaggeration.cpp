@@ -13,12 +13,13 @@ namespace daumier::faces {
 
 namespace {
 
+constexpr const char* kPurpose = "exaggeration";
 constexpr double kFlat = 1e-6;  // 1/cm^2: what is flatter counts as this flat, so that a logarithm exists
 
 std::vector<int> FixedVertices(const Annotation& annotation) {
   std::vector<int> fixed;
   for (const char* region : {"eyes", "mouth", "neck_border"}) {
-    const auto& vertices = annotation.regions.at(region);
+    const auto& vertices = RegionFor(annotation, region, kPurpose);
     fixed.insert(fixed.end(), vertices.begin(), vertices.end());
   }
   std::sort(fixed.begin(), fixed.end());
@@ -67,12 +68,13 @@ Eigen::VectorXd CurvatureExponent(const FaceTemplate& face_template, const geome
   CheckSize(face_template, face);
   const geometry::TriangleMesh mesh{face, face_template.triangles};
   const auto neighbours = geometry::VertexNeighbours(mesh.triangles, face_template.num_vertices());
-  const auto& regions = face_template.annotation.regions;
-  const std::vector<int> fixed = FixedVertices(face_template.annotation);
+  const Annotation& annotation = face_template.annotation;
+  const std::vector<int> fixed = FixedVertices(annotation);
   Eigen::VectorXd exponent = LogCurvatureRatio(mesh, neighbours, fixed, options);
-  ScaleNoseAsOne(mesh, neighbours, regions.at("nose"), options.blend_rings, exponent);
-  exponent.array() *= Fade(neighbours, fixed, 0.0, options.blend_rings).array() *
-                      Fade(neighbours, regions.at("ears"), options.ear_damping, options.blend_rings).array();
+  ScaleNoseAsOne(mesh, neighbours, RegionFor(annotation, "nose", kPurpose), options.blend_rings, exponent);
+  exponent.array() *=
+      Fade(neighbours, fixed, 0.0, options.blend_rings).array() *
+      Fade(neighbours, RegionFor(annotation, "ears", kPurpose), options.ear_damping, options.blend_rings).array();
   return exponent;
 }
 

@@ -31,7 +31,8 @@ struct ExaggerationOptions {
 /// Kbar], Kbar the area-weighted geometric mean of |K| over what is free to move, d the damping (ear_damping on the
 /// ears, fading from 0 to 1 around the regions eyes, mouth and neck_border, where curvature is not stable); on the nose
 /// log(|K| / Kbar) is its mean over the nose, so that the nose is scaled as one and its nostrils do not pass through
-/// its wings. @throws Error if `face` has another number of vertices, or if eyes, mouth and neck are the whole surface.
+/// its wings. @throws Error if `face` has another number of vertices, if eyes, mouth and neck are the whole surface, or
+/// naming the region that the annotation lacks.
 Eigen::VectorXd CurvatureExponent(const FaceTemplate& face_template, const geometry::Points& face,
                                   const ExaggerationOptions& options);
 

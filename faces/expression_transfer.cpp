@@ -27,14 +27,18 @@ ExpressionTransfer::ExpressionTransfer(const FaceModel& model, const std::vector
     gradients_.push_back(geometry::ComputeDeformationGradients(rest, poses.back(), kUnchanged));
   }
   pinned_ = geometry::StillVertices(rest.vertices, poses, kStillCm);
-  DAUMIER_CHECK(!pinned_.empty(),
-                "the expressions of source {} move every vertex by more than {} cm; none can be pinned",
-                model.face_template.source, kStillCm);
+  if (!pinned_.empty()) return;
+  linear_offsets_.resize(model.expression_shapes.rows(), expressions.size());
+  for (size_t e = 0; e < expressions.size(); ++e)
+    linear_offsets_.col(Eigen::Index(e)) = ExpressionOffset(model, expressions[e].weights);
 }
 
 Eigen::MatrixXf ExpressionTransfer::Offsets(const geometry::Points& neutral, unsigned max_threads) const {
   DAUMIER_CHECK(neutral.rows() == num_vertices_, "the face has {} vertices, its template {}", neutral.rows(),
                 num_vertices_);
+  if (pinned_.empty()) return linear_offsets_;
+  if (static_cast<Eigen::Index>(pinned_.size()) == num_vertices_)
+    return Eigen::MatrixXf::Zero(3 * num_vertices_, num_expressions());
   const geometry::DeformationTransfer transfer({neutral, triangles_}, pinned_);
   Eigen::MatrixXf offsets(3 * num_vertices_, num_expressions());
   int column = 0;

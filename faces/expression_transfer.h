@@ -9,11 +9,12 @@ namespace daumier::faces {
 /// Carries expressions of a model's template to other neutral faces of its topology by deformation transfer [Sumner and
 /// Popovic 2004], so that a face that was exaggerated also smiles with its own mouth. Vertices that no expression moves
 /// on the template stay where they are.
+/// Expressions that move every vertex, as the modes of statistical models do, leave nothing to pin: they are added as
+/// they are, which is what such a model means by them.
 /// Promises: on the template itself every expression is the linear one; neutral moves nothing.
 class ExpressionTransfer {
  public:
-  /// Keeps the deformation gradients of every expression. @throws Error if a number of weights differs, or the
-  /// expressions leave no vertex alone.
+  /// Keeps the deformation gradients of every expression. @throws Error if a number of weights differs.
   ExpressionTransfer(const FaceModel& model, const std::vector<Expression>& expressions);
 
   /// 3V x E: the displacement of each expression on a neutral face (V x 3, cm), on up to `max_threads` cores.
@@ -26,6 +27,7 @@ class ExpressionTransfer {
   geometry::Triangles triangles_;
   Eigen::Index num_vertices_;
   std::vector<int> pinned_;
+  Eigen::MatrixXf linear_offsets_;  ///< 3V x E where nothing can be pinned, else empty.
   std::vector<geometry::DeformationGradients> gradients_;
 };
 

@@ -218,7 +218,8 @@ int FaceDatabase::index(const FaceId& id) const {
 
 std::span<const float> FaceDatabase::identity_weights(int person) const {
   DAUMIER_CHECK(person >= 0 && person < num_persons_, "person {} of a database of {} persons", person, num_persons_);
-  return shards_[person].at("identity_weights").As<float>();
+  const SafetensorsFile& shard = shards_[person];
+  return shard.contains("identity_weights") ? shard.at("identity_weights").As<float>() : std::span<const float>();
 }
 
 std::vector<int> FaceDatabase::persons(int face) const {

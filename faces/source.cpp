@@ -1,17 +1,57 @@
 #include "faces/source.h"
 
+#include "core/files.h"
 #include "faces/ict.h"
+#include "faces/import/bfm.h"
+#include "faces/import/facescape.h"
+#include "faces/import/facewarehouse.h"
+#include "faces/import/flame.h"
+#include "faces/import/mesh_folder.h"
 #include "faces/makehuman.h"
 
 namespace daumier::faces {
 
-FaceModel LoadFaceModel(const SourceOptions& options) {
-  if (options.name == "ict") {
-    if (options.path.empty())
-      throw UsageError("source ict needs source.path: a checkout of ICT-FaceKit or its tar archive");
-    return LoadIct(options.path);
+namespace {
+
+AnnotationFile ReadAnnotation(const SourceOptions& options) {
+  if (options.annotation.empty()) {
+    throw UsageError(fmt::format(
+        "source {} needs source.annotation: a JSON file that tells at least landmarks and hairline of its topology "
+        "(docs/annotation.md)",
+        options.name));
   }
-  return LoadMakeHuman(options.path.empty() ? DefaultMakeHumanFolder() : std::filesystem::path(options.path));
+  return ParseAnnotationFile(ReadFile(options.annotation), options.annotation);
+}
+
+}  // namespace
+
+std::variant<FaceModel, GivenFaces> LoadSource(const SourceOptions& options) {
+  if (options.name == "makehuman")
+    return LoadMakeHuman(options.path.empty() ? DefaultMakeHumanFolder() : std::filesystem::path(options.path));
+  if (options.path.empty()) {
+    const char* const hint = options.name == "ict" ? "a checkout of ICT-FaceKit or its tar archive"
+                                                   : "your own copy of it (docs/importers.md)";
+    throw UsageError(fmt::format("source {} needs source.path: {}", options.name, hint));
+  }
+  if (options.name == "ict") return LoadIct(options.path);
+  const AnnotationFile annotation = ReadAnnotation(options);
+  if (options.name == "bfm") return LoadBfm(options.path, annotation);
+  if (options.name == "flame") return LoadFlame(options.path, annotation);
+  if (options.name == "facescape") return LoadFaceScape(options.path, annotation);
+  if (options.name == "caricshop") return LoadCaricShop(options.path, annotation);
+  if (options.name == "facewarehouse" || options.name == "facewarehouse_poses") {
+    const auto set =
+        options.name == "facewarehouse" ? FaceWarehouseSet::kBlendshapes : FaceWarehouseSet::kTrainingPoses;
+    return LoadFaceWarehouse(options.path, options.template_mesh, set, annotation);
+  }
+  return LoadMeshFolder(options.path, annotation, options.person == "folder" ? PersonOf::kFolder : PersonOf::kFile,
+                        options.licence);
+}
+
+FaceModel LoadFaceModel(const SourceOptions& options) {
+  auto source = LoadSource(options);
+  if (auto* model = std::get_if<FaceModel>(&source)) return std::move(*model);
+  throw UsageError(fmt::format("source {} gives faces, not a model of which new ones are drawn", options.name));
 }
 
 }  // namespace daumier::faces

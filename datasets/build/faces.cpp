@@ -2,11 +2,13 @@
 
 #include "core/error.h"
 #include "datasets/build/faces_plan.h"
+#include "datasets/build/given_faces.h"
 #include "datasets/build/interpolation.h"
 #include "datasets/build/person_faces.h"
 #include "faces/face_database.h"
 
 #include <algorithm>
+#include <variant>
 
 namespace daumier::datasets {
 namespace {
@@ -63,7 +65,9 @@ void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, cons
 }
 
 void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory) {
-  BuildFaces(faces::LoadFaceModel(options.source), options, directory);
+  const auto source = faces::LoadSource(options.source);
+  if (const auto* given = std::get_if<faces::GivenFaces>(&source)) return BuildGivenFaces(*given, options, directory);
+  BuildFaces(std::get<faces::FaceModel>(source), options, directory);
 }
 
 }  // namespace daumier::datasets

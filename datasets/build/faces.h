@@ -28,7 +28,9 @@ struct FacesOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("source", source, Table{}, "Where faces come from.");
-    visit("num_persons", num_persons, Range{1, 100000}, "Persons; each gets every level and expression.");
+    visit("num_persons", num_persons, Range{1, 100000},
+          "Persons that are drawn from a model, each in every level and expression. Meshes are taken as many as there "
+          "are.");
     visit("seed", seed, Range{0, 9e15}, "Of all that is drawn at random.");
     visit("identity_spread", identity_spread, Range{0.0, 3.0}, "Multiplies the deviation of every identity control.");
     visit("expressions", expressions, Text{}, "Names of expressions, neutral first; empty for all of the source.");
@@ -52,7 +54,8 @@ struct FacesOptions {
 ///   strength of that expression, from Stream(seed, "expression strengths", p), so that the faces are no plain
 ///   bilinear product of persons and expressions.
 /// - Interpolated faces are Interpolate of faces of two persons of a family (datasets/build/interpolation.h).
-/// Goes on where an earlier, stopped build of the same options ended.
+/// A source that gives faces instead of a model goes to BuildGivenFaces. Goes on where an earlier, stopped build of the
+/// same options ended.
 /// @throws Error as BuildShards; UsageError on an unknown expression, if neutral or gamma 0 is not first, or if there
 /// is nobody to interpolate with.
 void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory);

@@ -34,6 +34,10 @@ ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOpti
                        const std::vector<std::string>& expressions) {
   const std::vector<double>& gammas = options.exaggeration.gammas;
   if (gammas.empty() || gammas.front() != 0.0) throw UsageError("the first of exaggeration.gammas has to be 0");
+  if (gammas.size() > 1) {
+    for (const char* region : {"eyes", "mouth", "neck_border", "nose", "ears"})
+      faces::RegionFor(face_template.annotation, region, "exaggeration (every gamma but 0)");
+  }
   ShardedBuild build;
   build.manifest.kind = "faces";
   build.manifest.verb = "dataset faces";

@@ -16,7 +16,8 @@ std::vector<int> ChooseExpressions(const std::vector<std::string>& available, co
 
 /// What every build of faces has in common: the manifest with counts, sources and details, the shards' names, and the
 /// template beside them; write_shard is left empty. Keeps a reference to `face_template`.
-/// @throws UsageError if gamma 0 is not the first.
+/// @throws UsageError if gamma 0 is not the first; Error if a gamma is above 0 and the annotation lacks a region that
+/// exaggeration needs, so that nothing is begun that cannot end.
 ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
                        const std::vector<std::string>& expressions);
 

@@ -32,16 +32,17 @@ PersonFacesMaker::PersonFacesMaker(const faces::FaceModel& model, const std::vec
   if (options.levels == "parts") parts_ = faces::MakeFaceParts(model.face_template, options.parts.blend_rings);
 }
 
-std::vector<geometry::Points> PersonFacesMaker::Levels(const geometry::Points& neutral, int person,
-                                                       PersonArrays& arrays) const {
-  if (options_.levels == "whole") return faces::Exaggerate(model_.face_template, neutral, options_.exaggeration);
-  Rng rng = Stream(options_.seed, "parts", person);
+std::vector<geometry::Points> MakeLevels(const faces::FaceTemplate& face_template, const faces::FaceParts& parts,
+                                         const geometry::Points& neutral, const FacesOptions& options, int person,
+                                         PersonArrays& arrays) {
+  if (options.levels == "whole" && options.exaggeration.gammas == std::vector<double>{0.0}) return {neutral};
+  if (options.levels == "whole") return faces::Exaggerate(face_template, neutral, options.exaggeration);
+  Rng rng = Stream(options.seed, "parts", person);
   std::vector<geometry::Points> levels;
-  for (const double gamma : options_.exaggeration.gammas) {
-    const faces::PartStrengths strengths =
-        faces::DrawPartStrengths(model_.face_template, parts_, gamma, options_.parts, rng);
+  for (const double gamma : options.exaggeration.gammas) {
+    const faces::PartStrengths strengths = faces::DrawPartStrengths(face_template, parts, gamma, options.parts, rng);
     Append(strengths, arrays);
-    levels.push_back(faces::ExaggerateParts(model_.face_template, parts_, neutral, strengths, options_.exaggeration));
+    levels.push_back(faces::ExaggerateParts(face_template, parts, neutral, strengths, options.exaggeration));
   }
   return levels;
 }
@@ -56,7 +57,8 @@ PersonArrays PersonFacesMaker::Make(int person) const {
   PersonArrays arrays;
   arrays.identity_weights.assign(identity.begin(), identity.end());
   arrays.expression_strengths.assign(strengths.begin(), strengths.end());
-  for (const geometry::Points& level : Levels(faces::IdentityFace(model_, identity), person, arrays)) {
+  const geometry::Points neutral = faces::IdentityFace(model_, identity);
+  for (const geometry::Points& level : MakeLevels(model_.face_template, parts_, neutral, options_, person, arrays)) {
     const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
     const Eigen::MatrixXf offsets = transfer_.Offsets(level);
     for (Eigen::Index e = 0; e < offsets.cols(); ++e) {

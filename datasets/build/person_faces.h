@@ -7,6 +7,13 @@
 
 namespace daumier::datasets {
 
+/// The levels of a person's neutral face as options.levels tells; strengths of parts are drawn from Stream(seed,
+/// "parts", person) and appended to arrays.part_strengths. With gamma 0 alone, exaggerated as a whole, it is the face
+/// itself, which needs no region of the annotation. `parts` is not looked at unless levels are by parts.
+std::vector<geometry::Points> MakeLevels(const faces::FaceTemplate& face_template, const faces::FaceParts& parts,
+                                         const geometry::Points& neutral, const FacesOptions& options, int person,
+                                         PersonArrays& arrays);
+
 /// Makes all faces of a person as BuildFaces tells. Keeps references to the model and the options.
 class PersonFacesMaker {
  public:
@@ -18,8 +25,6 @@ class PersonFacesMaker {
   PersonArrays Make(int person) const;
 
  private:
-  std::vector<geometry::Points> Levels(const geometry::Points& neutral, int person, PersonArrays& arrays) const;
-
   const faces::FaceModel& model_;
   const FacesOptions& options_;
   faces::ExpressionTransfer transfer_;

@@ -32,7 +32,9 @@ CurveLayout FrontalCurves(const faces::FaceTemplate& face_template) {
     layout.kinds.push_back(static_cast<int32_t>(kind - kinds.begin()));
     layout.curves.push_back({{"name", curve.name}, {"kind", curve.kind}, {"closed", curve.closed}});
   }
-  DAUMIER_CHECK(!layout.kinds.empty(), "the template of source {} has no frontal curve to draw", face_template.source);
+  DAUMIER_CHECK(!layout.kinds.empty(),
+                "the template of source {} has no frontal curve to draw; add 'curves' to its annotation",
+                face_template.source);
   return layout;
 }
 

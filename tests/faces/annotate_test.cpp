@@ -103,11 +103,79 @@ TEST(Annotate, WhatDoesNotFitIsRefusedByName) {
   refused([](AnnotationFile& f) { f.curves[1].curve.name = "brow_right"; }, "brow_right");
   refused([](AnnotationFile& f) { f.regions.erase(f.regions.begin()); }, "region 'face' is missing");
   refused([](AnnotationFile& f) { f.regions[3].mirror_of = "tail"; }, "tail");
+  refused([](AnnotationFile& f) { f.regions[0].range = {0, 2147483647}; }, "region face: vertex 2147483647");
   refused(
       [](AnnotationFile& f) {
         f.cuts.push_back({.name = "hole", .waypoints = Border(-1, 1, 17, 19), .mirror_of = {}});
       },
       "5 holes");
+}
+
+/// Landmarks and hairline of the whole synthetic face.
+AnnotationFile LeastFile() {
+  AnnotationFile file;
+  file.landmarks = testing::SyntheticFace().annotation.landmarks;
+  file.hairline = Grid().at(0, 21);
+  return file;
+}
+
+FaceTemplate LeastAnnotated(const geometry::PolygonMesh& mesh, const AnnotationFile& file) {
+  return Annotate(mesh, file, "foreign", Completeness::kLandmarks).face_template;
+}
+
+TEST(Annotate, LandmarksAreEnoughForAForeignTopology) {
+  const FaceTemplate face = LeastAnnotated(Grid().mesh(), LeastFile());
+  testing::ExpectSoundTopology(face);
+  EXPECT_EQ(face.num_vertices(), Grid().mesh().vertices.rows());
+  EXPECT_EQ(face.annotation.mirror, Grid().Mirror());
+  const auto& regions = face.annotation.regions;
+  EXPECT_EQ(static_cast<int>(regions.at("face").size()), face.num_vertices());
+  EXPECT_EQ(regions.at("neck_border"), Grid().Block(0, SyntheticGrid::kHalf, 0, 0));
+  EXPECT_EQ(regions.count("eyes") + regions.count("mouth"), 2u);
+  EXPECT_EQ(regions.count("nose") + regions.count("ears"), 0u);
+  ExpectError([&] { Annotate(Grid().mesh(), LeastFile(), "strict"); }, "region 'face' is missing");
+}
+
+TEST(Annotate, ToldRegionsStandInForHolesThatAreNotThere) {
+  const FaceTemplate open = testing::SyntheticFace();
+  geometry::PolygonMesh closed{open.neutral, {0}, {}};
+  const auto add = [&](const geometry::Triangles& triangles) {
+    for (const auto& t : triangles.rowwise()) {
+      closed.corners.insert(closed.corners.end(), {t[0], t[1], t[2]});
+      closed.offsets.push_back(static_cast<int>(closed.corners.size()));
+    }
+  };
+  add(open.triangles);
+  add(open.closing_triangles);
+  AnnotationFile file = LeastFile();
+  EXPECT_EQ(LeastAnnotated(closed, file).annotation.regions.count("mouth"), 0u);
+  file.regions = {{.name = "mouth", .loop = {}, .seed = -1, .mirror_of = {}, .range = {}, .vertices = {9, 4, 9}}};
+  EXPECT_EQ(LeastAnnotated(closed, file).annotation.regions.at("mouth"), (std::vector<int>{4, 9}));
+}
+
+TEST(Annotate, AsymmetricMeshesHaveNoMirrorAndMirrorNothing) {
+  geometry::PolygonMesh bent = Grid().mesh();
+  bent.vertices(Grid().at(5, 18), 2) += 0.5;
+  AnnotationFile file = LeastFile();
+  EXPECT_TRUE(LeastAnnotated(bent, file).annotation.mirror.empty());
+  ExpectError([&] { Annotate(bent, File(), "strict"); }, "the mesh is not its own mirror image");
+  file.curves = {File().curves[0]};
+  ExpectError([&] { LeastAnnotated(bent, file); }, "curve brow_left: the mesh is not its own mirror image");
+}
+
+TEST(Annotate, WrongUnitsAxesAndSidesAreFound) {
+  geometry::PolygonMesh mesh = Grid().mesh();
+  mesh.vertices *= 10;
+  ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "'cm_per_unit'");
+  mesh = Grid().mesh();
+  mesh.vertices.col(1) *= -1;
+  ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "has to stand upright");
+  mesh = Grid().mesh();
+  mesh.vertices.col(2) *= -1;
+  ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "look to +z");
+  AnnotationFile swapped = LeastFile();
+  std::swap(swapped.landmarks[0], swapped.landmarks[16]);
+  ExpectError([&] { LeastAnnotated(Grid().mesh(), swapped); }, "its own left at +x");
 }
 
 }  // namespace

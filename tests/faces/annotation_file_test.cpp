@@ -63,6 +63,31 @@ TEST(AnnotationFile, FaultsAreRefusedByFileAndKey) {
   ExpectRefused([](Json& json) { json["curves"][0]["kind"] = "beard"; }, "kind 'beard' is none of silhouette");
   ExpectRefused([](Json& json) { json["curves"][0]["view"] = "back"; }, "view 'back'");
   ExpectRefused([](Json& json) { json["regions"]["nose"].erase("seed"); }, "region nose");
+  ExpectRefused([](Json& json) { json["regions"]["face"]["range"] = {9, 0}; }, "range [9, 0] is empty");
+  ExpectRefused([](Json& json) { json["cm_per_unit"] = -1; }, "'cm_per_unit' is -1");
+}
+
+TEST(AnnotationFile, LandmarksAndHairlineAreEnough) {
+  const Json json = {{"format", 1}, {"landmarks", std::vector<int>(68, 7)}, {"hairline", 3}};
+  const AnnotationFile file = ParseAnnotationFile(json.dump(), "least.json");
+  EXPECT_FALSE(file.crop_seed.has_value() || file.cm_per_unit.has_value());
+  EXPECT_TRUE(file.cuts.empty() && file.regions.empty() && file.curves.empty());
+}
+
+TEST(AnnotationFile, RegionsMayBeListsAndUnitsTold) {
+  Json json = SmallAnnotation();
+  json["cm_per_unit"] = 2.5;
+  json["regions"]["eyes"] = {{"vertices", {4, 2}}};
+  const AnnotationFile file = ParseAnnotationFile(json.dump(), "small.json");
+  EXPECT_EQ(file.cm_per_unit, 2.5);
+  EXPECT_EQ(file.regions.back().vertices, (std::vector<int>{4, 2}));
+}
+
+TEST(Region, MissingOneIsNamedWithWhatNeedsIt) {
+  Annotation annotation;
+  annotation.regions["nose"] = {1, 2};
+  EXPECT_EQ(RegionFor(annotation, "nose", "exaggeration").size(), 2u);
+  ExpectError([&] { RegionFor(annotation, "ears", "exaggeration"); }, "exaggeration needs the region 'ears'");
 }
 
 TEST(ExpressionFile, FirstIsNeutralAndNamesAreUnique) {

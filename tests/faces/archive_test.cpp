@@ -72,7 +72,7 @@ TEST_F(ArchiveTest, FlippedByteInACompressedArchiveIsRefused) {
 TEST_F(ArchiveTest, WhatIsMissingOrNoArchiveIsRefused) {
   ExpectError([&] { ReadAll(directory_ / "nowhere"); }, "does not exist");
   WriteFileAtomically(directory_ / "note.tar", "this is no archive, though it is called one");
-  ExpectError([&] { ReadAll(directory_ / "note.tar"); }, "cannot be read as a tar archive");
+  ExpectError([&] { ReadAll(directory_ / "note.tar"); }, "cannot be read as a tar or zip archive");
 }
 
 }  // namespace

@@ -52,6 +52,21 @@ TEST(ExpressionTransfer, ALargerFaceMovesAsMuchMore) {
   EXPECT_LT((twice - 2 * plain).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+TEST(ExpressionTransfer, ModesThatMoveEveryVertexAreAddedAsTheyAre) {
+  FaceModel model = testing::SyntheticModel();
+  model.expression_shapes.array() += 0.01f;
+  const geometry::Points larger = 1.5 * model.face_template.neutral;
+  const Eigen::MatrixXf offsets =
+      ExpressionTransfer(model, {model.expressions[1], model.expressions[2]}).Offsets(larger);
+  EXPECT_EQ(offsets.col(0), ExpressionOffset(model, model.expressions[1].weights));
+  EXPECT_EQ(offsets.col(1), ExpressionOffset(model, model.expressions[2].weights));
+}
+
+TEST(ExpressionTransfer, NeutralAloneMovesNothing) {
+  const FaceModel model = testing::SyntheticModel();
+  EXPECT_TRUE(ExpressionTransfer(model, {model.expressions[0]}).Offsets(model.face_template.neutral).isZero());
+}
+
 TEST(ExpressionTransfer, ThreadsDoNotMatter) {
   const FaceModel model = testing::SyntheticModel();
   const ExpressionTransfer transfer(model, model.expressions);

@@ -138,6 +138,32 @@ TEST_F(InterpolatedFacesTest, ParentsOfTwoGroupsOrOutsideTheGridAreRefused) {
   ExpectRefused("face 12 is no parent");
 }
 
+TEST_F(FaceDatabaseTest, GroupsTellWhoIsTheSameInTruth) {
+  EXPECT_EQ(FaceDatabase(directory_.path()).groups(), (std::vector<int>{0, 1}));
+  manifest_.details["groups"] = {"bob", "bob"};
+  WriteManifest(directory_.path(), manifest_);
+  EXPECT_EQ(FaceDatabase(directory_.path()).groups(), (std::vector<int>{0, 0}));
+  manifest_.details["groups"] = {"bob"};
+  WriteManifest(directory_.path(), manifest_);
+  ExpectRefused("tells the groups of 1 persons, there are 2");
+  manifest_.details["groups"] = {1, 2};
+  WriteManifest(directory_.path(), manifest_);
+  ExpectRefused("malformed");
+}
+
+TEST_F(FaceDatabaseTest, TemplatesWithoutMirrorAndHolesAreReadBack) {
+  FaceTemplate bare = template_;
+  bare.closing_triangles.resize(0, 3);
+  bare.num_eye_closing_triangles = 0;
+  bare.annotation.mirror.clear();
+  bare.annotation.curves.clear();
+  WriteFaceTemplate(directory_.path(), bare);
+  const FaceTemplate read = ReadFaceTemplate(directory_.path());
+  EXPECT_EQ(read.closing_triangles.rows(), 0);
+  EXPECT_TRUE(read.annotation.mirror.empty() && read.annotation.curves.empty());
+  EXPECT_EQ(read.triangles, bare.triangles);
+}
+
 TEST_F(FaceDatabaseTest, IndicesOutsideAreRefused) {
   const FaceDatabase database(directory_.path());
   ExpectError([&] { database.vertices(12); }, "face 12 of a database of 12");

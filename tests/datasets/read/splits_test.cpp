@@ -88,6 +88,33 @@ TEST_F(SplitTest, TooFewPersonsAreRefused) {
   ExpectError([&] { MakeSplit(*database_, {.kind = "person", .validation = 0.5, .test = 0.5}, 1); }, "too few");
 }
 
+TEST_F(SplitTest, PersonsOfOneGroupStayOnOneSide) {
+  const auto grouped = *folder_ / "grouped";
+  std::filesystem::copy(*folder_ / "faces", grouped, std::filesystem::copy_options::recursive);
+  Manifest manifest = ReadManifest(grouped, "faces");
+  manifest.details["groups"] = {"ann", "bob", "ann", "bob", "cher", "ann", "dan", "bob"};
+  WriteManifest(grouped, manifest);
+  const faces::FaceDatabase database(grouped);
+  EXPECT_EQ(database.groups(), (std::vector<int>{0, 1, 0, 1, 2, 0, 3, 1}));
+  for (uint64_t seed = 0; seed < 12; ++seed) {
+    const Split split = MakeSplit(database, {.kind = "person", .validation = 0.25, .test = 0.25}, seed);
+    std::set<int> sides[3];
+    int side = 0;
+    for (const auto* faces : {&split.train, &split.validation, &split.test}) {
+      for (const int face : *faces) sides[side].insert(database.groups()[database.id(face).person]);
+      ++side;
+    }
+    EXPECT_EQ(sides[0].size(), 2u);
+    EXPECT_EQ(sides[1].size(), 1u);
+    EXPECT_EQ(sides[2].size(), 1u);
+    std::set<int> all = sides[0];
+    all.insert(sides[1].begin(), sides[1].end());
+    all.insert(sides[2].begin(), sides[2].end());
+    EXPECT_EQ(all.size(), 4u) << "a group stands on two sides";
+    EXPECT_EQ(split.train.size() + split.validation.size() + split.test.size(), 64u);
+  }
+}
+
 TEST_F(SplitTest, JsonNamesPersonsAndFaces) {
   const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.125, .test = 0.25}, 3);
   const Json json = SplitToJson(*database_, split);

@@ -1,0 +1,51 @@
+#include "datasets/build/given_faces.h"
+
+#include "core/error.h"
+#include "datasets/build/faces_plan.h"
+#include "datasets/build/person_faces.h"
+
+namespace daumier::datasets {
+namespace {
+
+PersonArrays MakePerson(const faces::GivenFaces& given, const faces::FaceParts& parts, int person,
+                        const std::vector<int>& expressions, const FacesOptions& options) {
+  const geometry::Points neutral = given.face(person, 0);
+  std::vector<geometry::Points> offsets;
+  for (const int expression : expressions) offsets.push_back(given.face(person, expression) - neutral);
+  PersonArrays arrays;
+  for (const geometry::Points& level : MakeLevels(given.face_template, parts, neutral, options, person, arrays)) {
+    for (const geometry::Points& offset : offsets) {
+      const geometry::Points face = level + offset;
+      arrays.vertices.insert(arrays.vertices.end(), face.data(), face.data() + face.size());
+    }
+  }
+  return arrays;
+}
+
+}  // namespace
+
+void BuildGivenFaces(const faces::GivenFaces& given, const FacesOptions& options,
+                     const std::filesystem::path& directory) {
+  if (options.num_interpolated > 0) {
+    throw UsageError(fmt::format("faces of source {} are taken as they are; num_interpolated has to be 0",
+                                 given.face_template.source));
+  }
+  const std::vector<int> chosen = ChooseExpressions(given.expressions, options.expressions, given.face_template.source);
+  std::vector<std::string> names;
+  for (const int expression : chosen) names.push_back(given.expressions[expression]);
+  ShardedBuild build = PlanFaces(given.face_template, options, static_cast<int>(given.names.size()), names);
+  build.manifest.config["num_persons"] = given.names.size();
+  build.manifest.details["names"] = given.names;
+  build.manifest.details["groups"] = given.groups;
+  faces::FaceParts parts;
+  if (options.levels == "parts") {
+    parts = faces::MakeFaceParts(given.face_template, options.parts.blend_rings);
+    build.manifest.details["parts"] = faces::FacePartNames();
+  }
+  build.write_shard = [&](int person, const std::filesystem::path& file) {
+    return WritePersonShard(file, build.manifest, MakePerson(given, parts, person, chosen, options));
+  };
+  BuildShards(directory, build);
+}
+
+}  // namespace daumier::datasets

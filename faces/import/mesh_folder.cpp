@@ -1,0 +1,107 @@
+#include "faces/import/mesh_folder.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "geometry/obj.h"
+#include "geometry/ply.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+namespace daumier::faces {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string LowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// Paths of all meshes below a folder, relative to it, in order of name.
+std::vector<fs::path> FindMeshes(const fs::path& folder) {
+  DAUMIER_CHECK(fs::is_directory(folder), "{} is not a folder", folder.string());
+  std::vector<fs::path> meshes;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string extension = LowerExtension(entry.path());
+    if (entry.is_regular_file() && (extension == ".obj" || extension == ".ply"))
+      meshes.push_back(fs::relative(entry.path(), folder));
+  }
+  std::sort(meshes.begin(), meshes.end());
+  DAUMIER_CHECK(!meshes.empty(), "{} holds no .obj or .ply mesh", folder.string());
+  return meshes;
+}
+
+GivenFiles FilesOf(const fs::path& folder, const std::vector<fs::path>& meshes, PersonOf person) {
+  GivenFiles files;
+  const auto mesh = std::make_shared<const geometry::PolygonMesh>(ReadMesh(folder / meshes.front()));
+  files.mesh = *mesh;
+  files.expressions = {"neutral"};
+  for (const fs::path& path : meshes) {
+    files.names.push_back(fs::path(path).replace_extension().generic_string());
+    files.groups.push_back(person == PersonOf::kFile ? files.names.back() : path.parent_path().generic_string());
+  }
+  files.face = [mesh, folder, meshes](int identity, int) -> geometry::Points {
+    const fs::path path = folder / meshes.at(identity);
+    const geometry::PolygonMesh face = ReadMesh(path);
+    CheckSameTopology(face, *mesh, path.string());
+    return face.vertices;
+  };
+  return files;
+}
+
+/// The folder tMesh itself, from a folder above it.
+fs::path FindTMesh(const fs::path& folder) {
+  if (folder.filename() == "tMesh") return folder;
+  for (const char* below : {"processedData/tMesh", "tMesh"}) {
+    if (fs::is_directory(folder / below)) return folder / below;
+  }
+  throw Error(fmt::format("{} holds no processedData/tMesh; is it 3DCaricShop?", folder.string()));
+}
+
+}  // namespace
+
+geometry::PolygonMesh ReadMesh(const fs::path& path) {
+  return LowerExtension(path) == ".ply" ? geometry::ReadPly(path) : geometry::ReadObj(path);
+}
+
+GivenFaces LoadMeshFolder(const fs::path& folder, const AnnotationFile& annotation, PersonOf person,
+                          const std::string& licence) {
+  GivenFiles files = FilesOf(folder, FindMeshes(folder), person);
+  files.source = "meshes";
+  files.provenance = {{"name", fmt::format("{} registered meshes", files.names.size())},
+                      {"version", ""},
+                      {"checksum", ""},
+                      {"licence", licence}};
+  return ImportGivenFaces(files, annotation);
+}
+
+GivenFaces LoadCaricShop(const fs::path& folder, const AnnotationFile& annotation) {
+  const fs::path root = FindTMesh(folder);
+  std::map<int64_t, std::vector<fs::path>> by_size;
+  size_t num_meshes = 0;
+  for (const fs::path& mesh : FindMeshes(root)) {
+    by_size[ReadMesh(root / mesh).vertices.rows()].push_back(mesh);
+    ++num_meshes;
+  }
+  const auto& [num_vertices, meshes] = *std::max_element(
+      by_size.begin(), by_size.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+  if (meshes.size() < num_meshes) {
+    log::Warn("{}: {} of {} meshes are passed over, since they do not have {} vertices like the others", root.string(),
+              num_meshes - meshes.size(), num_meshes, num_vertices);
+  }
+  GivenFiles files = FilesOf(root, meshes, PersonOf::kFolder);
+  files.source = "caricshop";
+  files.provenance = {{"name", "3DCaricShop"},
+                      {"version", "processedData/tMesh"},
+                      {"checksum", ""},
+                      {"licence", "3DCaricShop's terms: research only, on application; not to be passed on"}};
+  return ImportGivenFaces(files, annotation);
+}
+
+}  // namespace daumier::faces

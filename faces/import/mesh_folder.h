@@ -1,0 +1,32 @@
+#pragma once
+#include "faces/import/given_faces.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace daumier::faces {
+
+/// Positions and polygons of an .obj or .ply file. @throws Error as geometry::ReadObj and geometry::ReadPly.
+geometry::PolygonMesh ReadMesh(const std::filesystem::path& path);
+
+/// Whom a file of a mesh folder shows.
+enum class PersonOf {
+  kFile,    ///< Every file its own person.
+  kFolder,  ///< The files of one folder the same person.
+};
+
+/// Any folder of registered .obj and .ply meshes (recursively, in order of name), a neutral face each, in cm unless the
+/// annotation says otherwise. `licence` goes into the provenance as it is.
+/// @throws Error naming the first file that is unreadable or of another topology than the first; if there is no mesh;
+/// as ImportGivenFaces.
+GivenFaces LoadMeshFolder(const std::filesystem::path& folder, const AnnotationFile& annotation, PersonOf person,
+                          const std::string& licence);
+
+/// 3DCaricShop [Qiu et al. 2021]: processedData/tMesh/<Person>/<Caricature>.obj below `folder`, which may also be
+/// processedData or tMesh itself. The person is the folder's name. Meshes whose number of vertices is not that of the
+/// most are passed over; a warning counts them.
+/// @throws Error as LoadMeshFolder, and if there is no tMesh.
+GivenFaces LoadCaricShop(const std::filesystem::path& folder, const AnnotationFile& annotation);
+
+}  // namespace daumier::faces

@@ -1,0 +1,53 @@
+#include "faces/source_mesh.h"
+
+#include "tests/support/expect_error.h"
+#include "tests/support/synthetic_face.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::faces {
+namespace {
+
+using testing::ExpectError;
+using testing::SyntheticGrid;
+
+const SyntheticGrid& Grid() {
+  static const SyntheticGrid grid;
+  return grid;
+}
+
+std::vector<int> Square() {
+  return {Grid().at(-1, 15), Grid().at(1, 15), Grid().at(1, 17), Grid().at(-1, 17)};
+}
+
+TEST(SourceMesh, FloodStopsAtTheLoop) {
+  const SourceMesh mesh(Grid().mesh(), "grid");
+  const auto loop = mesh.Trace(Square(), true, "loop");
+  EXPECT_EQ(loop.size(), 8u);
+  EXPECT_EQ(mesh.Flood(Grid().at(0, 16), {loop}, "inside"), Grid().Block(0, 1, 15, 17));
+  EXPECT_EQ(static_cast<Eigen::Index>(mesh.Flood(Grid().at(0, 16), {}, "all").size()), Grid().mesh().vertices.rows());
+}
+
+TEST(SourceMesh, MirrorIsThereOnlyForSymmetricMeshes) {
+  EXPECT_EQ(SourceMesh(Grid().mesh(), "grid").Mirrored({Grid().at(3, 15)}, "x"), std::vector<int>{Grid().at(-3, 15)});
+  geometry::PolygonMesh bent = Grid().mesh();
+  bent.vertices(Grid().at(3, 15), 2) += 1;
+  const SourceMesh mesh(bent, "bent");
+  EXPECT_FALSE(mesh.mirror().has_value());
+  ExpectError([&] { mesh.Mirrored({0}, "cut eye"); },
+              "annotation of bent, cut eye: the mesh is not its own mirror image");
+}
+
+TEST(SourceMesh, MessagesNameSourceAndEntry) {
+  geometry::PolygonMesh lonely = Grid().mesh();
+  lonely.vertices.conservativeResize(lonely.vertices.rows() + 1, 3);
+  lonely.vertices.bottomRows<1>() << 0, 0, 50;
+  const SourceMesh mesh(lonely, "grid");
+  const int last = static_cast<int>(lonely.vertices.rows()) - 1;
+  ExpectError([&] { mesh.CheckVertex(last + 1, "hair"); }, "annotation of grid, hair: vertex");
+  ExpectError([&] { mesh.Trace({0, last}, false, "way"); }, "annotation of grid, way");
+  ExpectError([&] { mesh.Flood(last, {}, "crop"); }, "is a corner of no polygon");
+}
+
+}  // namespace
+}  // namespace daumier::faces
