@@ -5,12 +5,29 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <set>
+
 namespace daumier::geometry {
 namespace {
 
 /// The least pivot, as a share of the largest, of a system whose handles hold the mesh; without handles there are
 /// pivots of rounding size.
 constexpr double kLeastPivot = 1e-11;
+
+/// A vertex with fewer neighbours than this, on a border, turns and scales with two rings: a similarity of so few points
+/// could follow almost any move of theirs, and the border would be loose.
+constexpr size_t kFewNeighbours = 4;
+
+/// The vertices whose move tells T_i.
+std::set<int> Ring(const Adjacency& neighbours, int i) {
+  std::set<int> ring(neighbours[i].begin(), neighbours[i].end());
+  if (ring.size() < kFewNeighbours) {
+    for (const int j : neighbours[i]) ring.insert(neighbours[j].begin(), neighbours[j].end());
+  }
+  ring.insert(i);
+  return ring;
+}
 
 Eigen::Matrix3d CrossMatrix(const Vector3& a) {
   Eigen::Matrix3d matrix;
@@ -36,24 +53,26 @@ SparseMatrix DetailOperator(const TriangleMesh& mesh) {
   triplets.reserve(9 * (neighbours.values.size() + num_vertices));
   for (int i = 0; i < num_vertices; ++i) {
     DAUMIER_CHECK(!neighbours[i].empty(), "vertex {} belongs to no triangle; remove it before editing", i);
-    std::vector<int> ring = {i};
-    ring.insert(ring.end(), neighbours[i].begin(), neighbours[i].end());
-    const int size = static_cast<int>(ring.size());
-    Points places = mesh.vertices(ring, Eigen::all);
-    const Vector3 detail = places.row(0) - places.bottomRows(size - 1).colwise().mean();
+    const int num_neighbours = static_cast<int>(neighbours[i].size());
+    const std::vector<int> near(neighbours[i].begin(), neighbours[i].end());
+    const Vector3 detail = mesh.vertices.row(i) - mesh.vertices(near, Eigen::all).colwise().mean();
+    const std::set<int> ring = Ring(neighbours, i);
+    Points places = mesh.vertices(std::vector<int>(ring.begin(), ring.end()), Eigen::all);
     // About its mean, the best map p -> s p + h x p has s = sum p.q / sum p.p and J h = sum p x q, J the inertia.
     places.rowwise() -= places.colwise().mean().eval();
     const double spread = places.squaredNorm();
     const Eigen::Matrix3d inertia = spread * Eigen::Matrix3d::Identity() - places.transpose() * places;
     const Eigen::Matrix3d turn_detail = CrossMatrix(detail) * PseudoInverse(inertia);
-    for (int j = 0; j < size; ++j) {
-      const Vector3 p = places.row(j);
-      const double laplacian = j == 0 ? 1.0 : -1.0 / (size - 1);
+    Eigen::Index place = 0;
+    for (const int j : ring) {
+      const Vector3 p = places.row(place++);
+      const bool is_near = std::binary_search(near.begin(), near.end(), j);
+      const double laplacian = j == i ? 1.0 : is_near ? -1.0 / num_neighbours : 0.0;
       const Eigen::Matrix3d block =
           laplacian * Eigen::Matrix3d::Identity() - detail * p.transpose() / spread + turn_detail * CrossMatrix(p);
       for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
-          triplets.emplace_back(3 * i + row, 3 * ring[j] + column, block(row, column));
+          triplets.emplace_back(3 * i + row, 3 * j + column, block(row, column));
       }
     }
   }
