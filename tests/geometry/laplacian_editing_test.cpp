@@ -75,7 +75,8 @@ TEST(LaplacianEditing, IsTheLeastSquaresSolutionOfItsEnergy) {
       system(3 * i + axis, 3 * i + axis) += 1;
       for (const int j : ring) system(3 * i + axis, 3 * j + axis) -= 1.0 / double(ring.size());
     }
-    ring.push_back(i);
+    // A corner has too few neighbours: two rings.
+    ring = VerticesWithin(neighbours, {i}, ring.size() < 4 ? 2 : 1);
     const auto linear = [](const Vector3& p) {
       Eigen::Matrix<double, 3, 4> matrix;
       matrix << p.x(), 0, p.z(), -p.y(), p.y(), -p.z(), 0, p.x(), p.z(), p.y(), -p.x(), 0;
@@ -101,6 +102,19 @@ TEST(LaplacianEditing, IsTheLeastSquaresSolutionOfItsEnergy) {
   const Eigen::VectorXd solution = system.colPivHouseholderQr().solve(rhs);
   const Points expected = Eigen::Map<const Points>(solution.data(), num_vertices, 3);
   EXPECT_LT((EditLaplacian(mesh, kHandles, Weights(weight), targets) - expected).norm(), 1e-8);
+}
+
+TEST(LaplacianEditing, TheTipOfABorderIsNotLoose) {
+  // A triangle hangs at the sheet's upper border by one edge; its tip has two neighbours.
+  TriangleMesh mesh = Bumps();
+  mesh.vertices.conservativeResize(82, 3);
+  mesh.vertices.row(81) << 0.56, 1.1, 0.1;
+  mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, 3);
+  mesh.triangles.bottomRows(1) << 77, 76, 81;
+  Points targets = mesh.vertices(kHandles, Eigen::all);
+  targets(4, 2) += 0.3;
+  const Points edited = EditLaplacian(mesh, kHandles, Weights(1), targets);
+  EXPECT_LT((edited - mesh.vertices).row(81).norm(), 0.3);
 }
 
 TEST(LaplacianEditing, BothDoorsAgree) {
