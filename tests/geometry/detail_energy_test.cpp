@@ -35,7 +35,8 @@ TEST(DetailEnergy, ResistsScalesBeyondTheLimit) {
 
 TEST(DetailEnergy, TiesJoinTheTwoSidesOfABody) {
   const TriangleMesh mesh = Slab();
-  for (const auto& [i, j] : DetailEnergy(mesh, {}).ties()) {
+  const DetailEnergy energy(mesh, {});
+  for (const auto& [i, j] : energy.ties()) {
     const Vector3 way = mesh.vertices.row(j) - mesh.vertices.row(i);
     EXPECT_LT(way.norm(), 1);
     EXPECT_LT(mesh.vertices(i, 2) * mesh.vertices(j, 2), 0);
