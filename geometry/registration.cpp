@@ -94,10 +94,11 @@ Registration Registrar::Register(const TriangleMesh& target, const Points& landm
   const Points landmarks = result.template_from_target.Apply(landmark_targets);
   const SurfaceMatcher matcher({result.template_from_target.Apply(target.vertices), target.triangles});
 
+  Eigen::VectorXd trust = Eigen::VectorXd::Ones(num_vertices);
   const auto pull_landmarks = [&](double weight, Springs& springs) {
     for (size_t k = 0; k < ids.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
-      springs.Add(ids[k], weight * source_.landmark_weights[row], landmarks.row(row));
+      springs.Add(ids[k], trust[ids[k]] * weight * source_.landmark_weights[row], landmarks.row(row));
     }
   };
   const auto anchor = [&](int v, Springs& springs) {
@@ -113,9 +114,9 @@ Registration Registrar::Register(const TriangleMesh& target, const Points& landm
   result.aligned = now;
 
   const Adjacency neighbours = VertexNeighbours(source_.mesh.triangles, num_vertices);
-  Eigen::VectorXd trust = Eigen::VectorXd::Ones(num_vertices);
-  for (int i = 0; i < options_.num_rounds * options_.iterations; ++i) {
-    const int round = i / options_.iterations;
+  const int num_iterations = options_.num_rounds * options_.iterations;
+  for (int i = 0; i < num_iterations + options_.repair_iterations; ++i) {
+    const int round = std::min(i / options_.iterations, options_.num_rounds - 1);
     const double share = options_.num_rounds > 1 ? double(round) / (options_.num_rounds - 1) : 1.0;
     const MatchLimits limits{Between(options_.max_distance_start, options_.max_distance_end, share),
                              options_.max_angle};
@@ -130,7 +131,9 @@ Registration Registrar::Register(const TriangleMesh& target, const Points& landm
       }
     }
     now = solver.Solve(Between(options_.stiffness_start, options_.stiffness_end, share), now, springs);
-    for (const int f : FlippedTriangles(rest, now, source_.mesh.triangles)) {
+    const std::vector<int> flipped = FlippedTriangles(rest, now, source_.mesh.triangles);
+    if (flipped.empty() && i + 1 >= num_iterations) break;
+    for (const int f : flipped) {
       for (const int v : source_.mesh.triangles.row(f)) {
         trust[v] *= kCornerTrust;
         for (const int other : neighbours[v]) trust[other] *= kNeighbourTrust;

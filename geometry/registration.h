@@ -13,6 +13,7 @@ struct RegistrationOptions {
   int align_iterations = 10;
   int num_rounds = 10;
   int iterations = 4;
+  int repair_iterations = 8;
   double stiffness_start = 1000;
   double stiffness_end = 0.5;
   double landmark_weight_start = 300;
@@ -29,6 +30,8 @@ struct RegistrationOptions {
           "Iterations by the landmarks alone, before the rounds.");
     visit("num_rounds", num_rounds, Range{1, 100}, "Rounds; stiffness, weights and limits go from start to end.");
     visit("iterations", iterations, Range{1, 100}, "Closest-point iterations a round.");
+    visit("repair_iterations", repair_iterations, Range{0, 1000},
+          "At most so many after the last round, until no triangle is flipped.");
     visit("stiffness_start", stiffness_start, Range{1e-3, 1e6},
           "Weight of the template's shape in the alignment and the first round; a closest point weighs 1.");
     visit("stiffness_end", stiffness_end, Range{1e-3, 1e6}, "The same in the last round.");
@@ -62,8 +65,8 @@ struct Registration {
 /// then, in rounds from stiff to soft,
 ///   x' = argmin stiffness E(x') + sum_v t_v |x'_v - c_v|^2 + sum_k w_k |x'_k - landmark_k|^2 + anchors,
 /// E the DetailEnergy and c_v the match of vertex v (SurfaceMatcher); a vertex without a match (back of the head, ears,
-/// nostrils) follows by E alone. Where a triangle of the template flips, the trust t_v (1 at first) of the matches
-/// around it is lowered, so that the surface smoothes itself out there.
+/// nostrils) follows by E alone. Where a triangle of the template flips, the trust t_v (1 at first) in the matches
+/// and landmarks around it is lowered, so that the surface smoothes itself out there.
 /// Promises: a target equal to the template gives the template; a target that is moved by a similarity gives the same
 /// vertices; the same input gives the same bytes. May be called from several threads at once.
 class Registrar {
