@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/safetensors.h"
 #include "geometry/obj.h"
+#include "render/draw.h"
 #include "render/heat_map.h"
 #include "render/sheet.h"
 
@@ -62,11 +63,12 @@ void WriteRegistrationPictures(const faces::FaceDatabase& database, const datase
     std::vector<render::SheetCell> cells;
     for (const double yaw : {0.0, -60.0}) {
       const render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, kCell, yaw);
-      render::Image heat = render::RenderHeatMap(registered, distances, kDistances, camera);
+      render::Image heat(kCell, kCell + render::kColourBarWidth, 3);
+      render::Paste(heat, render::RenderHeatMap(registered, distances, kDistances, camera), 0, 0);
       render::DrawColourBar(heat, kDistances, "mm");
       cells.push_back({render::RenderMesh(mesh, camera)});
       cells.push_back({render::RenderMesh(registered, camera)});
-      cells.push_back({heat});
+      cells.push_back({std::move(heat)});
     }
     const Json& distance = quality.at("template_to_target_mm");
     render::SheetStyle style;
