@@ -19,6 +19,7 @@ struct Verb {
 };
 
 Verb DatasetVerb();
+Verb RegisterVerb();
 Verb TrainVerb();
 Verb EvalVerb();
 Verb PredictVerb();

@@ -81,16 +81,20 @@ Vector3 ClosestOnTriangle(const Vector3& p, const Eigen::Matrix3d& corners) {
 
 }  // namespace
 
+SurfacePoint ClosestPointOnTriangle(const TriangleMesh& mesh, int triangle, const Vector3& point) {
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k) corners.row(k) = mesh.vertices.row(mesh.triangles(triangle, k));
+  const Vector3 barycentric = ClosestOnTriangle(point, corners);
+  const Vector3 position = corners.transpose() * barycentric;
+  return {triangle, barycentric, position, (position - point).norm()};
+}
+
 SurfacePoint ClosestPointOnMesh(const TriangleMesh& mesh, const Vector3& point) {
   DAUMIER_CHECK(mesh.triangles.rows() > 0, "a mesh without triangles has no closest point");
-  SurfacePoint best{-1, Vector3::Zero(), Vector3::Zero(), std::numeric_limits<double>::infinity()};
-  for (int f = 0; f < mesh.triangles.rows(); ++f) {
-    Eigen::Matrix3d corners;
-    for (int k = 0; k < 3; ++k) corners.row(k) = mesh.vertices.row(mesh.triangles(f, k));
-    const Vector3 barycentric = ClosestOnTriangle(point, corners);
-    const Vector3 position = corners.transpose() * barycentric;
-    const double distance = (position - point).norm();
-    if (distance < best.distance) best = {f, barycentric, position, distance};
+  SurfacePoint best = ClosestPointOnTriangle(mesh, 0, point);
+  for (int f = 1; f < mesh.triangles.rows(); ++f) {
+    const SurfacePoint candidate = ClosestPointOnTriangle(mesh, f, point);
+    if (candidate.distance < best.distance) best = candidate;
   }
   return best;
 }

@@ -34,7 +34,11 @@ struct SurfacePoint {
   double distance;  ///< From the point asked for, cm.
 };
 
-/// The point of the surface that is nearest to `point`, by looking at every triangle. @throws Error if there is no
+/// The point of one triangle that is nearest to `point`.
+SurfacePoint ClosestPointOnTriangle(const TriangleMesh& mesh, int triangle, const Vector3& point);
+
+/// The point of the surface that is nearest to `point`, by looking at every triangle; of equally near triangles the
+/// first. TriangleTree finds the same one faster. @throws Error if there is no
 /// triangle.
 SurfacePoint ClosestPointOnMesh(const TriangleMesh& mesh, const Vector3& point);
 

@@ -1,0 +1,81 @@
+#include "cli/verb.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/options.h"
+#include "datasets/build/registered_faces.h"
+#include "eval/registration_pictures.h"
+
+#include <memory>
+
+namespace daumier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  datasets::MeshInputs inputs;
+  ConfigArguments config;
+  std::string template_name = "makehuman";
+  fs::path out;
+  std::string licence;
+  bool write_meshes = false, write_pictures = true, as_json = false;
+};
+
+void Register(const Arguments& arguments) {
+  Json config = arguments.config.Load();
+  const bool is_folder = fs::is_directory(arguments.template_name);
+  if (!is_folder) config["source"]["name"] = arguments.template_name;
+  if (!arguments.licence.empty()) config["licence"] = arguments.licence;
+  const auto options = ParseOptions<datasets::RegisterOptions>(config, arguments.config.file.string());
+  const auto face_template = datasets::RegistrationTemplateOf(options, is_folder ? arguments.template_name : "");
+  datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out);
+  const faces::FaceDatabase database(arguments.out);
+  if (arguments.write_meshes) {
+    MakeDirectory(arguments.out / "meshes");
+    eval::WriteRegisteredMeshes(database, arguments.out / "meshes");
+  }
+  if (arguments.write_pictures) {
+    MakeDirectory(arguments.out / "pictures");
+    eval::WriteRegistrationPictures(database, arguments.inputs, arguments.out / "pictures");
+  }
+  PrintResult(Json::parse(ReadFile(arguments.out / "quality.json")).at("summary"), arguments.as_json);
+}
+
+}  // namespace
+
+Verb RegisterVerb() {
+  return {
+      "register", "Bring a template onto head meshes with 68 landmarks: a database of faces", [](CLI::App& command) {
+        auto arguments = std::make_shared<Arguments>();
+        command.add_option("meshes", arguments->inputs.meshes, "OBJ or PLY meshes, or key=value options")->required();
+        command
+            .add_option("--landmarks", arguments->inputs.landmarks,
+                        "68 landmarks (iBUG order): a file with 68 vertex indices (0-based, -1: absent; text or a "
+                        "JSON list) for all meshes of one topology, or a folder with NAME.txt or NAME.json for "
+                        "each mesh, of 68 indices or of 68 lines x y z (nan nan nan: absent)")
+            ->required();
+        command.add_option("--vertex-map", arguments->inputs.vertex_map,
+                           "Line i: the number by which the landmark file calls vertex i of the meshes");
+        command.add_option("--template", arguments->template_name,
+                           "makehuman, ict (with source.path=...), or a folder of faces whose template is taken");
+        command.add_option("--licence", arguments->licence, "Licence of the meshes, carried on");
+        command.add_option("--config", arguments->config.file, "TOML file of options; key=value overrides it");
+        command.add_option("--out", arguments->out, "Folder to write; a build that was stopped goes on there")
+            ->required();
+        command.add_flag("--meshes", arguments->write_meshes, "Also write meshes/NAME.obj");
+        command.add_flag("!--no-pictures", arguments->write_pictures, "Write no pictures/NAME.jpg");
+        command.add_flag("--json", arguments->as_json, "Machine-readable summary");
+        command.footer("Options:\n" + HelpText<datasets::RegisterOptions>());
+        return [arguments] {
+          // key=value follow the meshes.
+          auto& meshes = arguments->inputs.meshes;
+          for (const fs::path& word : meshes) {
+            if (word.string().find('=') != std::string::npos) arguments->config.overrides.push_back(word.string());
+          }
+          std::erase_if(meshes, [](const fs::path& word) { return word.string().find('=') != std::string::npos; });
+          Register(*arguments);
+        };
+      }};
+}
+
+}  // namespace daumier::cli

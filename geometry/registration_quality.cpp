@@ -1,0 +1,73 @@
+#include "geometry/registration_quality.h"
+
+#include "core/error.h"
+#include "geometry/flips.h"
+#include "geometry/normals.h"
+#include "geometry/self_intersections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace daumier::geometry {
+
+DistanceSpread SpreadOf(std::vector<double> distances) {
+  if (distances.empty()) return {};
+  std::sort(distances.begin(), distances.end());
+  double sum = 0;
+  for (const double distance : distances) sum += distance;
+  const auto of_rank = [&](double share) {
+    return distances[std::min(distances.size() - 1, static_cast<size_t>(share * double(distances.size())))];
+  };
+  return {sum / double(distances.size()), of_rank(0.5), of_rank(0.95)};
+}
+
+RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& vertices,
+                                        const std::vector<int>& region, const SurfaceMatcher& target,
+                                        const MatchLimits& limits) {
+  DAUMIER_CHECK(vertices.rows() == rest.vertices.rows(), "{} registered vertices, the template has {}", vertices.rows(),
+                rest.vertices.rows());
+  DAUMIER_CHECK(!region.empty(), "the region that is to be measured has no vertex");
+  RegistrationQuality quality;
+  const TriangleMesh registered{vertices, rest.triangles};
+  const Points normals = VertexNormals(registered);
+  quality.distances.setConstant(vertices.rows(), std::numeric_limits<double>::quiet_NaN());
+  for (int v = 0; v < vertices.rows(); ++v) {
+    if (const auto match = target.Match(vertices.row(v), normals.row(v), limits))
+      quality.distances[v] = match->distance;
+  }
+
+  const Eigen::VectorXd areas = VertexAreas(rest);
+  std::vector<double> matched;
+  double matched_area = 0;
+  for (const int v : region) {
+    if (std::isnan(quality.distances[v])) continue;
+    matched.push_back(quality.distances[v]);
+    matched_area += areas[v];
+  }
+  quality.template_to_target = SpreadOf(std::move(matched));
+  quality.coverage = matched_area / areas(region).sum();
+
+  const TriangleTree tree(registered);
+  const Eigen::VectorXd target_areas = VertexAreas(target.mesh());
+  std::vector<double> back;
+  double reached_area = 0;
+  for (int v = 0; v < target.mesh().vertices.rows(); ++v) {
+    back.push_back(tree.Closest(target.mesh().vertices.row(v)).distance);
+    if (back.back() <= limits.distance) reached_area += target_areas[v];
+  }
+  quality.target_to_template = SpreadOf(std::move(back));
+  quality.target_reached = reached_area / target_areas.sum();
+
+  for (const int f : FlippedTriangles(rest.vertices, vertices, rest.triangles, region)) {
+    ++quality.flipped_region;
+    bool is_matched = true;
+    for (const int v : rest.triangles.row(f)) is_matched = is_matched && !std::isnan(quality.distances[v]);
+    quality.flipped_matched += is_matched;
+  }
+  quality.self_intersections = static_cast<int>(SelfIntersections(registered).size());
+  quality.self_intersections_at_rest = static_cast<int>(SelfIntersections(rest).size());
+  return quality;
+}
+
+}  // namespace daumier::geometry

@@ -1,0 +1,35 @@
+#pragma once
+#include "geometry/mesh.h"
+#include "geometry/surface_matcher.h"
+
+#include <vector>
+
+namespace daumier::geometry {
+
+/// Of some distances, cm; all 0 if there are none.
+struct DistanceSpread {
+  double mean = 0, median = 0, p95 = 0;
+};
+/// The median and the 95th percentile are the values of that rank, without interpolation.
+DistanceSpread SpreadOf(std::vector<double> distances);
+
+/// How well a template lies on a target in the same frame. The region are the vertices that ought to be matched.
+struct RegistrationQuality {
+  Eigen::VectorXd distances;           ///< V: of each vertex to its match (SurfaceMatcher), cm; NaN without one.
+  DistanceSpread template_to_target;   ///< Over the region's vertices with a match.
+  DistanceSpread target_to_template;   ///< From every vertex of the target to the closest point of the template.
+  double coverage = 0;                 ///< Share of the region's area at rest whose vertices have a match.
+  double target_reached = 0;           ///< Share of the target's area whose vertices are within limits.distance.
+  int flipped_region = 0;              ///< Flipped triangles between vertices of the region.
+  int flipped_matched = 0;             ///< Those of them with a match at all three corners.
+  int self_intersections = 0;          ///< Pairs of triangles of the registered template.
+  int self_intersections_at_rest = 0;  ///< Of the template before.
+};
+
+/// `rest`: the template at rest; `vertices`: the registered one, V x 3; region: sorted vertices. @throws Error if a
+/// shape disagrees, the region is empty, or as SelfIntersections.
+RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& vertices,
+                                        const std::vector<int>& region, const SurfaceMatcher& target,
+                                        const MatchLimits& limits);
+
+}  // namespace daumier::geometry
