@@ -201,8 +201,10 @@ void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshIn
                            {"expressions", 1},
                            {"faces", num_meshes},
                            {"vertices", face_template.num_vertices()}};
-  build.manifest.details = {
-      {"source", face_template.source}, {"gammas", Json::array({0.0})}, {"expressions", Json::array({"neutral"})}, {"meshes", names}};
+  build.manifest.details = {{"source", face_template.source},
+                            {"gammas", Json::array({0.0})},
+                            {"expressions", Json::array({"neutral"})},
+                            {"meshes", names}};
   build.num_shards = num_meshes;
   build.unit = "meshes";
   build.shard_name = faces::PersonShardName;
