@@ -1,6 +1,7 @@
 #include "eval/gallery.h"
 
 #include "core/error.h"
+#include "fitting/face_surface.h"
 #include "render/draw.h"
 #include "render/shading.h"
 #include "render/sheet.h"
@@ -17,13 +18,6 @@ using render::SheetCell;
 
 constexpr int kCell = 190;  // pixels a side of a picture in a sheet
 
-render::RenderInput SurfaceOf(const faces::FaceTemplate& face_template, const geometry::Points& points) {
-  const int num_closing = static_cast<int>(face_template.closing_triangles.rows());
-  return {.surface = {points, face_template.triangles},
-          .closing_triangles = face_template.closing_triangles,
-          .closing_colours = render::ClosingColours(num_closing, face_template.num_eye_closing_triangles)};
-}
-
 /// One frame for all pictures of a sheet, so that sizes can be compared.
 render::Frame FrameOfFaces(const FaceDatabase& database, const std::vector<int>& indices) {
   const int num_vertices = database.num_vertices();
@@ -34,12 +28,12 @@ render::Frame FrameOfFaces(const FaceDatabase& database, const std::vector<int>&
 }
 
 render::Image FrontView(const FaceDatabase& database, int face, const render::Frame& frame) {
-  return render::RenderMesh(SurfaceOf(database.face_template(), database.points(face)),
+  return render::RenderMesh(fitting::SurfaceOf(database.face_template(), database.points(face)),
                             render::FrontalCamera(frame.centre, frame.half_height, kCell));
 }
 
 render::Image SideView(const FaceDatabase& database, int face, const render::Frame& frame) {
-  return render::RenderMesh(SurfaceOf(database.face_template(), database.points(face)),
+  return render::RenderMesh(fitting::SurfaceOf(database.face_template(), database.points(face)),
                             render::SideCamera(frame.centre, frame.half_height, kCell));
 }
 
@@ -55,17 +49,36 @@ render::Image Identities(const FaceDatabase& database) {
   return render::MakeSheet(cells, 8);
 }
 
+/// All expressions of the first three persons, each exaggerated by another level, the least first.
 render::Image Expressions(const FaceDatabase& database) {
+  constexpr int kColumns = 9;
+  const int num_persons = std::min(3, database.num_persons()), num_expressions = database.num_expressions();
+  const auto face = [&](int person, int expression) {
+    const int level = num_persons > 1 ? person * (database.num_levels() - 1) / (num_persons - 1) : 0;
+    return database.index({person, level, expression});
+  };
   std::vector<int> indices;
-  for (int expression = 0; expression < database.num_expressions(); ++expression) {
-    indices.push_back(database.index({0, 0, expression}));
+  for (int person = 0; person < num_persons; ++person) {
+    for (int expression = 0; expression < num_expressions; ++expression) indices.push_back(face(person, expression));
   }
   const render::Frame frame = FrameOfFaces(database, indices);
   std::vector<SheetCell> cells;
-  for (const int face : indices) {
-    cells.push_back({FrontView(database, face, frame), database.expression_names()[database.id(face).expression]});
+  render::SheetStyle style;
+  const int num_columns = std::min(kColumns, num_expressions);
+  for (int begin = 0; begin < num_expressions; begin += num_columns) {
+    for (int person = 0; person < num_persons; ++person) {
+      style.row_titles.push_back(fmt::format("person {}, level {}", person, database.id(face(person, 0)).level + 1));
+      for (int expression = begin; expression < begin + num_columns; ++expression) {
+        if (expression >= num_expressions) {
+          cells.push_back({});
+          continue;
+        }
+        cells.push_back({FrontView(database, face(person, expression), frame),
+                         person == 0 ? database.expression_names()[expression] : ""});
+      }
+    }
   }
-  return render::MakeSheet(cells, 7);
+  return render::MakeSheet(cells, num_columns, style);
 }
 
 render::Image Levels(const FaceDatabase& database) {
@@ -97,7 +110,7 @@ render::Image AnnotatedView(const faces::FaceTemplate& face_template, faces::Vie
   const render::Frame frame = render::FrameOf(face_template.neutral);
   const auto camera = view == faces::View::kFrontal ? render::FrontalCamera(frame.centre, frame.half_height, kSide)
                                                     : render::SideCamera(frame.centre, frame.half_height, kSide);
-  render::Image image = render::RenderMesh(SurfaceOf(face_template, face_template.neutral), camera);
+  render::Image image = render::RenderMesh(fitting::SurfaceOf(face_template, face_template.neutral), camera);
   const geometry::Points pixels = render::Project(camera, face_template.neutral);
   const auto dot = [&](int vertex, int radius, const render::Rgb& colour) {
     render::FillRectangle(image, static_cast<int>(pixels(vertex, 1)) - radius,

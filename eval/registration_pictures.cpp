@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/safetensors.h"
+#include "fitting/face_surface.h"
 #include "geometry/obj.h"
 #include "render/draw.h"
 #include "render/heat_map.h"
@@ -52,12 +53,8 @@ void WriteRegistrationPictures(const faces::FaceDatabase& database, const datase
                   names[person]);
     const Json quality = datasets::ReadRegistrationQuality(database.directory(), person);
     const geometry::Similarity similarity = SimilarityFromJson(quality.at("template_from_target"));
-    const int num_closing = static_cast<int>(face.closing_triangles.rows());
     const render::RenderInput mesh{.surface = {similarity.Apply(target.mesh.vertices), target.mesh.triangles}};
-    const render::RenderInput registered{
-        .surface = {database.points(database.index({person, 0, 0})), face.triangles},
-        .closing_triangles = face.closing_triangles,
-        .closing_colours = render::ClosingColours(num_closing, face.num_eye_closing_triangles)};
+    const render::RenderInput registered = fitting::SurfaceOf(face, database.points(database.index({person, 0, 0})));
     const Eigen::VectorXd distances = Distances(database, person);
     const render::Frame frame = render::FrameOf(registered.surface.vertices);
     std::vector<render::SheetCell> cells;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/manifest.h"
+#include "fitting/face_surface.h"
 #include "geometry/obj.h"
 #include "render/camera.h"
 #include "render/draw.h"
@@ -60,11 +61,7 @@ Image PictureOfSketch(const torch::Tensor& sketch) {
 }
 
 Image SheetOf(const faces::FaceTemplate& face_template, const torch::Tensor& sketch, const geometry::Points& face) {
-  const int num_closing = static_cast<int>(face_template.closing_triangles.rows());
-  const render::RenderInput input{
-      .surface = {face, face_template.triangles},
-      .closing_triangles = face_template.closing_triangles,
-      .closing_colours = render::ClosingColours(num_closing, face_template.num_eye_closing_triangles)};
+  const render::RenderInput input = SurfaceOf(face_template, face);
   const auto frame = render::FrameOf(face);
   return render::MakeSheet(
       {{PictureOfSketch(sketch), "sketch"},

@@ -9,6 +9,7 @@
 #include "faces/face_database.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
+#include "tests/support/process.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
@@ -182,6 +183,23 @@ TEST_F(BuildFacesTest, NoExpressionsNamedMeansAll) {
   options.expressions.clear();
   BuildFaces(*model_, options, *folder_ / "all");
   EXPECT_EQ(faces::FaceDatabase(*folder_ / "all").num_expressions(), static_cast<int>(model_->expressions.size()));
+}
+
+TEST_F(BuildFacesTest, TheExampleInPythonReadsIt) {
+  std::string python;
+  for (const char* candidate : {"/usr/bin/python3", "/usr/local/bin/python3"}) {
+    if (fs::exists(candidate) && testing::RunProcess({candidate, "-c", "import numpy"}).exit_code == 0)
+      python = candidate;
+  }
+  if (python.empty()) GTEST_SKIP() << "no python3 with numpy";
+  const auto script = testing::SourceRoot() / "docs/examples/read_faces.py";
+  const testing::ProcessResult result = testing::RunProcess({python, script.string(), faces().string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const faces::FaceDatabase database(faces());
+  const geometry::Points offset = database.points(2) - database.points(0);
+  EXPECT_EQ(result.out,
+            fmt::format("3 persons, (2, 4, {}, 3) ({}, 3)\na smile moves {:.3f} cm at most\n", database.num_vertices(),
+                        database.face_template().triangles.rows(), offset.rowwise().norm().maxCoeff()));
 }
 
 TEST(FacesConfig, EveryFileIsParsed) {

@@ -94,5 +94,48 @@ TEST_F(TrainingFitTest, RowsAreTrainingPersonsTimesLevels) {
   EXPECT_LT((rebuilt - Eigen::Map<const Eigen::VectorXf>(truth.data(), rebuilt.size())).cwiseAbs().maxCoeff(), 0.5);
 }
 
+class CurveFitTest : public TrainingFitTest {
+ protected:
+  CurveFitTest() { testing::BuildSyntheticSketches(*folder_ / "faces", sketches_folder_ / "sketches"); }
+
+  double MeanPointError(const faces::BilinearProjector& projector, const SketchDatabase& sketches,
+                        const std::vector<int>& faces) const {
+    double sum = 0;
+    int count = 0;
+    for (const int face : faces) {
+      const std::vector<float> points = sketches.curve_points(face);
+      const Eigen::VectorXf rebuilt = projector.Project(points).vertices;
+      for (size_t k = 0; k < points.size(); k += 2, ++count)
+        sum += std::hypot(rebuilt[Eigen::Index(k)] - points[k], rebuilt[Eigen::Index(k) + 1] - points[k + 1]);
+    }
+    return sum / count;
+  }
+
+  TempDir sketches_folder_;
+};
+
+TEST_F(CurveFitTest, AnEncodingRebuildsThePointsOfUnseenPersons) {
+  const SketchDatabase sketches(sketches_folder_ / "sketches");
+  const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.15, .test = 0.15}, 2);
+  const FittedBilinear fitted = FitCurvesOnTraining(*database_, sketches, split, kRanks);
+  const faces::BilinearProjector projector(fitted.model);
+  EXPECT_LT(MeanPointError(projector, sketches, split.train), 0.5) << "pixels";
+  EXPECT_LT(MeanPointError(projector, sketches, split.test), 1.5) << "pixels";
+  EXPECT_EQ(fitted.proof.at("persons"), SplitToJson(*database_, split).at("train").at("persons"));
+}
+
+TEST_F(CurveFitTest, AnEncodingIsUThenV) {
+  const SketchDatabase sketches(sketches_folder_ / "sketches");
+  const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.15, .test = 0.15}, 2);
+  const FittedBilinear fitted = FitCurvesOnTraining(*database_, sketches, split, kRanks);
+  const faces::BilinearProjector projector(fitted.model);
+  const std::vector<float> points = sketches.curve_points(split.test.front());
+  const Eigen::VectorXf encoding = EncodeCurves(projector, points);
+  ASSERT_EQ(encoding.size(), kRanks.num_identity + kRanks.num_expression);
+  const Eigen::VectorXf rebuilt =
+      faces::Reconstruct(fitted.model, encoding.head(kRanks.num_identity), encoding.tail(kRanks.num_expression));
+  EXPECT_LT((rebuilt - projector.Project(points).vertices).cwiseAbs().maxCoeff(), 1e-3);
+}
+
 }  // namespace
 }  // namespace daumier::datasets
