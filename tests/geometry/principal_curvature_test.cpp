@@ -1,0 +1,156 @@
+#include "geometry/principal_curvature.h"
+
+#include "geometry/obj.h"
+#include "geometry/triangulate.h"
+#include "tests/geometry/shapes.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numbers>
+#include <sstream>
+
+namespace daumier::geometry {
+namespace {
+
+TEST(PrincipalCurvature, OfASphereIsOneOverItsRadius) {
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(testing::Sphere(2, 4));
+  EXPECT_LT((curvatures.k1.array() - 0.5).abs().maxCoeff(), 0.01);
+  EXPECT_LT((curvatures.k2.array() - 0.5).abs().maxCoeff(), 0.01);
+}
+
+TEST(PrincipalCurvature, OfATorusIsInClosedForm) {
+  constexpr int kAround = 160, kAcross = 80;
+  const TriangleMesh torus = testing::Torus(3, 1, kAround, kAcross);
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(torus);
+  const auto derivatives = ComputeCurvatureDerivatives(torus, curvatures);
+  for (int j = 0; j < kAcross; ++j) {
+    const int v = 7 * kAcross + j;
+    const double angle = 2 * std::numbers::pi * j / kAcross, radius = 3 + std::cos(angle);
+    EXPECT_NEAR(curvatures.k1[v], 1, 0.01);
+    EXPECT_NEAR(curvatures.k2[v], std::cos(angle) / radius, 0.01);
+    // Along the small circle, which direction1 follows, only k2 changes: by -3 sin / radius^2 a centimetre.
+    const double turn = 2 * std::numbers::pi * 7 / kAround;
+    const Vector3 upwards(-std::sin(angle) * std::cos(turn), -std::sin(angle) * std::sin(turn), std::cos(angle));
+    const double side = upwards.dot(Vector3(curvatures.direction1.row(v)));
+    EXPECT_NEAR(std::abs(side), 1, 0.01);
+    EXPECT_NEAR(derivatives(v, 2) * side, -3 * std::sin(angle) / (radius * radius), 0.02);
+    for (const int still : {0, 1, 3}) EXPECT_NEAR(derivatives(v, still), 0, 0.02);
+  }
+}
+
+/// The graph z = a x^2 / 2 + b y^2 / 2 + c x^3 / 6 at the origin: k = a, b and C_111 = c, but for the sign, since the
+/// graph is convex downwards.
+TEST(PrincipalCurvature, OfAGraphIsItsSecondAndThirdDerivative) {
+  const TriangleMesh graph = testing::Sheet(80, [](double x, double y) {
+    const double u = x - 0.5, v = y - 0.5;
+    return 0.9 * u * u + 0.2 * v * v + 0.5 * u * u * u;
+  });
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(graph);
+  const int centre = 40 * 81 + 40;
+  EXPECT_NEAR(curvatures.k1[centre], -1.8, 0.02);
+  EXPECT_NEAR(curvatures.k2[centre], -0.4, 0.02);
+  const double side = curvatures.direction1(centre, 0);
+  EXPECT_NEAR(std::abs(side), 1, 1e-3);
+  EXPECT_NEAR(ComputeCurvatureDerivatives(graph, curvatures)(centre, 0) * side, -3.0, 0.05);
+}
+
+TEST(PrincipalCurvature, TurnsWithTheSurface) {
+  TriangleMesh torus = testing::Torus(3, 1, 24, 16);
+  const PrincipalCurvatures before = ComputePrincipalCurvatures(torus);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  torus.vertices = torus.vertices * turn.transpose();
+  const PrincipalCurvatures after = ComputePrincipalCurvatures(torus);
+  EXPECT_LT((before.k1 - after.k1).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LT((before.k2 - after.k2).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(PrincipalCurvature, DirectionsAreAnOrthonormalFrame) {
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(testing::Torus(3, 1, 24, 16));
+  for (Eigen::Index v = 0; v < curvatures.k1.size(); ++v) {
+    const Vector3 n = curvatures.normals.row(v), a = curvatures.direction1.row(v), b = curvatures.direction2.row(v);
+    EXPECT_NEAR(a.norm(), 1, 1e-12);
+    EXPECT_NEAR(a.dot(n), 0, 1e-12);
+    EXPECT_LT((n.cross(a) - b).norm(), 1e-12);
+    EXPECT_GE(std::abs(curvatures.k1[v]), std::abs(curvatures.k2[v]));
+  }
+}
+
+TEST(SolveLdlt, SolvesAndRefusesWhatIsSingular) {
+  Eigen::MatrixXd w(3, 3);
+  w << 4, 2, 0, 2, 5, 3, 0, 3, 9;
+  const Eigen::Vector3d x(1, -2, 3);
+  Eigen::VectorXd solved = w * x;
+  ASSERT_TRUE(SolveLdlt(w, solved));
+  EXPECT_LT((solved - x).norm(), 1e-12);
+  w.setOnes();
+  EXPECT_FALSE(SolveLdlt(w, solved));
+}
+
+TEST(PrincipalCurvature, RefusesCurvaturesOfAnotherMesh) {
+  const TriangleMesh sphere = testing::Sphere(1, 1);
+  testing::ExpectError([&] { ComputeCurvatureDerivatives(testing::Sphere(1, 2), ComputePrincipalCurvatures(sphere)); },
+                       "curvatures of 18 vertices for a mesh of 66");
+}
+
+/// What the reference program computes, rtsc 1.6, whose 3 x 3 solver forgets to update its last pivot.
+class ReferenceCurvature : public ::testing::Test {
+ protected:
+  static bool SolveWithStalePivot(const Eigen::MatrixXd& w, Eigen::VectorXd& m) {
+    if (w.rows() != 3) return SolveLdlt(w, m);
+    const double d0 = w(0, 0), l10 = w(0, 1) / d0, l20 = w(0, 2) / d0;
+    const double d1 = w(1, 1) - l10 * w(0, 1), l21 = (w(1, 2) - l10 * w(0, 2)) / d1, d2 = w(2, 2);
+    const double y0 = m[0], y1 = m[1] - l10 * y0, y2 = m[2] - l20 * y0 - l21 * y1;
+    m[2] = y2 / d2;
+    m[1] = y1 / d1 - l21 * m[2];
+    m[0] = y0 / d0 - l10 * m[1] - l20 * m[2];
+    return true;
+  }
+
+  /// Share of rows that are within 1e-3 of max(|value|, median |value|).
+  static double ShareThatAgrees(const Eigen::VectorXd& ours, const Eigen::VectorXd& theirs) {
+    std::vector<double> magnitudes(theirs.size());
+    for (Eigen::Index v = 0; v < theirs.size(); ++v) magnitudes[v] = std::abs(theirs[v]);
+    std::nth_element(magnitudes.begin(), magnitudes.begin() + theirs.size() / 2, magnitudes.end());
+    const double median = magnitudes[theirs.size() / 2];
+    int agree = 0;
+    for (Eigen::Index v = 0; v < theirs.size(); ++v)
+      agree += std::abs(ours[v] - theirs[v]) <= 1e-3 * std::max(std::abs(theirs[v]), median);
+    return double(agree) / double(theirs.size());
+  }
+};
+
+TEST_F(ReferenceCurvature, AgreesOnceItsFaultIsInjected) {
+  const auto data = testing::SharedData();
+  if (!data || !std::filesystem::exists(*data / "golden")) GTEST_SKIP() << "no golden files beside the checkout";
+  const PolygonMesh polygons = ReadObj(*data / "facewarehouse_topology/warehouse_0.obj");
+  const TriangleMesh mesh{polygons.vertices, Triangulate(polygons)};
+  const auto golden =
+      testing::RunProcess({"/bin/gzip", "-dc", (*data / "golden/rtsc_warehouse0_default.verts.txt.gz").string()});
+  ASSERT_EQ(golden.exit_code, 0) << golden.err;
+  std::istringstream lines(golden.out.substr(golden.out.find("\n#") + 1));
+  std::string line;
+  std::getline(lines, line);
+  constexpr int kColumns = 23;
+  Eigen::MatrixXd rows(mesh.vertices.rows(), kColumns);
+  for (Eigen::Index v = 0; v < rows.rows(); ++v) {
+    for (int column = 0; column < kColumns; ++column) lines >> rows(v, column);
+  }
+  ASSERT_TRUE(lines);
+
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(mesh, SolveWithStalePivot);
+  const auto derivatives = ComputeCurvatureDerivatives(mesh, curvatures);
+  EXPECT_LT((curvatures.normals - rows.middleCols<3>(3)).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_GE(ShareThatAgrees(curvatures.k1, rows.col(6)), 0.99);
+  EXPECT_GE(ShareThatAgrees(curvatures.k2, rows.col(7)), 0.99);
+  // Directions have no sign, and so the derivatives along them have none either.
+  for (int entry = 0; entry < 4; ++entry)
+    EXPECT_GE(ShareThatAgrees(derivatives.col(entry).cwiseAbs(), rows.col(14 + entry).cwiseAbs()), 0.99) << entry;
+}
+
+}  // namespace
+}  // namespace daumier::geometry
