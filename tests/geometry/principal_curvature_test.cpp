@@ -1,18 +1,13 @@
 #include "geometry/principal_curvature.h"
 
-#include "geometry/obj.h"
-#include "geometry/triangulate.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/paths.h"
-#include "tests/support/process.h"
+#include "tests/support/rtsc_reference.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <numbers>
-#include <sstream>
 
 namespace daumier::geometry {
 namespace {
@@ -97,53 +92,13 @@ TEST(PrincipalCurvature, RefusesCurvaturesOfAnotherMesh) {
                        "curvatures of 18 vertices for a mesh of 66");
 }
 
-/// What the reference program computes, rtsc 1.6, whose 3 x 3 solver forgets to update its last pivot.
-class ReferenceCurvature : public ::testing::Test {
- protected:
-  static bool SolveWithStalePivot(const Eigen::MatrixXd& w, Eigen::VectorXd& m) {
-    if (w.rows() != 3) return SolveLdlt(w, m);
-    const double d0 = w(0, 0), l10 = w(0, 1) / d0, l20 = w(0, 2) / d0;
-    const double d1 = w(1, 1) - l10 * w(0, 1), l21 = (w(1, 2) - l10 * w(0, 2)) / d1, d2 = w(2, 2);
-    const double y0 = m[0], y1 = m[1] - l10 * y0, y2 = m[2] - l20 * y0 - l21 * y1;
-    m[2] = y2 / d2;
-    m[1] = y1 / d1 - l21 * m[2];
-    m[0] = y0 / d0 - l10 * m[1] - l20 * m[2];
-    return true;
-  }
-
-  /// Share of rows that are within 1e-3 of max(|value|, median |value|).
-  static double ShareThatAgrees(const Eigen::VectorXd& ours, const Eigen::VectorXd& theirs) {
-    std::vector<double> magnitudes(theirs.size());
-    for (Eigen::Index v = 0; v < theirs.size(); ++v) magnitudes[v] = std::abs(theirs[v]);
-    std::nth_element(magnitudes.begin(), magnitudes.begin() + theirs.size() / 2, magnitudes.end());
-    const double median = magnitudes[theirs.size() / 2];
-    int agree = 0;
-    for (Eigen::Index v = 0; v < theirs.size(); ++v)
-      agree += std::abs(ours[v] - theirs[v]) <= 1e-3 * std::max(std::abs(theirs[v]), median);
-    return double(agree) / double(theirs.size());
-  }
-};
-
-TEST_F(ReferenceCurvature, AgreesOnceItsFaultIsInjected) {
-  const auto data = testing::SharedData();
-  if (!data || !std::filesystem::exists(*data / "golden")) GTEST_SKIP() << "no golden files beside the checkout";
-  const PolygonMesh polygons = ReadObj(*data / "facewarehouse_topology/warehouse_0.obj");
-  const TriangleMesh mesh{polygons.vertices, Triangulate(polygons)};
-  const auto golden =
-      testing::RunProcess({"/bin/gzip", "-dc", (*data / "golden/rtsc_warehouse0_default.verts.txt.gz").string()});
-  ASSERT_EQ(golden.exit_code, 0) << golden.err;
-  std::istringstream lines(golden.out.substr(golden.out.find("\n#") + 1));
-  std::string line;
-  std::getline(lines, line);
-  constexpr int kColumns = 23;
-  Eigen::MatrixXd rows(mesh.vertices.rows(), kColumns);
-  for (Eigen::Index v = 0; v < rows.rows(); ++v) {
-    for (int column = 0; column < kColumns; ++column) lines >> rows(v, column);
-  }
-  ASSERT_TRUE(lines);
-
-  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(mesh, SolveWithStalePivot);
-  const auto derivatives = ComputeCurvatureDerivatives(mesh, curvatures);
+TEST(PrincipalCurvature, AgreesWithTheReferenceProgramOnceItsFaultIsInjected) {
+  const auto reference = testing::RtscReference::Load("default");
+  if (!reference) GTEST_SKIP() << "no golden files beside the checkout";
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(reference->mesh, testing::SolveWithStalePivot);
+  const auto derivatives = ComputeCurvatureDerivatives(reference->mesh, curvatures);
+  const auto& rows = reference->rows;
+  using testing::ShareThatAgrees;
   EXPECT_LT((curvatures.normals - rows.middleCols<3>(3)).cwiseAbs().maxCoeff(), 1e-4);
   EXPECT_GE(ShareThatAgrees(curvatures.k1, rows.col(6)), 0.99);
   EXPECT_GE(ShareThatAgrees(curvatures.k2, rows.col(7)), 0.99);

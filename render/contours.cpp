@@ -1,0 +1,151 @@
+#include "render/contours.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace daumier::render {
+namespace {
+
+using Eigen::Vector3d;
+using geometry::Points;
+using geometry::TriangleMesh;
+
+/// P x 3: unit vectors from the points towards the viewer.
+Points TowardsViewer(const Camera& camera, const Points& points) {
+  const Vector3d axis = camera.camera_from_world.row(2);  // Away from the viewer.
+  if (!camera.perspective) return (-axis.transpose()).replicate(points.rows(), 1);
+  const Vector3d eye = -camera.camera_from_world.transpose() * camera.translation;
+  return ((-points).rowwise() + eye.transpose()).rowwise().normalized();
+}
+
+/// The line value = 0 across a triangle: two points on its edges, each `share` of the way between two of its corners.
+struct Crossing {
+  std::array<int, 2> corners;
+  double share;
+
+  template <class Values>
+  double Of(const Values& values, const Eigen::RowVector3i& triangle) const {
+    return (1 - share) * values[triangle[corners[0]]] + share * values[triangle[corners[1]]];
+  }
+  Vector3d On(const TriangleMesh& mesh, int f) const {
+    return (1 - share) * mesh.vertices.row(mesh.triangles(f, corners[0])) +
+           share * mesh.vertices.row(mesh.triangles(f, corners[1]));
+  }
+};
+
+/// The crossings on the edges from the corner whose sign is alone to the two others; nothing where signs agree.
+std::optional<std::array<Crossing, 2>> ZeroLine(const Eigen::VectorXd& values, const Eigen::RowVector3i& triangle) {
+  std::array<bool, 3> is_negative;
+  for (int k = 0; k < 3; ++k) is_negative[k] = values[triangle[k]] < 0;
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    if (is_negative[next] != is_negative[last] || is_negative[k] == is_negative[next]) continue;
+    const auto crossing = [&](int other) {
+      const double here = values[triangle[k]], there = values[triangle[other]];
+      return Crossing{{k, other}, here / (here - there)};
+    };
+    return std::array{crossing(next), crossing(last)};
+  }
+  return std::nullopt;
+}
+
+/// Appends the parts of the segment from a to b on which numerator / denominator >= 0; both run linearly along it.
+void AppendWherePositive(int f, const Vector3d& a, const Vector3d& b, const std::array<double, 2>& numerator,
+                         const std::array<double, 2>& denominator, std::vector<ContourSegment>& segments) {
+  std::vector<double> cuts = {0.0, 1.0};
+  for (const auto& values : {numerator, denominator}) {
+    if ((values[0] < 0) != (values[1] < 0)) cuts.push_back(values[0] / (values[0] - values[1]));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+    const auto at = [&](const std::array<double, 2>& values) { return (1 - middle) * values[0] + middle * values[1]; };
+    if (at(numerator) * at(denominator) < 0 || !(cuts[i + 1] > cuts[i])) continue;
+    segments.push_back({f, a + cuts[i] * (b - a), a + cuts[i + 1] * (b - a)});
+  }
+}
+
+}  // namespace
+
+double FeatureSize(const TriangleMesh& mesh, const geometry::PrincipalCurvatures& curvatures) {
+  const auto num_vertices = static_cast<uint32_t>(mesh.vertices.rows());
+  DAUMIER_CHECK(num_vertices > 0, "a mesh without vertices has no features");
+  constexpr uint32_t kMaxSamples = 500;
+  constexpr double kPercentile = 0.1;
+  std::vector<double> magnitudes;
+  uint32_t random = 0;  // The generator of Numerical Recipes, so that the sample is always the same.
+  for (uint32_t i = 0; i < std::min(kMaxSamples, num_vertices); ++i) {
+    random = 1664525u * random + 1013904223u;
+    const auto v = static_cast<Eigen::Index>(random % num_vertices);
+    magnitudes.insert(magnitudes.end(), {std::abs(curvatures.k1[v]), std::abs(curvatures.k2[v])});
+  }
+  const auto rank = magnitudes.begin() + static_cast<std::ptrdiff_t>(kPercentile * double(magnitudes.size()));
+  std::nth_element(magnitudes.begin(), rank, magnitudes.end());
+  const Eigen::RowVector3d middle = 0.5 * (mesh.vertices.colwise().minCoeff() + mesh.vertices.colwise().maxCoeff());
+  const double radius = (mesh.vertices.rowwise() - middle).rowwise().norm().maxCoeff();
+  const double size = *rank > 0 ? std::min(0.01 / *rank, 0.05 * radius) : 0.05 * radius;
+  DAUMIER_CHECK(size > 0, "all vertices lie in one point");
+  return size;
+}
+
+ViewCurvature ComputeViewCurvature(const TriangleMesh& mesh, const geometry::PrincipalCurvatures& curvatures,
+                                   const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>& derivatives,
+                                   const Camera& camera, double threshold) {
+  const auto num_vertices = mesh.vertices.rows();
+  DAUMIER_CHECK(curvatures.k1.size() == num_vertices && derivatives.rows() == num_vertices,
+                "curvatures of {} and derivatives of {} vertices for a mesh of {}", curvatures.k1.size(),
+                derivatives.rows(), num_vertices);
+  const Points towards = TowardsViewer(camera, mesh.vertices);
+  ViewCurvature view{Eigen::VectorXd(num_vertices), Eigen::VectorXd(num_vertices), Eigen::VectorXd(num_vertices)};
+  for (Eigen::Index i = 0; i < num_vertices; ++i) {
+    const double u = towards.row(i).dot(curvatures.direction1.row(i));
+    const double v = towards.row(i).dot(curvatures.direction2.row(i));
+    const double k1 = curvatures.k1[i], k2 = curvatures.k2[i], sine2 = u * u + v * v;
+    view.n_dot_v[i] = towards.row(i).dot(curvatures.normals.row(i));
+    view.radial[i] = k1 * u * u + k2 * v * v;
+    double along = 0;  // D_w kappa_r sin(theta): the tensor's derivative along w, and the turning of w itself.
+    if (sine2 > 0) {
+      const auto c = derivatives.row(i);
+      const double twist = (k2 - k1) * u * v / sine2;
+      along = (u * u * (u * c[0] + 3 * v * c[1]) + v * v * (3 * u * c[2] + v * c[3])) / sine2 -
+              2 * view.n_dot_v[i] * twist * twist;
+    }
+    view.rise[i] = along - threshold * view.n_dot_v[i];
+  }
+  return view;
+}
+
+std::vector<ContourSegment> SuggestiveContours(const TriangleMesh& mesh, const ViewCurvature& view) {
+  std::vector<ContourSegment> segments;
+  for (int f = 0; f < mesh.triangles.rows(); ++f) {
+    const Eigen::RowVector3i triangle = mesh.triangles.row(f);
+    const auto faces_away = [&](int v) { return view.n_dot_v[v] <= 0; };
+    if (std::all_of(triangle.begin(), triangle.end(), faces_away)) continue;
+    const auto line = ZeroLine(view.radial, triangle);
+    if (!line) continue;
+    const auto& [a, b] = *line;
+    AppendWherePositive(f, a.On(mesh, f), b.On(mesh, f), {a.Of(view.rise, triangle), b.Of(view.rise, triangle)},
+                        {a.Of(view.n_dot_v, triangle), b.Of(view.n_dot_v, triangle)}, segments);
+  }
+  return segments;
+}
+
+std::vector<ContourSegment> OccludingContours(const TriangleMesh& mesh, const ViewCurvature& view) {
+  std::vector<ContourSegment> segments;
+  for (int f = 0; f < mesh.triangles.rows(); ++f) {
+    const Eigen::RowVector3i triangle = mesh.triangles.row(f);
+    const auto line = ZeroLine(view.n_dot_v, triangle);
+    if (!line) continue;
+    const auto& [a, b] = *line;
+    AppendWherePositive(f, a.On(mesh, f), b.On(mesh, f), {a.Of(view.radial, triangle), b.Of(view.radial, triangle)},
+                        {1.0, 1.0}, segments);
+  }
+  return segments;
+}
+
+}  // namespace daumier::render

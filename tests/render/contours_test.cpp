@@ -1,0 +1,153 @@
+#include "render/contours.h"
+
+#include "tests/geometry/shapes.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/rtsc_reference.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace daumier::render {
+namespace {
+
+using geometry::TriangleMesh;
+
+struct Viewed {
+  Viewed(const TriangleMesh& mesh, const Camera& camera, double threshold = 0)
+      : curvatures(geometry::ComputePrincipalCurvatures(mesh)),
+        derivatives(geometry::ComputeCurvatureDerivatives(mesh, curvatures)),
+        view(ComputeViewCurvature(mesh, curvatures, derivatives, camera, threshold)) {}
+
+  geometry::PrincipalCurvatures curvatures;
+  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> derivatives;
+  ViewCurvature view;
+};
+
+/// Looks along -z.
+const Camera kFromFront = FrontalCamera(Eigen::Vector3d::Zero(), 5, 256);
+
+TEST(ViewCurvature, OfASphereIsItsCurvatureTimesSineSquared) {
+  const TriangleMesh sphere = testing::Sphere(2, 4);
+  const Viewed viewed(sphere, kFromFront);
+  for (Eigen::Index v = 0; v < sphere.vertices.rows(); ++v) {
+    const double cosine = sphere.vertices(v, 2) / 2;
+    EXPECT_NEAR(viewed.view.n_dot_v[v], cosine, 0.01);
+    EXPECT_NEAR(viewed.view.radial[v], 0.5 * (1 - cosine * cosine), 0.01);
+  }
+}
+
+TEST(OccludingContours, OfASphereAreItsEquatorOrInPerspectiveASmallerCircle) {
+  const TriangleMesh sphere = testing::Sphere(2, 4);
+  const auto ring = OccludingContours(sphere, Viewed(sphere, kFromFront).view);
+  ASSERT_GT(ring.size(), 50u);
+  for (const ContourSegment& segment : ring) EXPECT_NEAR(segment.from.z(), 0, 0.02);
+  // From distance 8 the contour of a sphere of radius 2 lies at z = 2 * 2 / 8.
+  const auto near_ring = OccludingContours(sphere, Viewed(sphere, WithPerspective(kFromFront, 8)).view);
+  ASSERT_GT(near_ring.size(), 50u);
+  for (const ContourSegment& segment : near_ring) EXPECT_NEAR(segment.to.z(), 0.5, 0.02);
+}
+
+TEST(SuggestiveContours, AConvexSurfaceHasNone) {
+  const TriangleMesh sphere = testing::Sphere(2, 4);
+  EXPECT_TRUE(SuggestiveContours(sphere, Viewed(sphere, kFromFront).view).empty());
+}
+
+/// A torus (radii 3 and 1, axis z): along the small circle the curvature is 1, along the large one cos b / (3 + cos b)
+/// at the angle b of the tube.
+TEST(SuggestiveContours, OfATorusLieWhereItsRadialCurvatureIsZeroInClosedForm) {
+  const TriangleMesh torus = testing::Torus(3, 1, 240, 120);
+  constexpr double kPitch = 40;
+  const Camera camera = TurnedCamera(Eigen::Vector3d::Zero(), 5, 256, 0, kPitch);
+  const double pitch = kPitch * std::numbers::pi / 180;
+  const Eigen::Vector3d towards(0, std::sin(pitch), std::cos(pitch));
+  const auto segments = SuggestiveContours(torus, Viewed(torus, camera).view);
+  ASSERT_GT(segments.size(), 50u);
+  for (const ContourSegment& segment : segments) {
+    const Eigen::Vector3d p = 0.5 * (segment.from + segment.to);
+    const double around = std::hypot(p.x(), p.y()), cosine = around - 3;
+    const Eigen::Vector3d large(-p.y() / around, p.x() / around, 0);
+    const Eigen::Vector3d normal(cosine * p.x() / around, cosine * p.y() / around, p.z());
+    const double u = towards.dot(normal.cross(large)), v = towards.dot(large);
+    EXPECT_NEAR(u * u + v * v * cosine / around, 0, 0.01) << p.transpose();
+    EXPECT_LT(cosine, 0.01) << "the inner side alone is saddle-shaped";
+    EXPECT_GT(towards.dot(normal), -0.05) << "it faces the viewer";
+  }
+}
+
+TEST(SuggestiveContours, AThresholdLeavesFewer) {
+  const TriangleMesh torus = testing::Torus(3, 1, 120, 60);
+  const Camera camera = TurnedCamera(Eigen::Vector3d::Zero(), 5, 256, 0, 70);
+  const auto count = [&](double threshold) {
+    return SuggestiveContours(torus, Viewed(torus, camera, threshold).view).size();
+  };
+  EXPECT_GT(count(0), count(0.3));
+}
+
+TEST(FeatureSize, ScalesWithTheMesh) {
+  TriangleMesh torus = testing::Torus(3, 1, 60, 30);
+  const double size = FeatureSize(torus, geometry::ComputePrincipalCurvatures(torus));
+  torus.vertices *= 4;
+  EXPECT_NEAR(FeatureSize(torus, geometry::ComputePrincipalCurvatures(torus)), 4 * size, 1e-9);
+  TriangleMesh none{geometry::Points(0, 3), geometry::Triangles(0, 3)};
+  testing::ExpectError([&] { FeatureSize(none, geometry::ComputePrincipalCurvatures(none)); }, "without vertices");
+}
+
+TEST(ViewCurvature, RefusesCurvaturesOfAnotherMesh) {
+  const TriangleMesh sphere = testing::Sphere(1, 1);
+  const Viewed other(testing::Sphere(1, 2), kFromFront);
+  testing::ExpectError([&] { ComputeViewCurvature(sphere, other.curvatures, other.derivatives, kFromFront, 0); },
+                       "for a mesh of 18");
+}
+
+/// Of the segments of `ours`, the share whose ends are those of one of `theirs`.
+double ShareFound(const std::vector<std::array<Eigen::Vector3d, 2>>& ours,
+                  const std::vector<std::array<Eigen::Vector3d, 2>>& theirs, double tolerance) {
+  int num_found = 0;
+  for (const auto& [a, b] : ours) {
+    num_found += std::any_of(theirs.begin(), theirs.end(), [&, a = a, b = b](const auto& other) {
+      const auto near = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return (p - q).norm() < tolerance; };
+      return (near(a, other[0]) && near(b, other[1])) || (near(a, other[1]) && near(b, other[0]));
+    });
+  }
+  return double(num_found) / double(ours.size());
+}
+
+class ReferenceContours : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ReferenceContours, AgreeWithTheProgramOnceItsFaultIsInjected) {
+  const auto reference = testing::RtscReference::Load(GetParam());
+  if (!reference) GTEST_SKIP() << "no golden files beside the checkout";
+  const TriangleMesh& mesh = reference->mesh;
+  Camera camera;  // Looks along -z from the reference's eye.
+  camera.perspective = true;
+  camera.translation = -(camera.camera_from_world * reference->eye);
+  const auto curvatures = geometry::ComputePrincipalCurvatures(mesh, testing::SolveWithStalePivot);
+  EXPECT_NEAR(FeatureSize(mesh, curvatures), reference->feature_size, 1e-3 * reference->feature_size);
+  const double threshold = 0.01 / (reference->feature_size * reference->feature_size);
+  const ViewCurvature view = ComputeViewCurvature(
+      mesh, curvatures, geometry::ComputeCurvatureDerivatives(mesh, curvatures), camera, threshold);
+  const auto& rows = reference->rows;
+  EXPECT_GE(testing::ShareThatAgrees(view.n_dot_v, rows.col(19)), 0.999);
+  EXPECT_GE(testing::ShareThatAgrees(view.radial, rows.col(20)), 0.99);
+  EXPECT_GE(testing::ShareThatAgrees(view.rise, rows.col(21)), 0.99);
+
+  const auto ends = [](const std::vector<ContourSegment>& segments) {
+    std::vector<std::array<Eigen::Vector3d, 2>> result;
+    for (const ContourSegment& segment : segments) result.push_back({segment.from, segment.to});
+    return result;
+  };
+  const auto suggestive = ends(SuggestiveContours(mesh, view)), occluding = ends(OccludingContours(mesh, view));
+  const double tolerance = 1e-3;  // Of a head 2.3 units high.
+  EXPECT_GE(ShareFound(suggestive, reference->suggestive, tolerance), 0.97);
+  EXPECT_GE(ShareFound(reference->suggestive, suggestive, tolerance), 0.97);
+  EXPECT_GE(ShareFound(occluding, reference->occluding, tolerance), 0.97);
+  EXPECT_GE(ShareFound(reference->occluding, occluding, tolerance), 0.97);
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, ReferenceContours, ::testing::Values("default", "ortho"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace daumier::render
