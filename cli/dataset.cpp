@@ -1,6 +1,7 @@
 #include "cli/verb.h"
 #include "core/files.h"
 #include "core/options.h"
+#include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
@@ -34,14 +35,26 @@ std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, cons
 
 std::function<void()> AddStats(CLI::App& parent) {
   struct Arguments {
-    std::filesystem::path directory;
+    std::filesystem::path directory, rebuild;
     bool as_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = parent.add_subcommand("stats", "Counts, licences, principal components for 99 % of the variance");
   command->add_option("directory", arguments->directory, "A folder of faces")->required();
+  command->add_option("--rebuild", arguments->rebuild,
+                      "Another folder of faces of the same topology: how well these components rebuild it");
   command->add_flag("--json", arguments->as_json, "Machine-readable");
-  return [arguments] { PrintResult(datasets::FaceStatistics(arguments->directory), arguments->as_json); };
+  return [arguments] {
+    Json result = datasets::FaceStatistics(arguments->directory);
+    if (!arguments->rebuild.empty()) {
+      const faces::FaceDatabase basis(arguments->directory), rebuilt(arguments->rebuild);
+      const datasets::Coverage coverage = datasets::MeasureCoverage(basis, rebuilt);
+      result["rebuilt"] = {{"num_basis_faces", coverage.num_basis_faces},
+                           {"components", coverage.components},
+                           {"mean_vertex_error_mm", coverage.errors_mm}};
+    }
+    PrintResult(result, arguments->as_json);
+  };
 }
 
 std::function<void()> AddGallery(CLI::App& parent) {
