@@ -10,7 +10,6 @@ namespace daumier::faces {
 namespace {
 
 constexpr double kMaxDeviations = 2.0;
-constexpr double kLeastLump = 0.7, kLargestLump = 2.2;  // cm
 
 double DrawNormal(Rng& rng) {
   return std::clamp(rng.Normal(), -kMaxDeviations, kMaxDeviations);
@@ -40,7 +39,7 @@ PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FacePar
   }
   for (int i = 0; i < options.num_lumps; ++i) {
     Lump lump{.vertex = static_cast<int>(rng.Below(face_template.num_vertices())),
-              .radius = rng.Uniform(kLeastLump, kLargestLump),
+              .radius = rng.Uniform(options.lump_radius / 3, options.lump_radius),
               .offset = {}};
     for (double& offset : lump.offset) offset = options.lump_offset * gamma * lump.radius * DrawNormal(rng);
     strengths.lumps.push_back(lump);

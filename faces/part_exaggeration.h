@@ -10,6 +10,7 @@ struct PartExaggerationOptions {
   double stretch = 0.5;
   double asymmetry = 0.4;
   int num_lumps = 120;
+  double lump_radius = 2.2;
   double lump_offset = 0.9;
   int blend_rings = 8;
 
@@ -22,6 +23,8 @@ struct PartExaggerationOptions {
         "Standard deviation of the logarithm of a part's width, height and depth, in multiples of the level's gamma.");
     visit("asymmetry", asymmetry, Range{0.0, 1.0}, "How far left and right differ, as a share of that deviation.");
     visit("num_lumps", num_lumps, Range{0, 200}, "Lumps and hollows anywhere on the head.");
+    visit("lump_radius", lump_radius, Range{0.3, 20.0},
+          "The largest radius of a lump in cm; the least is a third of it.");
     visit("lump_offset", lump_offset, Range{0.0, 5.0},
           "Standard deviation of how far a lump moves along each axis, in multiples of its radius and the level's "
           "gamma.");
@@ -48,8 +51,8 @@ struct PartStrengths {
 /// Random strengths of a level. Width, height and depth of a part are stretched by exp(N(0, stretch * gamma)), cut at
 /// two deviations; its exponent of curvature is uniform in [0, 2 * curvature * gamma], and 0 on eyes and mouth; left
 /// and right parts share their strengths and differ by asymmetry. Lumps stand at random vertices, half of
-/// them also mirrored, with a radius uniform in 0.7 .. 2.2 cm and offsets of N(0, lump_offset * gamma * radius) cut at
-/// two deviations. gamma 0 gives strengths of 0.
+/// them also mirrored, with a radius uniform in a third of lump_radius to all of it, and offsets of N(0, lump_offset *
+/// gamma * radius) cut at two deviations. gamma 0 gives strengths of 0.
 PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FaceParts& parts, double gamma,
                                 const PartExaggerationOptions& options, Rng& rng);
 

@@ -1,6 +1,7 @@
 #include "datasets/build/coverage.h"
 
 #include "core/error.h"
+#include "datasets/build/stats.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -36,12 +37,10 @@ Coverage MeasureCoverage(const faces::FaceDatabase& basis, const faces::FaceData
                 rebuilt.num_vertices(), basis.num_vertices());
   const std::vector<int>& region = basis.face_template().annotation.regions.at("face");
   Coverage coverage;
-  coverage.num_basis_faces = std::min(kMaxBasisFaces, basis.num_faces());
+  const std::vector<int> chosen = SampleFaces(basis, kMaxBasisFaces);
+  coverage.num_basis_faces = static_cast<int>(chosen.size());
   Eigen::MatrixXd faces(3 * region.size(), coverage.num_basis_faces);  // A column a face.
-  for (int i = 0; i < coverage.num_basis_faces; ++i) {
-    const auto face = static_cast<int>(int64_t(i) * basis.num_faces() / coverage.num_basis_faces);
-    faces.col(i) = RegionOf(basis, face, region);
-  }
+  for (int i = 0; i < coverage.num_basis_faces; ++i) faces.col(i) = RegionOf(basis, chosen[i], region);
   const Eigen::VectorXd mean = faces.rowwise().mean();
   faces.colwise() -= mean;
   // With F'F = U S U' the columns of F U S^-1/2 are the components.

@@ -1,6 +1,7 @@
 #include "datasets/build/stats.h"
 
 #include "core/error.h"
+#include "core/random.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -33,15 +34,19 @@ int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const 
   return count;
 }
 
+std::vector<int> SampleFaces(const faces::FaceDatabase& database, int count) {
+  std::vector<int> faces = Stream(0, "sample of faces").Permutation(database.num_faces());
+  faces.resize(std::min(count, database.num_faces()));
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 Json FaceStatistics(const std::filesystem::path& directory) {
   const faces::FaceDatabase database(directory);
-  std::vector<int> neutrals, chosen;
+  std::vector<int> neutrals;
   for (int person = 0; person < database.num_persons(); ++person) neutrals.push_back(database.index({person, 0, 0}));
-  constexpr int kMaxFaces = 600;
-  const int num_chosen = std::min(kMaxFaces, database.num_faces());
-  for (int k = 0; k < num_chosen; ++k) {
-    chosen.push_back(static_cast<int>(int64_t(k) * database.num_faces() / num_chosen));
-  }
+  constexpr int kMaxFaces = 1500;
+  const std::vector<int> chosen = SampleFaces(database, kMaxFaces);
   constexpr double kShare = 0.99;
   const Manifest& manifest = database.manifest();
   Json result = manifest.counts;
@@ -53,7 +58,7 @@ Json FaceStatistics(const std::filesystem::path& directory) {
   result["data_hash"] = DataHash(directory);
   result["principal_components_99"] = {{"identities", NumPrincipalComponents(database, neutrals, kShare)},
                                        {"faces", NumPrincipalComponents(database, chosen, kShare)},
-                                       {"num_faces", num_chosen}};
+                                       {"num_faces", chosen.size()}};
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace daumier::datasets {
 
@@ -11,9 +12,13 @@ namespace daumier::datasets {
 /// k largest eigenvalues of their centred Gram matrix sum to `share` of its trace. 0 if the faces do not differ.
 int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const int> faces, double share);
 
+/// At most `count` faces of a database, ascending, drawn without replacement and always the same: every k-th face would
+/// show but some of the expressions.
+std::vector<int> SampleFaces(const faces::FaceDatabase& database, int count);
+
 /// What `daumier dataset stats` tells of a folder of faces: counts, source and licences, gammas, expressions,
-/// millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 0), faces (evenly
-/// chosen, at most 600), num_faces}.
+/// millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 0), faces
+/// (SampleFaces, at most 1,500), num_faces}.
 /// @throws Error as faces::FaceDatabase.
 Json FaceStatistics(const std::filesystem::path& directory);
 
