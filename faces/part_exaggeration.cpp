@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "faces/gradient_scaling.h"
 #include "geometry/alignment.h"
+#include "geometry/flips.h"
 
 #include <algorithm>
 
@@ -18,6 +19,31 @@ double DrawNormal(Rng& rng) {
 /// Curvature at the borders of lids and lips is not stable [Han et al. 2017, section 4.1].
 bool AnswersToCurvature(const std::string& part) {
   return part != "mouth" && !part.starts_with("eye_");
+}
+
+/// `stretched` moved by the lumps. Where triangles of `face` would flip, the lumps around them are halved, again and
+/// again.
+geometry::Points WithLumps(const geometry::Points& face, const geometry::Triangles& triangles,
+                           const geometry::Points& stretched, std::vector<Lump> lumps) {
+  constexpr int kMaxRounds = 8;
+  constexpr double kReach = 2.0;  // Radii within which a lump has a part in a flip.
+  geometry::Points result;
+  for (int round = 0; round <= kMaxRounds; ++round) {
+    result = stretched;
+    for (const Lump& lump : lumps) {
+      const Eigen::ArrayXd squared = (face.rowwise() - face.row(lump.vertex)).rowwise().squaredNorm();
+      result += (-0.5 / (lump.radius * lump.radius) * squared).exp().matrix() * lump.offset.transpose();
+    }
+    const std::vector<int> flipped = geometry::FlippedTriangles(face, result, triangles);
+    if (flipped.empty()) break;
+    for (Lump& lump : lumps) {
+      const auto is_near = [&](int f) {
+        return (face.row(triangles(f, 0)) - face.row(lump.vertex)).norm() < kReach * lump.radius;
+      };
+      if (std::any_of(flipped.begin(), flipped.end(), is_near)) lump.offset *= 0.5;
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -62,12 +88,9 @@ geometry::Points ExaggerateParts(const FaceTemplate& face_template, const FacePa
   const Eigen::VectorXd exponent = CurvatureExponent(face_template, face, options);
   geometry::Points log_scales = parts.weights * strengths.log_stretches;
   log_scales.colwise() += (parts.weights * strengths.gammas).cwiseProduct(exponent);
-  geometry::Points result = GradientScaling({face, face_template.triangles}, regions.at("neck_border"))
-                                .RebuildWithoutFlips(log_scales, options.blend_rings);
-  for (const Lump& lump : strengths.lumps) {
-    const Eigen::ArrayXd squared = (face.rowwise() - face.row(lump.vertex)).rowwise().squaredNorm();
-    result += (-0.5 / (lump.radius * lump.radius) * squared).exp().matrix() * lump.offset.transpose();
-  }
+  const geometry::Points stretched = GradientScaling({face, face_template.triangles}, regions.at("neck_border"))
+                                         .RebuildWithoutFlips(log_scales, options.blend_rings);
+  const geometry::Points result = WithLumps(face, face_template.triangles, stretched, strengths.lumps);
   Eigen::VectorXd in_face = Eigen::VectorXd::Zero(face.rows());
   for (const int v : regions.at("face")) in_face[v] = 1;
   return geometry::AlignSimilarity(result, face, in_face).Apply(result);

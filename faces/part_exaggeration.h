@@ -59,8 +59,9 @@ PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FacePar
 /// Exaggerates each part of a neutral face (V x 3, cm) by its own strength: the surface is rebuilt by
 /// GradientScaling::RebuildWithoutFlips from gradients whose coordinate k is scaled by
 ///   exp(sum_p weight_p (gamma_p e + log_stretch_pk)),  e the face's CurvatureExponent,
-/// then moved by the lumps (distances measured on the input) and similarity-aligned to the face it came from over the
-/// region `face`. Eyes and mouth are carried along.
+/// then moved by the lumps (distances measured on the input; lumps around a triangle that would flip are halved, at
+/// most eight times) and similarity-aligned to the face it came from over the region `face`. Eyes and mouth are carried
+/// along.
 /// Promises: strengths of 0 return the input; strengths that are equal on left and right keep a symmetric face
 /// symmetric; a part that is stretched grows in that direction against the others.
 /// @throws Error if `face` has another number of vertices, or the strengths another number of parts.

@@ -1,16 +1,15 @@
 """Reads a database of faces with nothing but numpy:  python3 read_faces.py FOLDER"""
-import json, mmap, pathlib, sys
+import json, pathlib, sys
 import numpy as np
 
-TYPES = {"F32": np.float32, "F64": np.float64, "I32": np.int32, "I64": np.int64, "U8": np.uint8}
+TYPES = {"F32": np.float32, "F64": np.float64, "I32": np.int32, "I64": np.int64}
 
 def read_safetensors(path):
-    data = mmap.mmap(open(path, "rb").fileno(), 0, access=mmap.ACCESS_READ)  # arrays stay on disk
-    size = int.from_bytes(data[:8], "little")
-    entries = json.loads(data[8:8 + size])
-    entries.pop("__metadata__", None)
-    return {name: np.frombuffer(data, TYPES[e["dtype"]], int(np.prod(e["shape"])), 8 + size + e["data_offsets"][0])
-                    .reshape(e["shape"]) for name, e in entries.items()}
+    data = np.memmap(path, mode="r")  # arrays stay on disk
+    size = int.from_bytes(data[:8].tobytes(), "little")
+    entries = json.loads(data[8:8 + size].tobytes())
+    return {name: data[8 + size:][slice(*e["data_offsets"])].view(TYPES[e["dtype"]]).reshape(e["shape"])
+            for name, e in entries.items() if name != "__metadata__"}
 
 folder = pathlib.Path(sys.argv[1])
 manifest = json.loads((folder / "manifest.json").read_text())
