@@ -15,8 +15,8 @@ namespace {
 /// pivots of rounding size.
 constexpr double kLeastPivot = 1e-11;
 
-/// A vertex with fewer neighbours than this, on a border, turns and scales with two rings: a similarity of so few points
-/// could follow almost any move of theirs, and the border would be loose.
+/// A vertex with fewer neighbours than this, on a border, turns and scales with two rings: a similarity of so few
+/// points could follow almost any move of theirs, and the border would be loose.
 constexpr size_t kFewNeighbours = 4;
 
 /// The vertices whose move tells T_i.

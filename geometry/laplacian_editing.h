@@ -13,11 +13,11 @@ namespace daumier::geometry {
 /// m_i the mean of the neighbours of vertex i, u_k the targets of the handles and T_i = s_i I + [h_i]x the linearised
 /// similarity that maps vertex i and its neighbours to their new places best, itself linear in x'. So turning and
 /// scaling are free where the surface wants them. The system (3V x 3V) is factorised once.
-/// A vertex with fewer than four neighbours, on a border, is fitted over two rings: so few points would follow almost any
-/// move of theirs, and the tip of a border would be loose.
-/// Promises: targets at the handles' own places give the mesh back; targets that are moved by one map
-/// x -> s x + h x x + t (scales, shifts, and rotations to first order) move the whole mesh by it, exactly. A rotation
-/// by a large angle a bends the surface by the order of a^2: turn the mesh by AlignSimilarity before.
+/// A vertex with fewer than four neighbours, on a border, is fitted over two rings: so few points would follow almost
+/// any move of theirs, and the tip of a border would be loose. Promises: targets at the handles' own places give the
+/// mesh back; targets that are moved by one map x -> s x + h x x + t (scales, shifts, and rotations to first order)
+/// move the whole mesh by it, exactly. A rotation by a large angle a bends the surface by the order of a^2: turn the
+/// mesh by AlignSimilarity before.
 class LaplacianEditor {
  public:
   /// handle_ids: distinct vertices. weights: w_k > 0 a handle; a large one (1e4) makes its handle as good as hard.

@@ -3,6 +3,7 @@
 #include "eval/table.h"
 #include "tests/support/paths.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,6 +24,24 @@ std::vector<ErrorRow> RowsOf(const Json& table) {
                     .interocular_share = entry.at("interocular_share")});
   }
   return rows;
+}
+
+/// A line of the table of databases.
+std::string DatabaseLine(const Json& row) {
+  return fmt::format("| {} | {} | {} | {:.0f} | {} | {} | {} |\n", row.at("name").get<std::string>(),
+                     row.at("faces").get<int>(), row.at("vertices").get<int>(), row.at("seconds").get<double>(),
+                     row.at("peak_mb").get<int>(), row.at("identities_99").get<int>(), row.at("faces_99").get<int>());
+}
+
+TEST(ResultsDocument, ShowsItsDatabases) {
+  const std::string document = ReadFile(testing::SourceRoot() / "docs/results.md");
+  const Json record = Json::parse(ReadFile(testing::SourceRoot() / "docs/results/databases/faces.json"));
+  ASSERT_FALSE(record.at("databases").empty());
+  for (const Json& row : record.at("databases")) {
+    EXPECT_NE(document.find(DatabaseLine(row)), std::string::npos) << DatabaseLine(row);
+    EXPECT_NE(document.find(row.at("command").get<std::string>()), std::string::npos) << row.at("command");
+    EXPECT_EQ(row.at("data_hash").get<std::string>().size(), 64u);
+  }
 }
 
 TEST(ResultsDocument, ShowsTheTablesOfItsRecords) {

@@ -4,8 +4,8 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/rtsc_reference.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <numbers>
 

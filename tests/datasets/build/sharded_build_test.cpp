@@ -107,6 +107,21 @@ TEST_F(ShardedBuildTest, AnInterruptEndsItCleanlyAndSaysHowToGoOn) {
   EXPECT_EQ(Contents(other_), Contents(whole_));
 }
 
+TEST_F(ShardedBuildTest, DependentShardsAreBegunWhenTheOthersAreThere) {
+  Build build;
+  build.num_independent = 7;
+  std::atomic<int> num_early = 0;
+  build.write_shard = [&, write = build.write_shard](int shard, const fs::path& file) {
+    if (shard >= 7) {
+      for (int other = 0; other < 7; ++other) num_early += !fs::exists(other_ / build.shard_name(other));
+    }
+    return write(shard, file);
+  };
+  BuildShards(other_, build);
+  EXPECT_EQ(num_early, 0);
+  EXPECT_EQ(Contents(other_), Contents(whole_));
+}
+
 TEST_F(ShardedBuildTest, AFinishedBuildIsOnlyVerified) {
   const auto before = Contents(whole_);
   build_.num_written = 0;
