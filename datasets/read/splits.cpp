@@ -51,9 +51,9 @@ std::string FacesChecksum(const std::vector<int>& faces) {
 
 Split MakeSplit(const faces::FaceDatabase& database, const SplitOptions& options, uint64_t seed) {
   const bool by_person = options.kind == "person";
-  const char* const unit = by_person ? "persons" : "faces";
   const std::vector<std::vector<int>> units = by_person ? FacesOfGroups(database) : SingleFaces(database);
   const int num_units = static_cast<int>(units.size());
+  const char* const unit = !by_person ? "faces" : num_units < database.num_persons() ? "groups of persons" : "persons";
   const int num_test = Count(options.test, num_units), num_validation = Count(options.validation, num_units);
   DAUMIER_CHECK(
       num_test + num_validation < num_units,

@@ -152,6 +152,8 @@ TEST(SplitOfFamilies, BothParentsOfAnInterpolatedFaceAreOnItsSide) {
       }
     }
     EXPECT_EQ(num_interpolated, 40);
+    ExpectError([&] { MakeSplit(database, {.kind = "person", .validation = 0.5, .test = 0.5}, seed); },
+                "4 groups of persons are too few");
     EXPECT_EQ(std::count(side_of_person.begin(), side_of_person.end(), 2), 2) << "one family of two";
   }
 }
