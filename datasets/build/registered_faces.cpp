@@ -5,8 +5,7 @@
 #include "core/safetensors.h"
 #include "datasets/build/sharded_build.h"
 #include "faces/face_database.h"
-#include "geometry/obj.h"
-#include "geometry/ply.h"
+#include "faces/import/mesh_folder.h"
 #include "geometry/registration_quality.h"
 #include "geometry/triangulate.h"
 
@@ -156,7 +155,7 @@ void WriteQuality(const fs::path& directory, int num_persons) {
 
 LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
   const fs::path& path = inputs.meshes.at(index);
-  const geometry::PolygonMesh polygons = path.extension() == ".ply" ? geometry::ReadPly(path) : geometry::ReadObj(path);
+  const geometry::PolygonMesh polygons = faces::ReadMesh(path);
   LandmarkedMesh result{path.stem().string(), {polygons.vertices, geometry::Triangulate(polygons)}, {}};
   result.landmarks = LandmarkFile(LandmarkPath(inputs, result.name), inputs.vertex_map).On(polygons.vertices);
   const auto num_landmarks = Present(result.landmarks).size();
