@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace daumier::geometry {
 namespace {
@@ -16,10 +17,13 @@ struct TangentFrame {
   Vector3 u, v;
 
   Vector3 normal() const { return u.cross(v); }
-  /// The same basis turned, about the axis that needs the least turn, into the plane of another normal.
+  /// The same basis turned, about the axis that needs the least turn, into the plane of another normal. The rotation
+  /// that takes the unit vector a to b takes x, normal to a, to x - (b . x) / (1 + a . b) (a + b).
   TangentFrame TurnedTo(const Vector3& other_normal) const {
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(normal(), other_normal);
-    return {turn * u, turn * v};
+    const Vector3 sum = normal() + other_normal;
+    const double one_plus_cosine = 0.5 * sum.squaredNorm();
+    if (one_plus_cosine < 1e-12) return {u, -v};
+    return {u - other_normal.dot(u) / one_plus_cosine * sum, v - other_normal.dot(v) / one_plus_cosine * sum};
   }
 };
 
@@ -80,40 +84,60 @@ TangentFrame AnyFrame(const Vector3& normal) {
   return {u, normal.cross(u)};
 }
 
-}  // namespace
+/// V: what CornerAreas give to each vertex.
+Eigen::VectorXd AreasAround(const TriangleMesh& mesh, const Points& corner_areas) {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.vertices.rows());
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) areas[mesh.triangles(f, k)] += corner_areas(f, k);
+  }
+  return areas;
+}
 
-bool SolveLdlt(const Eigen::MatrixXd& w, Eigen::VectorXd& m_then_x) {
-  const auto size = w.rows();
-  Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(size, size);
-  Eigen::VectorXd pivots(size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    pivots[i] = w(i, i) - (lower.row(i).head(i).array().square() * pivots.head(i).transpose().array()).sum();
+template <int N>
+bool SolveByLdlt(const Eigen::Matrix<double, N, N>& w, Eigen::Matrix<double, N, 1>& m_then_x) {
+  Eigen::Matrix<double, N, N> lower;  // Below the diagonal alone.
+  Eigen::Matrix<double, N, 1> pivots;
+  for (int i = 0; i < N; ++i) {
+    pivots[i] = w(i, i);
+    for (int k = 0; k < i; ++k) pivots[i] -= lower(i, k) * lower(i, k) * pivots[k];
     if (!(pivots[i] > 0)) return false;
-    for (Eigen::Index j = i + 1; j < size; ++j) {
-      const double product =
-          (lower.row(j).head(i).array() * lower.row(i).head(i).array() * pivots.head(i).transpose().array()).sum();
-      lower(j, i) = (w(j, i) - product) / pivots[i];
+    for (int j = i + 1; j < N; ++j) {
+      lower(j, i) = w(j, i);
+      for (int k = 0; k < i; ++k) lower(j, i) -= lower(j, k) * lower(i, k) * pivots[k];
+      lower(j, i) /= pivots[i];
     }
   }
-  lower.triangularView<Eigen::UnitLower>().solveInPlace(m_then_x);
-  m_then_x.array() /= pivots.array();
-  lower.transpose().triangularView<Eigen::UnitUpper>().solveInPlace(m_then_x);
+  for (int i = 0; i < N; ++i) {
+    for (int k = 0; k < i; ++k) m_then_x[i] -= lower(i, k) * m_then_x[k];
+  }
+  for (int i = N - 1; i >= 0; --i) {
+    m_then_x[i] /= pivots[i];
+    for (int k = i + 1; k < N; ++k) m_then_x[i] -= lower(k, i) * m_then_x[k];
+  }
   return true;
 }
 
-PrincipalCurvatures ComputePrincipalCurvatures(const TriangleMesh& mesh, const SmallSolver& solve) {
+}  // namespace
+
+bool SolveLdlt(const Eigen::Matrix3d& w, Eigen::Vector3d& m_then_x) {
+  return SolveByLdlt<3>(w, m_then_x);
+}
+
+PrincipalCurvatures ComputePrincipalCurvatures(const TriangleMesh& mesh, const TensorSolver& solve) {
   const auto num_vertices = mesh.vertices.rows();
   const Points corner_areas = CornerAreas(mesh);
-  const Eigen::VectorXd areas = VertexAreas(mesh);
+  const Eigen::VectorXd areas = AreasAround(mesh, corner_areas);
   PrincipalCurvatures result{VertexNormals(mesh), Eigen::VectorXd::Zero(num_vertices),
                              Eigen::VectorXd::Zero(num_vertices), Points::Zero(num_vertices, 3),
                              Points::Zero(num_vertices, 3)};
   Points tensors = Points::Zero(num_vertices, 3);
+  std::vector<TangentFrame> frames;
+  for (const auto& normal : result.normals.rowwise()) frames.push_back(AnyFrame(normal));
   Triangle triangle;
   for (int f = 0; f < mesh.triangles.rows(); ++f) {
     if (!Open(mesh, f, triangle)) continue;
-    Eigen::MatrixXd w = Eigen::MatrixXd::Zero(3, 3);
-    Eigen::VectorXd tensor = Eigen::VectorXd::Zero(3);
+    Eigen::Matrix3d w = Eigen::Matrix3d::Zero();
+    Tensor2 tensor = Tensor2::Zero();
     for (int k = 0; k < 3; ++k) {
       const double u = triangle.edges[k].x(), v = triangle.edges[k].y();
       const Vector3 change =
@@ -131,14 +155,13 @@ PrincipalCurvatures ComputePrincipalCurvatures(const TriangleMesh& mesh, const S
     for (int k = 0; k < 3; ++k) {
       const int vertex = triangle.corners[k];
       if (!(areas[vertex] > 0)) continue;
-      const TangentFrame frame = AnyFrame(result.normals.row(vertex));
       tensors.row(vertex) +=
-          corner_areas(f, k) / areas[vertex] * InFrame(Tensor2(tensor), triangle.frame, frame).transpose();
+          corner_areas(f, k) / areas[vertex] * InFrame(tensor, triangle.frame, frames[size_t(vertex)]).transpose();
     }
   }
   for (Eigen::Index v = 0; v < num_vertices; ++v) {
     if (!(areas[v] > 0)) continue;
-    const TangentFrame frame = AnyFrame(result.normals.row(v));
+    const TangentFrame& frame = frames[size_t(v)];
     const double uu = tensors(v, 0), uv = tensors(v, 1), vv = tensors(v, 2);
     const double angle = 0.5 * std::atan2(2 * uv, uu - vv);  // Of the direction of the larger curvature.
     const double mean = 0.5 * (uu + vv), half = std::hypot(0.5 * (uu - vv), uv);
@@ -154,16 +177,14 @@ PrincipalCurvatures ComputePrincipalCurvatures(const TriangleMesh& mesh, const S
   return result;
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> ComputeCurvatureDerivatives(
-    const TriangleMesh& mesh, const PrincipalCurvatures& curvatures) {
+CurvatureDerivatives ComputeCurvatureDerivatives(const TriangleMesh& mesh, const PrincipalCurvatures& curvatures) {
   const auto num_vertices = mesh.vertices.rows();
   DAUMIER_CHECK(curvatures.k1.size() == num_vertices, "curvatures of {} vertices for a mesh of {}",
                 curvatures.k1.size(), num_vertices);
   const Points corner_areas = CornerAreas(mesh);
-  const Eigen::VectorXd areas = VertexAreas(mesh);
+  const Eigen::VectorXd areas = AreasAround(mesh, corner_areas);
   const auto frame_of = [&](int v) { return TangentFrame{curvatures.direction1.row(v), curvatures.direction2.row(v)}; };
-  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> derivatives =
-      Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>::Zero(num_vertices, 4);
+  CurvatureDerivatives derivatives = CurvatureDerivatives::Zero(num_vertices, 4);
   Triangle triangle;
   for (int f = 0; f < mesh.triangles.rows(); ++f) {
     if (!Open(mesh, f, triangle)) continue;
@@ -173,8 +194,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> ComputeCurvatureDeriva
       tensors[k] = areas[v] > 0 ? InFrame(Tensor2(curvatures.k1[v], 0, curvatures.k2[v]), frame_of(v), triangle.frame)
                                 : Tensor2::Zero();
     }
-    Eigen::MatrixXd w = Eigen::MatrixXd::Zero(4, 4);
-    Eigen::VectorXd tensor = Eigen::VectorXd::Zero(4);
+    Eigen::Matrix4d w = Eigen::Matrix4d::Zero();
+    Tensor3 tensor = Tensor3::Zero();
     for (int k = 0; k < 3; ++k) {
       const double u = triangle.edges[k].x(), v = triangle.edges[k].y();
       const Tensor2 change = tensors[(k + 2) % 3] - tensors[(k + 1) % 3];
@@ -188,12 +209,12 @@ Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> ComputeCurvatureDeriva
     w(2, 2) = w(0, 0) + 2 * w(3, 3);
     w(1, 2) = w(2, 1) = 2 * w(0, 1);
     w(1, 0) = w(2, 3) = w(3, 2) = w(0, 1);
-    if (!SolveLdlt(w, tensor)) continue;
+    if (!SolveByLdlt<4>(w, tensor)) continue;
     for (int k = 0; k < 3; ++k) {
       const int v = triangle.corners[k];
       if (!(areas[v] > 0)) continue;
       derivatives.row(v) +=
-          corner_areas(f, k) / areas[v] * InFrame(Tensor3(tensor), triangle.frame, frame_of(v)).transpose();
+          corner_areas(f, k) / areas[v] * InFrame(tensor, triangle.frame, frame_of(v)).transpose();
     }
   }
   return derivatives;

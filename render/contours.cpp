@@ -36,6 +36,10 @@ struct Crossing {
     return (1 - share) * mesh.vertices.row(mesh.triangles(f, corners[0])) +
            share * mesh.vertices.row(mesh.triangles(f, corners[1]));
   }
+  std::array<int, 2> EdgeIn(const Eigen::RowVector3i& triangle) const {
+    const auto [low, high] = std::minmax(triangle[corners[0]], triangle[corners[1]]);
+    return {low, high};
+  }
 };
 
 /// The crossings on the edges from the corner whose sign is alone to the two others; nothing where signs agree.
@@ -54,19 +58,32 @@ std::optional<std::array<Crossing, 2>> ZeroLine(const Eigen::VectorXd& values, c
   return std::nullopt;
 }
 
-/// Appends the parts of the segment from a to b on which numerator / denominator >= 0; both run linearly along it.
-void AppendWherePositive(int f, const Vector3d& a, const Vector3d& b, const std::array<double, 2>& numerator,
-                         const std::array<double, 2>& denominator, std::vector<ContourSegment>& segments) {
+/// A number that runs linearly from one end of a segment to the other.
+struct Along {
+  double from, to;
+
+  double at(double share) const { return (1 - share) * from + share * to; }
+};
+
+/// Appends the parts of the line between two crossings on which numerator / denominator and `margin` are not negative.
+void AppendWherePositive(const TriangleMesh& mesh, int f, const std::array<Crossing, 2>& line, const Along& numerator,
+                         const Along& denominator, const Along& margin, std::vector<ContourSegment>& segments) {
   std::vector<double> cuts = {0.0, 1.0};
-  for (const auto& values : {numerator, denominator}) {
-    if ((values[0] < 0) != (values[1] < 0)) cuts.push_back(values[0] / (values[0] - values[1]));
+  for (const Along& values : {numerator, denominator, margin}) {
+    if ((values.from < 0) != (values.to < 0)) cuts.push_back(values.from / (values.from - values.to));
   }
   std::sort(cuts.begin(), cuts.end());
+  const Vector3d a = line[0].On(mesh, f), b = line[1].On(mesh, f);
+  const auto end_at = [&](double share) {
+    ContourEnd end{(1 - share) * a + share * b, numerator.at(share) / denominator.at(share)};
+    if (share == 0.0) end.edge = line[0].EdgeIn(mesh.triangles.row(f));
+    if (share == 1.0) end.edge = line[1].EdgeIn(mesh.triangles.row(f));
+    return end;
+  };
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-    const auto at = [&](const std::array<double, 2>& values) { return (1 - middle) * values[0] + middle * values[1]; };
-    if (at(numerator) * at(denominator) < 0 || !(cuts[i + 1] > cuts[i])) continue;
-    segments.push_back({f, a + cuts[i] * (b - a), a + cuts[i + 1] * (b - a)});
+    const bool is_kept = numerator.at(middle) * denominator.at(middle) >= 0 && margin.at(middle) >= 0;
+    if (is_kept && cuts[i + 1] > cuts[i]) segments.push_back({f, end_at(cuts[i]), end_at(cuts[i + 1])});
   }
 }
 
@@ -94,8 +111,8 @@ double FeatureSize(const TriangleMesh& mesh, const geometry::PrincipalCurvatures
 }
 
 ViewCurvature ComputeViewCurvature(const TriangleMesh& mesh, const geometry::PrincipalCurvatures& curvatures,
-                                   const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>& derivatives,
-                                   const Camera& camera, double threshold) {
+                                   const geometry::CurvatureDerivatives& derivatives, const Camera& camera,
+                                   double threshold) {
   const auto num_vertices = mesh.vertices.rows();
   DAUMIER_CHECK(curvatures.k1.size() == num_vertices && derivatives.rows() == num_vertices,
                 "curvatures of {} and derivatives of {} vertices for a mesh of {}", curvatures.k1.size(),
@@ -120,7 +137,8 @@ ViewCurvature ComputeViewCurvature(const TriangleMesh& mesh, const geometry::Pri
   return view;
 }
 
-std::vector<ContourSegment> SuggestiveContours(const TriangleMesh& mesh, const ViewCurvature& view) {
+std::vector<ContourSegment> SuggestiveContours(const TriangleMesh& mesh, const ViewCurvature& view,
+                                               double max_n_dot_v) {
   std::vector<ContourSegment> segments;
   for (int f = 0; f < mesh.triangles.rows(); ++f) {
     const Eigen::RowVector3i triangle = mesh.triangles.row(f);
@@ -129,8 +147,9 @@ std::vector<ContourSegment> SuggestiveContours(const TriangleMesh& mesh, const V
     const auto line = ZeroLine(view.radial, triangle);
     if (!line) continue;
     const auto& [a, b] = *line;
-    AppendWherePositive(f, a.On(mesh, f), b.On(mesh, f), {a.Of(view.rise, triangle), b.Of(view.rise, triangle)},
-                        {a.Of(view.n_dot_v, triangle), b.Of(view.n_dot_v, triangle)}, segments);
+    const Along n_dot_v{a.Of(view.n_dot_v, triangle), b.Of(view.n_dot_v, triangle)};
+    AppendWherePositive(mesh, f, *line, {a.Of(view.rise, triangle), b.Of(view.rise, triangle)}, n_dot_v,
+                        {max_n_dot_v - n_dot_v.from, max_n_dot_v - n_dot_v.to}, segments);
   }
   return segments;
 }
@@ -142,7 +161,7 @@ std::vector<ContourSegment> OccludingContours(const TriangleMesh& mesh, const Vi
     const auto line = ZeroLine(view.n_dot_v, triangle);
     if (!line) continue;
     const auto& [a, b] = *line;
-    AppendWherePositive(f, a.On(mesh, f), b.On(mesh, f), {a.Of(view.radial, triangle), b.Of(view.radial, triangle)},
+    AppendWherePositive(mesh, f, *line, {a.Of(view.radial, triangle), b.Of(view.radial, triangle)}, {1.0, 1.0},
                         {1.0, 1.0}, segments);
   }
   return segments;

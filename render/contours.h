@@ -2,6 +2,7 @@
 #include "geometry/principal_curvature.h"
 #include "render/camera.h"
 
+#include <array>
 #include <vector>
 
 namespace daumier::render {
@@ -24,18 +25,29 @@ struct ViewCurvature {
 /// `threshold` (1/cm^2) is compared with D_w kappa_r sin(theta) / cos(theta). @throws Error if a number of vertices
 /// differs.
 ViewCurvature ComputeViewCurvature(const geometry::TriangleMesh& mesh, const geometry::PrincipalCurvatures& curvatures,
-                                   const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>& derivatives,
-                                   const Camera& camera, double threshold);
+                                   const geometry::CurvatureDerivatives& derivatives, const Camera& camera,
+                                   double threshold);
+
+/// One end of a piece of a line.
+struct ContourEnd {
+  Eigen::Vector3d point;
+  /// What makes the line stand out: of suggestive contours rise / n_dot_v, of occluding ones the radial curvature.
+  double strength = 0;
+  /// The mesh edge that it lies on, lower vertex first; {-1, -1} inside of a triangle.
+  std::array<int, 2> edge = {-1, -1};
+};
 
 /// A straight piece of a line across one triangle.
 struct ContourSegment {
   int triangle;
-  Eigen::Vector3d from, to;
+  ContourEnd from, to;
 };
 
 /// Suggestive contours before visibility [DeCarlo et al. 2003, section 3]: zeros of the radial curvature, interpolated
-/// linearly in each triangle that faces the viewer at a corner at least, where rise / n_dot_v >= 0.
-std::vector<ContourSegment> SuggestiveContours(const geometry::TriangleMesh& mesh, const ViewCurvature& view);
+/// linearly in each triangle that faces the viewer at a corner at least, where rise / n_dot_v >= 0 and n_dot_v <=
+/// max_n_dot_v: where the surface faces the viewer straight on, the direction of w means little.
+std::vector<ContourSegment> SuggestiveContours(const geometry::TriangleMesh& mesh, const ViewCurvature& view,
+                                               double max_n_dot_v = 1);
 
 /// Occluding contours before visibility: zeros of n_dot_v, interpolated linearly, where the radial curvature is
 /// positive; the others lie inside of the surface.

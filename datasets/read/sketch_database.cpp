@@ -27,42 +27,59 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool veri
     num_persons = manifest_.counts.at("persons").get<int>();
     num_faces_ = manifest_.counts.at("faces").get<int>();
     faces_per_shard_ = manifest_.counts.at("faces_per_shard").get<int>();
+    num_views_ = manifest_.counts.at("views_per_face").get<int>();
+    kinds_ = manifest_.details.at("kinds").get<std::vector<std::string>>();
+    num_curves_ = static_cast<int>(manifest_.details.at("curves").size());
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }
-  DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_faces_ >= int64_t(num_persons) * faces_per_shard_,
+  DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_views_ > 0 && num_faces_ >= int64_t(num_persons) * faces_per_shard_,
                 "{}: {} faces of {} persons in shards of {}", (directory / "manifest.json").string(), num_faces_,
                 num_persons, faces_per_shard_);
   for (int begin = 0; begin < num_faces_; begin += faces_per_shard_) {
     const auto path = directory / faces::FaceShardName(num_persons, begin / faces_per_shard_);
     const SafetensorsFile& shard = shards_.emplace_back(path);
-    const auto num_strokes = shard.at("stroke_kinds").size();
-    CheckOffsets(path, shard, "face_offsets", std::min(faces_per_shard_, num_faces_ - begin), num_strokes);
+    const auto kinds = shard.at("stroke_kinds").As<int32_t>();
+    const bool kinds_are_known = std::all_of(
+        kinds.begin(), kinds.end(), [this](int32_t kind) { return kind >= 0 && kind < int32_t(kinds_.size()); });
+    DAUMIER_CHECK(kinds_are_known, "{}: a stroke is not of one of the {} kinds that the manifest names", path.string(),
+                  kinds_.size());
+    const auto num_strokes = static_cast<int64_t>(kinds.size());
+    CheckOffsets(path, shard, "sketch_offsets", int64_t(num_views_) * std::min(faces_per_shard_, num_faces_ - begin),
+                 num_strokes);
     CheckOffsets(path, shard, "stroke_offsets", num_strokes, shard.at("points").As<float>().size() / 2);
   }
 }
 
-std::vector<render::Stroke> SketchDatabase::strokes(int face) const {
-  DAUMIER_CHECK(face >= 0 && face < num_faces_, "sketch {} of a database of {}", face, num_faces_);
+std::vector<render::Stroke> SketchDatabase::strokes(int face, int view) const {
+  DAUMIER_CHECK(face >= 0 && face < num_faces_ && view >= 0 && view < num_views_,
+                "sketch {}, view {}, of a database of {} faces in {} views", face, view, num_faces_, num_views_);
   const SafetensorsFile& shard = shards_[face / faces_per_shard_];
-  const auto faces = shard.at("face_offsets").As<int64_t>(), offsets = shard.at("stroke_offsets").As<int64_t>();
+  const auto sketches = shard.at("sketch_offsets").As<int64_t>(), offsets = shard.at("stroke_offsets").As<int64_t>();
   const auto kinds = shard.at("stroke_kinds").As<int32_t>();
   const auto points = shard.at("points").As<float>();
   std::vector<render::Stroke> strokes;
-  const int row = face % faces_per_shard_;
-  for (int64_t s = faces[row]; s < faces[row + 1]; ++s) {
+  const int row = face % faces_per_shard_ * num_views_ + view;
+  for (int64_t s = sketches[row]; s < sketches[row + 1]; ++s) {
     render::Stroke& stroke = strokes.emplace_back(render::Stroke{kinds[s], {}});
     for (int64_t p = offsets[s]; p < offsets[s + 1]; ++p) stroke.points.push_back({points[2 * p], points[2 * p + 1]});
   }
   return strokes;
 }
 
-std::vector<float> SketchDatabase::curve_points(int face) const {
+std::vector<float> SketchDatabase::curve_points(int face, int view) const {
+  const auto drawn = strokes(face, view);
+  DAUMIER_CHECK(int(drawn.size()) >= num_curves_, "sketch {} has {} strokes, expected {} curves first", face,
+                drawn.size(), num_curves_);
   std::vector<float> coordinates;
-  for (const render::Stroke& stroke : strokes(face)) {
-    for (const auto& point : stroke.points) coordinates.insert(coordinates.end(), point.begin(), point.end());
+  for (int curve = 0; curve < num_curves_; ++curve) {
+    for (const auto& point : drawn[size_t(curve)].points) coordinates.insert(coordinates.end(), point.begin(), point.end());
   }
   return coordinates;
+}
+
+bool IsWrinkleKind(const std::string& kind) {
+  return kind == "wrinkle" || kind == "lips";
 }
 
 }  // namespace daumier::datasets

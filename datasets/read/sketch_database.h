@@ -4,29 +4,40 @@
 #include "render/strokes.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace daumier::datasets {
 
-/// A folder of sketches on disk, one a face of a FaceDatabase and in its order: manifest.json (kind "sketches",
-/// details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256 canvas,
-/// `stroke_offsets` (S + 1) int64 into points, `stroke_kinds` (S) int32, `face_offsets` (N + 1) int64 into strokes.
-/// Strokes are the master; rasters are derived. Stroke k of any face samples the same curve of the template, with the
-/// same number of points.
+/// A folder of sketches on disk, some views of each face of a FaceDatabase and in its order: manifest.json (kind
+/// "sketches", details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256 canvas,
+/// `stroke_offsets` (S + 1) int64 into points, `stroke_kinds` (S) int32, `sketch_offsets` (N * views + 1) int64 into
+/// strokes. Strokes are the master; rasters are derived. The first num_curves() strokes of any sketch are the template's
+/// curves, each with the same number of points everywhere; wrinkles follow, as many as there are.
 class SketchDatabase {
  public:
   explicit SketchDatabase(const std::filesystem::path& directory, bool verify = true);
 
   int num_faces() const { return num_faces_; }
-  std::vector<render::Stroke> strokes(int face) const;
-  /// All points of all strokes of a face, one after the other: 2K numbers on the 256 canvas (x0 y0 x1 ...).
-  std::vector<float> curve_points(int face) const;
+  /// View 0 is the exact one.
+  int num_views() const { return num_views_; }
+  int num_curves() const { return num_curves_; }
+  std::vector<render::Stroke> strokes(int face, int view = 0) const;
+  /// All points of the template's curves in a sketch, one after the other: 2K numbers on the 256 canvas (x0 y0 x1 ...).
+  std::vector<float> curve_points(int face, int view = 0) const;
+  /// What Stroke::kind indexes.
+  const std::vector<std::string>& kinds() const { return kinds_; }
   const Manifest& manifest() const { return manifest_; }
 
  private:
   Manifest manifest_;
-  int num_faces_ = 0, faces_per_shard_ = 0;
+  int num_faces_ = 0, num_views_ = 0, num_curves_ = 0, faces_per_shard_ = 0;
+  std::vector<std::string> kinds_;
   std::vector<SafetensorsFile> shards_;
 };
+
+/// Whether a stroke of this kind counts as a wrinkle: suggestive contours, and the outer contour of the lips [Han et al.
+/// 2017, figure 3]. Silhouette and feature lines are all others.
+bool IsWrinkleKind(const std::string& kind);
 
 }  // namespace daumier::datasets

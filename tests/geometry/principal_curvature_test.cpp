@@ -76,10 +76,10 @@ TEST(PrincipalCurvature, DirectionsAreAnOrthonormalFrame) {
 }
 
 TEST(SolveLdlt, SolvesAndRefusesWhatIsSingular) {
-  Eigen::MatrixXd w(3, 3);
+  Eigen::Matrix3d w;
   w << 4, 2, 0, 2, 5, 3, 0, 3, 9;
   const Eigen::Vector3d x(1, -2, 3);
-  Eigen::VectorXd solved = w * x;
+  Eigen::Vector3d solved = w * x;
   ASSERT_TRUE(SolveLdlt(w, solved));
   EXPECT_LT((solved - x).norm(), 1e-12);
   w.setOnes();

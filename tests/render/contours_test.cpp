@@ -21,7 +21,7 @@ struct Viewed {
         view(ComputeViewCurvature(mesh, curvatures, derivatives, camera, threshold)) {}
 
   geometry::PrincipalCurvatures curvatures;
-  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> derivatives;
+  geometry::CurvatureDerivatives derivatives;
   ViewCurvature view;
 };
 
@@ -42,11 +42,11 @@ TEST(OccludingContours, OfASphereAreItsEquatorOrInPerspectiveASmallerCircle) {
   const TriangleMesh sphere = testing::Sphere(2, 4);
   const auto ring = OccludingContours(sphere, Viewed(sphere, kFromFront).view);
   ASSERT_GT(ring.size(), 50u);
-  for (const ContourSegment& segment : ring) EXPECT_NEAR(segment.from.z(), 0, 0.02);
+  for (const ContourSegment& segment : ring) EXPECT_NEAR(segment.from.point.z(), 0, 0.02);
   // From distance 8 the contour of a sphere of radius 2 lies at z = 2 * 2 / 8.
   const auto near_ring = OccludingContours(sphere, Viewed(sphere, WithPerspective(kFromFront, 8)).view);
   ASSERT_GT(near_ring.size(), 50u);
-  for (const ContourSegment& segment : near_ring) EXPECT_NEAR(segment.to.z(), 0.5, 0.02);
+  for (const ContourSegment& segment : near_ring) EXPECT_NEAR(segment.to.point.z(), 0.5, 0.02);
 }
 
 TEST(SuggestiveContours, AConvexSurfaceHasNone) {
@@ -65,7 +65,7 @@ TEST(SuggestiveContours, OfATorusLieWhereItsRadialCurvatureIsZeroInClosedForm) {
   const auto segments = SuggestiveContours(torus, Viewed(torus, camera).view);
   ASSERT_GT(segments.size(), 50u);
   for (const ContourSegment& segment : segments) {
-    const Eigen::Vector3d p = 0.5 * (segment.from + segment.to);
+    const Eigen::Vector3d p = 0.5 * (segment.from.point + segment.to.point);
     const double around = std::hypot(p.x(), p.y()), cosine = around - 3;
     const Eigen::Vector3d large(-p.y() / around, p.x() / around, 0);
     const Eigen::Vector3d normal(cosine * p.x() / around, cosine * p.y() / around, p.z());
@@ -83,6 +83,29 @@ TEST(SuggestiveContours, AThresholdLeavesFewer) {
     return SuggestiveContours(torus, Viewed(torus, camera, threshold).view).size();
   };
   EXPECT_GT(count(0), count(0.3));
+}
+
+TEST(SuggestiveContours, StopWhereTheSurfaceFacesTheViewerMoreThanAllowed) {
+  const TriangleMesh torus = testing::Torus(3, 1, 120, 60);
+  const Viewed viewed(torus, TurnedCamera(Eigen::Vector3d::Zero(), 5, 256, 0, 40));
+  const auto cosines = [&](double limit) {
+    std::vector<double> values;
+    for (const ContourSegment& segment : SuggestiveContours(torus, viewed.view, limit)) {
+      for (const ContourEnd& end : {segment.from, segment.to}) {
+        if (end.edge[0] < 0) continue;
+        const Eigen::Vector3d a = torus.vertices.row(end.edge[0]), b = torus.vertices.row(end.edge[1]);
+        const double share = (end.point - a).norm() / (b - a).norm();
+        values.push_back((1 - share) * viewed.view.n_dot_v[end.edge[0]] + share * viewed.view.n_dot_v[end.edge[1]]);
+      }
+    }
+    return values;
+  };
+  const auto all = cosines(1);
+  const double limit = 0.5 * (*std::min_element(all.begin(), all.end()) + *std::max_element(all.begin(), all.end()));
+  const auto kept = cosines(limit);
+  ASSERT_FALSE(kept.empty());
+  EXPECT_LT(kept.size(), all.size());
+  EXPECT_LE(*std::max_element(kept.begin(), kept.end()), limit + 1e-9);
 }
 
 TEST(FeatureSize, ScalesWithTheMesh) {
@@ -135,7 +158,7 @@ TEST_P(ReferenceContours, AgreeWithTheProgramOnceItsFaultIsInjected) {
 
   const auto ends = [](const std::vector<ContourSegment>& segments) {
     std::vector<std::array<Eigen::Vector3d, 2>> result;
-    for (const ContourSegment& segment : segments) result.push_back({segment.from, segment.to});
+    for (const ContourSegment& segment : segments) result.push_back({segment.from.point, segment.to.point});
     return result;
   };
   const auto suggestive = ends(SuggestiveContours(mesh, view)), occluding = ends(OccludingContours(mesh, view));

@@ -68,7 +68,7 @@ struct RtscReference {
 };
 
 /// Its 3 x 3 solver, which forgets to update its last pivot.
-inline bool SolveWithStalePivot(const Eigen::MatrixXd& w, Eigen::VectorXd& m) {
+inline bool SolveWithStalePivot(const Eigen::Matrix3d& w, Eigen::Vector3d& m) {
   const double d0 = w(0, 0), l10 = w(0, 1) / d0, l20 = w(0, 2) / d0;
   const double d1 = w(1, 1) - l10 * w(0, 1), l21 = (w(1, 2) - l10 * w(0, 2)) / d1, d2 = w(2, 2);
   const double y0 = m[0], y1 = m[1] - l10 * y0, y2 = m[2] - l20 * y0 - l21 * y1;

@@ -33,28 +33,12 @@ class BuildSketchesTest : public ::testing::Test {
   static inline TempDir* folder_ = nullptr;
 };
 
-TEST_F(BuildSketchesTest, MeanHeadStandsInTheMiddle) {
-  const faces::FaceTemplate face = testing::SyntheticFace();
-  const render::Camera camera = SketchCamera(face, 0.62);
-  const geometry::Points pixels = render::Project(camera, face.neutral);
-  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
-  for (const faces::FeatureCurve& curve : face.annotation.curves) {
-    if (curve.view != faces::View::kFrontal) continue;
-    for (const int vertex : curve.vertices) {
-      left = std::min(left, pixels(vertex, 0)), right = std::max(right, pixels(vertex, 0));
-      top = std::min(top, pixels(vertex, 1)), bottom = std::max(bottom, pixels(vertex, 1));
-    }
-  }
-  EXPECT_NEAR(bottom - top, 0.62 * 256, 1e-9);
-  EXPECT_NEAR((top + bottom) / 2, 128, 1e-9);
-  EXPECT_NEAR((left + right) / 2, 128, 1e-9);
-}
-
-TEST_F(BuildSketchesTest, StrokesAreTheProjectedCurves) {
+TEST_F(BuildSketchesTest, FirstStrokesAreTheProjectedCurvesInTheExactView) {
   const faces::FaceDatabase faces(*folder_ / "faces");
   const SketchDatabase sketches(*folder_ / "sketches");
   ASSERT_EQ(sketches.num_faces(), faces.num_faces());
-  const render::Camera camera = SketchCamera(faces.face_template(), SketchesOptions().curve_height);
+  const render::Camera camera =
+      SketchCamera(faces.face_template(), faces::View::kFrontal, SketchesOptions().curve_height);
   for (const int face : {0, 5, faces.num_faces() - 1}) {
     const geometry::Points pixels = render::Project(camera, faces.points(face));
     const auto strokes = sketches.strokes(face);
@@ -73,7 +57,8 @@ TEST_F(BuildSketchesTest, StrokesAreTheProjectedCurves) {
       }
       ++k;
     }
-    EXPECT_EQ(k, strokes.size());
+    EXPECT_EQ(int(k), sketches.num_curves());
+    for (; k < strokes.size(); ++k) EXPECT_EQ(sketches.kinds()[size_t(strokes[k].kind)], "wrinkle");
   }
 }
 
@@ -104,13 +89,33 @@ TEST_F(BuildSketchesTest, AnInterruptedBuildEndsWithTheSameBytes) {
   EXPECT_EQ(DataHash(*folder_ / "stopped"), DataHash(*folder_ / "sketches"));
 }
 
-TEST_F(BuildSketchesTest, ATemplateWithoutCurvesIsRefused) {
-  faces::FaceTemplate face = testing::SyntheticFace();
-  face.annotation.curves.clear();
-  ExpectError([&] { SketchCamera(face, 0.6); }, "no frontal curve");
-  face = testing::SyntheticFace();
-  face.annotation.curves[0].kind = "moustache";
-  ExpectError([&] { SketchCamera(face, 0.6); }, "unknown kind 'moustache'");
+TEST_F(BuildSketchesTest, MoreViewsAddSketchesAndChangeNone) {
+  SketchesOptions options;
+  options.faces = (*folder_ / "faces").string();
+  options.num_views = 2;
+  BuildSketches(options, *folder_ / "two");
+  options.num_views = 3;
+  BuildSketches(options, *folder_ / "three");
+  const SketchDatabase one(*folder_ / "sketches"), two(*folder_ / "two"), three(*folder_ / "three");
+  EXPECT_EQ(three.num_views(), 3);
+  for (const int face : {0, 3}) {
+    EXPECT_EQ(one.curve_points(face), three.curve_points(face, 0));
+    EXPECT_EQ(two.curve_points(face, 1), three.curve_points(face, 1));
+    EXPECT_NE(three.curve_points(face, 1), three.curve_points(face, 2));
+    EXPECT_NE(three.curve_points(face, 1), three.curve_points(face, 0));
+  }
+}
+
+TEST_F(BuildSketchesTest, TheSideViewHasItsOwnCurves) {
+  SketchesOptions options;
+  options.faces = (*folder_ / "faces").string();
+  options.view = "side";
+  BuildSketches(options, *folder_ / "side");
+  const SketchDatabase sketches(*folder_ / "side");
+  int num_curves = 0;
+  for (const auto& curve : faces::FaceDatabase(*folder_ / "faces").face_template().annotation.curves)
+    num_curves += curve.view == faces::View::kSide;
+  EXPECT_EQ(sketches.num_curves(), num_curves);
 }
 
 TEST(SketchesConfig, EveryFileIsParsed) {

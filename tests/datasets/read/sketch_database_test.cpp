@@ -12,14 +12,16 @@ namespace {
 using testing::ExpectError;
 using testing::TempDir;
 
-/// One person, two faces: a dot and a line, then a triangle and a dot.
+/// One person, two faces, of which a curve is drawn, a dot or a triangle, and a wrinkle, a line or a dot.
 class SketchDatabaseTest : public ::testing::Test {
  protected:
   void SetUp() override {
     MakeDirectory(directory_ / "shards");
     manifest_.kind = "sketches";
     manifest_.verb = "dataset sketches";
-    manifest_.counts = {{"persons", 1}, {"faces", 2}, {"faces_per_shard", 2}};
+    manifest_.counts = {{"persons", 1}, {"faces", 2}, {"faces_per_shard", 2}, {"views_per_face", 1}};
+    manifest_.details = {{"kinds", {"silhouette", "brow", "lips", "wrinkle"}},
+                         {"curves", {{{"name", "jaw"}, {"kind", "silhouette"}, {"closed", false}}}}};
     Write({0, 1, 3, 6, 7});
   }
 
@@ -28,7 +30,7 @@ class SketchDatabaseTest : public ::testing::Test {
     writer.Add<float>("points", {7, 2}, std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14});
     writer.Add<int64_t>("stroke_offsets", {int64_t(stroke_offsets.size())}, stroke_offsets);
     writer.Add<int32_t>("stroke_kinds", {4}, std::vector<int32_t>{0, 3, 2, 1});
-    writer.Add<int64_t>("face_offsets", {3}, std::vector<int64_t>{0, 2, 4});
+    writer.Add<int64_t>("sketch_offsets", {3}, std::vector<int64_t>{0, 2, 4});
     manifest_.checksums[shard_] = writer.Write(directory_ / shard_);
     WriteManifest(directory_.path(), manifest_);
   }
@@ -50,12 +52,33 @@ TEST_F(SketchDatabaseTest, StrokesAreReadFaceByFace) {
   EXPECT_EQ(second[0].kind, 2);
   EXPECT_EQ(second[0].points.size(), 3u);
   EXPECT_EQ(second[1].points[0], (std::array<float, 2>{13, 14}));
-  EXPECT_EQ(sketches.curve_points(0), (std::vector<float>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST_F(SketchDatabaseTest, CurvePointsLeaveWrinklesOut) {
+  const SketchDatabase sketches(directory_.path());
+  EXPECT_EQ(sketches.num_curves(), 1);
+  EXPECT_EQ(sketches.curve_points(0), (std::vector<float>{1, 2}));
+  EXPECT_EQ(sketches.curve_points(1), (std::vector<float>{7, 8, 9, 10, 11, 12}));
+}
+
+TEST_F(SketchDatabaseTest, ViewsOfAFaceFollowEachOther) {
+  manifest_.counts = {{"persons", 1}, {"faces", 1}, {"faces_per_shard", 1}, {"views_per_face", 2}};
+  WriteManifest(directory_.path(), manifest_);
+  const SketchDatabase sketches(directory_.path());
+  EXPECT_EQ(sketches.num_views(), 2);
+  EXPECT_EQ(sketches.strokes(0, 1)[0].points.size(), 3u);
+  ExpectError([&] { sketches.strokes(0, 2); }, "view 2, of a database of 1 faces in 2 views");
+}
+
+TEST(SketchKinds, LipsAndSuggestiveContoursAreWrinkles) {
+  EXPECT_TRUE(IsWrinkleKind("wrinkle"));
+  EXPECT_TRUE(IsWrinkleKind("lips"));
+  EXPECT_FALSE(IsWrinkleKind("upper_mouth"));
 }
 
 TEST_F(SketchDatabaseTest, FacesOutsideAreRefused) {
   const SketchDatabase sketches(directory_.path());
-  ExpectError([&] { sketches.strokes(2); }, "sketch 2 of a database of 2");
+  ExpectError([&] { sketches.strokes(2); }, "sketch 2, view 0, of a database of 2 faces");
   ExpectError([&] { sketches.strokes(-1); }, "sketch -1");
 }
 
@@ -73,6 +96,12 @@ TEST_F(SketchDatabaseTest, DamagedShardsAreRefused) {
   ExpectError([&] { SketchDatabase(directory_.path(), false); }, shard_);
   std::filesystem::remove(directory_ / shard_);
   ExpectError([&] { SketchDatabase(directory_.path()); }, shard_);
+}
+
+TEST_F(SketchDatabaseTest, KindsThatTheManifestDoesNotNameAreRefused) {
+  manifest_.details["kinds"] = {"silhouette", "brow", "lips"};
+  WriteManifest(directory_.path(), manifest_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "one of the 3 kinds");
 }
 
 TEST_F(SketchDatabaseTest, ManifestsOfOtherThingsAreRefused) {

@@ -1,0 +1,37 @@
+#pragma once
+#include "core/options.h"
+#include "core/random.h"
+#include "faces/face_model.h"
+#include "render/camera.h"
+
+namespace daumier::datasets {
+
+/// One orthographic camera for all faces of a database: the curves that the mean neutral face has in a view stand in the
+/// middle of the canvas of render::kSketchCanvas pixels and take up `curve_height` of it; larger faces stay within the
+/// margin. The side view is that of the face's own right side. @throws Error if the template has no curve in the view.
+render::Camera SketchCamera(const faces::FaceTemplate& face_template, faces::View view, double curve_height);
+
+/// How far views stray from the exact one [Han et al. 2017, section 4.4]: standard deviations of normal distributions
+/// that are cut off at twice as much.
+struct ViewNoise {
+  double yaw = 4;
+  double pitch = 4;
+  double roll = 2;
+  double scale = 0.03;
+  double shift = 2;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("yaw", yaw, Range{0, 30}, "Turn to a side, degrees (standard deviation).");
+    visit("pitch", pitch, Range{0, 30}, "Nod, degrees.");
+    visit("roll", roll, Range{0, 30}, "Turn in the picture, degrees.");
+    visit("scale", scale, Range{0, 0.3}, "Relative size.");
+    visit("shift", shift, Range{0, 32}, "Along x and along y, pixels of the canvas.");
+  }
+};
+
+/// The camera turned about the point that it looks at, scaled and shifted by random amounts; the camera itself where
+/// all noise is 0.
+render::Camera NoisyCamera(const render::Camera& camera, const ViewNoise& noise, Rng& rng);
+
+}  // namespace daumier::datasets
