@@ -47,7 +47,7 @@ Verb RegisterVerb() {
   return {
       "register", "Bring a template onto head meshes with 68 landmarks: a database of faces", [](CLI::App& command) {
         auto arguments = std::make_shared<Arguments>();
-        command.add_option("meshes", arguments->inputs.meshes, "OBJ or PLY meshes, or key=value options")->required();
+        command.add_option("inputs", arguments->inputs.meshes, "OBJ or PLY meshes, or key=value options")->required();
         command
             .add_option("--landmarks", arguments->inputs.landmarks,
                         "68 landmarks (iBUG order): a file with 68 vertex indices (0-based, -1: absent; text or a "

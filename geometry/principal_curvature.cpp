@@ -213,8 +213,7 @@ CurvatureDerivatives ComputeCurvatureDerivatives(const TriangleMesh& mesh, const
     for (int k = 0; k < 3; ++k) {
       const int v = triangle.corners[k];
       if (!(areas[v] > 0)) continue;
-      derivatives.row(v) +=
-          corner_areas(f, k) / areas[v] * InFrame(tensor, triangle.frame, frame_of(v)).transpose();
+      derivatives.row(v) += corner_areas(f, k) / areas[v] * InFrame(tensor, triangle.frame, frame_of(v)).transpose();
     }
   }
   return derivatives;

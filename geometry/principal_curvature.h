@@ -29,7 +29,6 @@ PrincipalCurvatures ComputePrincipalCurvatures(const TriangleMesh& mesh, const T
 /// V x 4.
 using CurvatureDerivatives = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-
 /// V x 4: the derivative of the curvature tensor [Rusinkiewicz 2004, section 2.3], the same scheme once more. With 1
 /// and 2 for direction1 and direction2 a row is C_111, C_112, C_122, C_222 (1/cm^2), where C_ijk is the derivative of
 /// tensor entry ij along k and symmetric in all of them: along a tangent w = (u, v) the curvature of direction w

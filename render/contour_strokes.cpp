@@ -19,8 +19,7 @@ struct Piece {
 
 double LengthInPixels(const Piece& piece) {
   double length = 0;
-  for (size_t i = 1; i < piece.points.size(); ++i)
-    length += (piece.points[i] - piece.points[i - 1]).head<2>().norm();
+  for (size_t i = 1; i < piece.points.size(); ++i) length += (piece.points[i] - piece.points[i - 1]).head<2>().norm();
   return length;
 }
 

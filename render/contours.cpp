@@ -37,7 +37,7 @@ struct Crossing {
            share * mesh.vertices.row(mesh.triangles(f, corners[1]));
   }
   std::array<int, 2> EdgeIn(const Eigen::RowVector3i& triangle) const {
-    const auto [low, high] = std::minmax(triangle[corners[0]], triangle[corners[1]]);
+    const auto [low, high] = std::minmax({triangle[corners[0]], triangle[corners[1]]});
     return {low, high};
   }
 };

@@ -24,11 +24,11 @@ if [ "$(cat "$root/etc/daumier-packages" 2>/dev/null)" != "$packages" ]; then
 fi
 
 mkdir -p "$root/daumier" "$root/shared"
-cleanup() { for folder in daumier shared proc dev; do mountpoint -q "$root/$folder" && umount -l "$root/$folder"; done; }
+cleanup() { for folder in daumier shared proc dev; do mountpoint -q "$root/$folder" && umount -lR "$root/$folder"; done; }
 trap cleanup EXIT
 mount --bind "$source_root" "$root/daumier"
 mount -t proc proc "$root/proc"
-mount --bind /dev "$root/dev"
+mount --rbind /dev "$root/dev"  # With /dev/pts, which a test of progress on a terminal opens.
 [ -d "$source_root/../shared" ] && mount --bind "$source_root/../shared" "$root/shared"
 
 chroot "$root" bash -ec "cd /daumier

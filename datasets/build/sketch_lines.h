@@ -47,13 +47,13 @@ class SketchLines {
 
   WrinkleOptions wrinkles_;
   geometry::Triangles triangles_;
-  std::vector<int> curve_vertices_;      ///< Of all points; a closed curve ends with its first vertex.
-  std::vector<size_t> offsets_ = {0};    ///< Into curve_vertices_, a curve each and the end.
-  std::vector<int> kinds_;               ///< Of each curve, into SketchKinds().
+  std::vector<int> curve_vertices_;    ///< Of all points; a closed curve ends with its first vertex.
+  std::vector<size_t> offsets_ = {0};  ///< Into curve_vertices_, a curve each and the end.
+  std::vector<int> kinds_;             ///< Of each curve, into SketchKinds().
   Json curve_facts_ = Json::array();
-  geometry::VertexMap region_;           ///< The wrinkle region and kContourRings around it.
+  geometry::VertexMap region_;  ///< The wrinkle region and kContourRings around it.
   geometry::Triangles region_triangles_;
-  std::vector<bool> is_drawn_;           ///< Whether all corners of a region triangle are in the region itself.
+  std::vector<bool> is_drawn_;  ///< Whether all corners of a region triangle are in the region itself.
   double feature_size_ = 0, depth_tolerance_ = 0;  ///< cm
 };
 

@@ -33,7 +33,8 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool veri
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }
-  DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_views_ > 0 && num_faces_ >= int64_t(num_persons) * faces_per_shard_,
+  DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_views_ > 0 &&
+                    num_faces_ >= int64_t(num_persons) * faces_per_shard_,
                 "{}: {} faces of {} persons in shards of {}", (directory / "manifest.json").string(), num_faces_,
                 num_persons, faces_per_shard_);
   for (int begin = 0; begin < num_faces_; begin += faces_per_shard_) {
@@ -73,7 +74,8 @@ std::vector<float> SketchDatabase::curve_points(int face, int view) const {
                 drawn.size(), num_curves_);
   std::vector<float> coordinates;
   for (int curve = 0; curve < num_curves_; ++curve) {
-    for (const auto& point : drawn[size_t(curve)].points) coordinates.insert(coordinates.end(), point.begin(), point.end());
+    for (const auto& point : drawn[size_t(curve)].points)
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
   }
   return coordinates;
 }

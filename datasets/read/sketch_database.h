@@ -10,10 +10,10 @@
 namespace daumier::datasets {
 
 /// A folder of sketches on disk, some views of each face of a FaceDatabase and in its order: manifest.json (kind
-/// "sketches", details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256 canvas,
-/// `stroke_offsets` (S + 1) int64 into points, `stroke_kinds` (S) int32, `sketch_offsets` (N * views + 1) int64 into
-/// strokes. Strokes are the master; rasters are derived. The first num_curves() strokes of any sketch are the template's
-/// curves, each with the same number of points everywhere; wrinkles follow, as many as there are.
+/// "sketches", details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256
+/// canvas, `stroke_offsets` (S + 1) int64 into points, `stroke_kinds` (S) int32, `sketch_offsets` (N * views + 1) int64
+/// into strokes. Strokes are the master; rasters are derived. The first num_curves() strokes of any sketch are the
+/// template's curves, each with the same number of points everywhere; wrinkles follow, as many as there are.
 class SketchDatabase {
  public:
   explicit SketchDatabase(const std::filesystem::path& directory, bool verify = true);
@@ -36,8 +36,8 @@ class SketchDatabase {
   std::vector<SafetensorsFile> shards_;
 };
 
-/// Whether a stroke of this kind counts as a wrinkle: suggestive contours, and the outer contour of the lips [Han et al.
-/// 2017, figure 3]. Silhouette and feature lines are all others.
+/// Whether a stroke of this kind counts as a wrinkle: suggestive contours, and the outer contour of the lips [Han et
+/// al. 2017, figure 3]. Silhouette and feature lines are all others.
 bool IsWrinkleKind(const std::string& kind);
 
 }  // namespace daumier::datasets

@@ -21,9 +21,9 @@ std::vector<double> Xs(const ContourChain& chain) {
 
 TEST(ChainContours, SegmentsThatMeetOnAnEdgeBecomeOneChainInTheDirectionOfTheFirst) {
   // 3-4 leads, 1-2 and 2-3 come before it, one of them the wrong way round.
-  const std::vector<ContourSegment> segments = {
-      {0, End(3, {5, 6}, 30), End(4, {-1, -1}, 40)}, {1, End(3, {5, 6}, 31), End(2, {2, 3}, 20)},
-      {2, End(1), End(2, {2, 3}, 21)}};
+  const std::vector<ContourSegment> segments = {{0, End(3, {5, 6}, 30), End(4, {-1, -1}, 40)},
+                                                {1, End(3, {5, 6}, 31), End(2, {2, 3}, 20)},
+                                                {2, End(1), End(2, {2, 3}, 21)}};
   const auto chains = ChainContours(segments);
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_EQ(Xs(chains[0]), (std::vector<double>{1, 2, 3, 4}));
@@ -51,8 +51,8 @@ TEST(ChainContours, TheContourOfASphereIsOneLoopOfAllItsSegments) {
   const geometry::TriangleMesh sphere = testing::Sphere(2, 4);
   const auto curvatures = geometry::ComputePrincipalCurvatures(sphere);
   const auto camera = TurnedCamera(Eigen::Vector3d::Zero(), 5, 256, 20, 10);
-  const auto view = ComputeViewCurvature(sphere, curvatures, geometry::ComputeCurvatureDerivatives(sphere, curvatures),
-                                         camera, 0);
+  const auto view =
+      ComputeViewCurvature(sphere, curvatures, geometry::ComputeCurvatureDerivatives(sphere, curvatures), camera, 0);
   const auto segments = OccludingContours(sphere, view);
   const auto chains = ChainContours(segments);
   ASSERT_EQ(chains.size(), 1u);

@@ -97,13 +97,14 @@ TEST(ContourSurface, DependsOnNothingFartherThanItsRings) {
   torus.vertices.array() += 0.03 * (torus.vertices.array() * 5).sin();
   const auto neighbours = geometry::VertexNeighbours(torus.triangles, int(torus.vertices.rows()));
   const std::vector<int> region = geometry::VerticesWithin(neighbours, {17}, 4);
-  const auto map = geometry::MapKept(geometry::VerticesWithin(neighbours, region, kContourRings),
-                                     int(torus.vertices.rows()));
+  const auto map =
+      geometry::MapKept(geometry::VerticesWithin(neighbours, region, kContourRings), int(torus.vertices.rows()));
   const ContourSurface whole = MakeContourSurface(torus), part = MakeContourSurface(geometry::Submesh(torus, map));
   for (const int v : region) {
     const int w = map.new_from_old[size_t(v)];
     EXPECT_DOUBLE_EQ(whole.curvatures.k1[v], part.curvatures.k1[w]);
-    EXPECT_LT((whole.derivatives.row(v) - part.derivatives.row(w)).norm(), 1e-9 * (1 + whole.derivatives.row(v).norm()));
+    EXPECT_LT((whole.derivatives.row(v) - part.derivatives.row(w)).norm(),
+              1e-9 * (1 + whole.derivatives.row(v).norm()));
   }
 }
 

@@ -67,7 +67,8 @@ TEST(Visibility, AgreesWithRaysOnATorus) {
     const auto f = Eigen::Index(rng.Below(uint64_t(torus.triangles.rows())));
     const Eigen::Vector3d point =
         (torus.vertices.row(torus.triangles(f, 0)) + torus.vertices.row(torus.triangles(f, 1)) +
-         torus.vertices.row(torus.triangles(f, 2))) / 3;
+         torus.vertices.row(torus.triangles(f, 2))) /
+        3;
     const bool is_hidden = IsHiddenByRay(torus, camera, point, kTolerance);
     num_hidden += is_hidden;
     num_agree += visibility.Sees(Projected(camera, point)) != is_hidden;

@@ -1,0 +1,58 @@
+#pragma once
+#include "core/options.h"
+#include "faces/bilinear_model.h"
+
+#include <span>
+#include <vector>
+
+namespace daumier::faces {
+
+struct CurveEncoderOptions {
+  double deviation_px = 1;
+  int rounds = 4;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("deviation_px", deviation_px, Range{1e-3, 100},
+          "How far drawn points stray from the model, pixels; the larger, the more the prior of u and v counts.");
+    visit("rounds", rounds, Range{1, 100}, "Alternations between u and v.");
+  }
+};
+
+struct CurveCode {
+  Eigen::VectorXf u, v;
+  Eigen::VectorXf points;  ///< 2K, what the model makes of u and v.
+
+  /// u, then v: the shape-level input of a network, 66 numbers with the paper's 50 and 16.
+  Eigen::VectorXf numbers() const;
+};
+
+/// The shape-level input [Han et al. 2017, section 4.3]: u and v of the bilinear model of 2-D curve points that explain
+/// drawn points best, some of which may be missing:
+///   min  sum_k w_k |C_k x2 u x3 v - p_k|^2 / deviation^2 + sum_i ((u_i - mean) / sigma)_i^2 + the same of v,
+/// with means and standard deviations over the fitted identities and expressions, and w in [0, 1]. Alternating least
+/// squares; the prior says what the points do not, and settles the free scale between u and v.
+class CurveEncoder {
+ public:
+  /// Starts from the mean expression. Keeps a reference to the model.
+  explicit CurveEncoder(const BilinearModel& model, const CurveEncoderOptions& options = {});
+
+  /// points: 2K (x0 y0 x1 ...); weights: K. A point of weight 0 is not looked at. Starts from `start` where one is
+  /// given. @throws Error if a number of points differs.
+  CurveCode Encode(std::span<const float> points, std::span<const float> weights,
+                   const CurveCode* start = nullptr) const;
+
+  int num_points() const { return model_->num_coordinates() / 2; }
+
+ private:
+  struct Prior {
+    Eigen::VectorXf mean, precision;  ///< precision = 1 / sigma^2.
+  };
+  static Prior PriorOf(const Eigen::MatrixXf& factors);
+
+  const BilinearModel* model_;
+  CurveEncoderOptions options_;
+  Prior identity_, expression_;
+};
+
+}  // namespace daumier::faces

@@ -1,0 +1,105 @@
+#include "fitting/curve_recovery.h"
+
+#include "tests/support/expect_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace daumier::fitting {
+namespace {
+
+constexpr int kPoints = 40;
+
+/// Two curves, a wave above and a line below, of 20 points each: u moves them along y, v along x, about (128, 128).
+/// The mean u and v give the curves in their middle place.
+faces::BilinearModel WaveAndLine() {
+  faces::BilinearModel model;
+  model.num_identity = 2, model.num_expression = 2;
+  model.core = faces::BilinearModel::Core::Zero(4, 2 * kPoints);
+  for (int k = 0; k < kPoints; ++k) {
+    const float x = 70.0f + 6 * float(k % 20);
+    model.core(0, 2 * k) = x;
+    model.core(0, 2 * k + 1) = k < 20 ? 100 + 10 * std::sin(x / 12) : 160;
+    model.core(1, 2 * k) = 1;      // u0 v1: along x
+    model.core(2, 2 * k + 1) = 1;  // u1 v0: along y
+  }
+  model.identity_factors.resize(4, 2);
+  model.identity_factors << 1, -8, 1, 8, 1, -8, 1, 8;
+  model.expression_factors = model.identity_factors;
+  return model;
+}
+
+const CurveOffsets kOffsets = {0, 20, 40};
+
+std::vector<float> CurvesAt(const faces::BilinearModel& model, float dx, float dy) {
+  const Eigen::VectorXf points = faces::Reconstruct(model, Eigen::Vector2f(1, dy), Eigen::Vector2f(1, dx));
+  return {points.data(), points.data() + points.size()};
+}
+
+std::vector<render::Stroke> Strokes(const std::vector<float>& points) {
+  std::vector<render::Stroke> strokes(2);
+  for (int k = 0; k < kPoints; ++k)
+    strokes[size_t(k / 20)].points.push_back({points[2 * size_t(k)], points[2 * size_t(k) + 1]});
+  return strokes;
+}
+
+double MeanError(const faces::CurveCode& code, const std::vector<float>& truth) {
+  double sum = 0;
+  for (size_t k = 0; k < kPoints; ++k)
+    sum += std::hypot(code.points[Eigen::Index(2 * k)] - truth[2 * k],
+                      code.points[Eigen::Index(2 * k + 1)] - truth[2 * k + 1]);
+  return sum / kPoints;
+}
+
+TEST(RecoverCurves, SnapsAPredictionOntoTheStrokes) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
+  const auto truth = CurvesAt(model, 3, -4), predicted = CurvesAt(model, 1, 1);
+  const double before = MeanError(RecoverCurves(encoder, kOffsets, predicted, Strokes(truth), {.snaps = 0}), truth);
+  const double after =
+      MeanError(RecoverCurves(encoder, kOffsets, predicted, Strokes(truth), {.snaps = 4, .reach_px = 16}), truth);
+  EXPECT_NEAR(before, std::hypot(2, 5), 0.1) << "without a snap the prediction itself is encoded";
+  EXPECT_LT(after, 1.0);
+}
+
+TEST(RecoverCurves, StrokesOutOfReachOrAcrossChangeNothing) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
+  const auto predicted = CurvesAt(model, 0, 0);
+  // Below the line, out of reach; and a ladder of verticals that cross both curves.
+  std::vector<render::Stroke> strokes = {{0, {{60, 200}, {200, 200}}}};
+  for (int i = 0; i < 8; ++i) strokes.push_back({0, {{75.0f + 15 * i, 135}, {75.0f + 15 * i, 190}}});
+  const auto code = RecoverCurves(encoder, kOffsets, predicted, strokes, {.snaps = 2, .reach_px = 8, .max_angle = 40});
+  EXPECT_LT(MeanError(code, predicted), 0.1);
+}
+
+TEST(RecoverCurves, AMissingStrokeIsFilledInByTheOthers) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
+  const auto truth = CurvesAt(model, 0, -5), predicted = CurvesAt(model, 0, 0);
+  auto strokes = Strokes(truth);
+  strokes.pop_back();
+  EXPECT_LT(MeanError(RecoverCurves(encoder, kOffsets, predicted, strokes, {.snaps = 4, .reach_px = 16}), truth), 1.5);
+}
+
+TEST(RecoverCurves, StrokesOutsideOfTheCanvasAreNoTrouble) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model);
+  const auto predicted = CurvesAt(model, 0, 0);
+  const std::vector<render::Stroke> strokes = {{0, {{-300, -20}, {900, 700}}}, {0, {{5, 5}}}, {0, {}}};
+  EXPECT_TRUE(RecoverCurves(encoder, kOffsets, predicted, strokes).points.allFinite());
+}
+
+TEST(RecoverCurves, CurvesOfAnotherModelAreRefused) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model);
+  testing::ExpectError(
+      [&] {
+        RecoverCurves(encoder, {0, 7}, CurvesAt(model, 0, 0), {});
+      },
+      "curves of 7 points for a model of 40");
+}
+
+}  // namespace
+}  // namespace daumier::fitting
