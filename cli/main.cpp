@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
 
   std::function<void()> action;
   for (const cli::Verb& verb : {cli::DatasetVerb(), cli::RegisterVerb(), cli::TrainVerb(), cli::EvalVerb(),
-                                cli::PredictVerb(), cli::ExportVerb(), cli::InfoVerb()}) {
+                                cli::PredictVerb(), cli::DrawVerb(), cli::ExportVerb(), cli::InfoVerb()}) {
     CLI::App* command = app.add_subcommand(verb.name, verb.summary);
     command->callback([&action, run = verb.set_up(*command)] { action = run; });
   }

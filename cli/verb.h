@@ -23,6 +23,7 @@ Verb RegisterVerb();
 Verb TrainVerb();
 Verb EvalVerb();
 Verb PredictVerb();
+Verb DrawVerb();
 Verb ExportVerb();
 Verb InfoVerb();
 

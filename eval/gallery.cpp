@@ -1,6 +1,7 @@
 #include "eval/gallery.h"
 
-#include "core/error.h"
+#include "eval/face_pictures.h"
+#include "eval/sketch_gallery.h"
 #include "fitting/face_surface.h"
 #include "render/draw.h"
 #include "render/shading.h"
@@ -13,29 +14,7 @@ namespace daumier::eval {
 namespace {
 
 using faces::FaceDatabase;
-using faces::FaceId;
 using render::SheetCell;
-
-constexpr int kCell = 190;  // pixels a side of a picture in a sheet
-
-/// One frame for all pictures of a sheet, so that sizes can be compared.
-render::Frame FrameOfFaces(const FaceDatabase& database, const std::vector<int>& indices) {
-  const int num_vertices = database.num_vertices();
-  geometry::Points all(num_vertices * indices.size(), 3);
-  for (size_t i = 0; i < indices.size(); ++i)
-    all.middleRows(i * num_vertices, num_vertices) = database.points(indices[i]);
-  return render::FrameOf(all);
-}
-
-render::Image FrontView(const FaceDatabase& database, int face, const render::Frame& frame) {
-  return render::RenderMesh(fitting::SurfaceOf(database.face_template(), database.points(face)),
-                            render::FrontalCamera(frame.centre, frame.half_height, kCell));
-}
-
-render::Image SideView(const FaceDatabase& database, int face, const render::Frame& frame) {
-  return render::RenderMesh(fitting::SurfaceOf(database.face_template(), database.points(face)),
-                            render::SideCamera(frame.centre, frame.half_height, kCell));
-}
 
 render::Image Identities(const FaceDatabase& database) {
   std::vector<int> indices;
@@ -149,24 +128,6 @@ render::Image Curves(const faces::FaceTemplate& face_template) {
       2);
 }
 
-render::Image Sketches(const FaceDatabase& database, const datasets::SketchDatabase& sketches) {
-  constexpr int kRows = 5, kPairs = 4;
-  std::vector<int> indices;
-  for (int i = 0; i < kRows * kPairs; ++i) {
-    indices.push_back(
-        database.index({i % database.num_persons(), i % database.num_levels(), i % database.num_expressions()}));
-  }
-  const render::Frame frame = FrameOfFaces(database, indices);
-  std::vector<SheetCell> cells;
-  for (const int face : indices) {
-    const FaceId id = database.id(face);
-    cells.push_back({FrontView(database, face, frame),
-                     fmt::format("{}, level {}", database.expression_names()[id.expression], id.level + 1)});
-    cells.push_back({render::ToRgb(render::RasteriseStrokes(sketches.strokes(face), kCell))});
-  }
-  return render::MakeSheet(cells, 2 * kPairs);
-}
-
 }  // namespace
 
 void WriteGallery(const FaceDatabase& database, const datasets::SketchDatabase* sketches,
@@ -175,11 +136,7 @@ void WriteGallery(const FaceDatabase& database, const datasets::SketchDatabase* 
   render::WriteImage(folder / "expressions.jpg", Expressions(database));
   render::WriteImage(folder / "levels.jpg", Levels(database));
   render::WriteImage(folder / "curves.jpg", Curves(database.face_template()));
-  if (sketches == nullptr) return;
-  DAUMIER_CHECK(sketches->num_faces() == database.num_faces(),
-                "there are {} sketches for {} faces: they belong to another database", sketches->num_faces(),
-                database.num_faces());
-  render::WriteImage(folder / "sketches.jpg", Sketches(database, *sketches));
+  if (sketches != nullptr) WriteSketchGallery(database, *sketches, folder);
 }
 
 }  // namespace daumier::eval

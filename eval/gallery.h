@@ -11,9 +11,8 @@ namespace daumier::eval {
 ///   expressions.jpg  every expression of the first three persons, each at another level
 ///   levels.jpg       the levels of the first persons, front and side
 ///   curves.jpg       feature curves and landmarks on the mean face, front and side
-///   sketches.jpg     face beside sketch, persons downwards, levels and expressions in turn (only if `sketches` is
-///   given)
-/// into an existing folder. @throws Error if a picture cannot be written, or the sketches belong to other faces.
+/// into an existing folder, and those of WriteSketchGallery if `sketches` are given. @throws Error as it does, and if a
+/// picture cannot be written.
 void WriteGallery(const faces::FaceDatabase& database, const datasets::SketchDatabase* sketches,
                   const std::filesystem::path& folder);
 

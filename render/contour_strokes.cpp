@@ -11,6 +11,9 @@ namespace {
 /// Passes of a (1/4, 1/2, 1/4) mean over a line's points: contours of a triangle mesh zigzag from edge to edge.
 constexpr int kSmoothingPasses = 3;
 
+/// Depth tolerance of a line drawing in feature sizes: about a millimetre on a head.
+constexpr double kDepthToleranceInFeatures = 0.5;
+
 /// A visible piece of a chain: projected points and the greatest strength among them.
 struct Piece {
   std::vector<Eigen::RowVector3d> points;
@@ -97,6 +100,22 @@ std::vector<Stroke> OccludingStrokes(const ContourSurface& surface, const Visibi
   const ViewCurvature view =
       ComputeViewCurvature(surface.mesh, surface.curvatures, surface.derivatives, visibility.camera(), 0);
   return StrokesOf(OccludingContours(surface.mesh, view), visibility, 0, options.min_length, kind);
+}
+
+const std::vector<std::string>& ContourKinds() {
+  static const std::vector<std::string> kinds = {"occluding", "suggestive"};
+  return kinds;
+}
+
+std::vector<Stroke> DrawContours(const geometry::TriangleMesh& mesh, const Camera& camera,
+                                 const ContourOptions& options) {
+  const ContourSurface surface = MakeContourSurface(mesh);
+  const double feature_size = FeatureSize(mesh, surface.curvatures);
+  const Visibility visibility(camera, mesh, kDepthToleranceInFeatures * feature_size);
+  std::vector<Stroke> strokes = OccludingStrokes(surface, visibility, options, 0);
+  const std::vector<Stroke> suggestive = SuggestiveStrokes(surface, visibility, feature_size, options, 1);
+  strokes.insert(strokes.end(), suggestive.begin(), suggestive.end());
+  return strokes;
 }
 
 }  // namespace daumier::render

@@ -4,6 +4,7 @@
 #include "render/strokes.h"
 #include "render/visibility.h"
 
+#include <string>
 #include <vector>
 
 namespace daumier::render {
@@ -45,5 +46,13 @@ std::vector<Stroke> SuggestiveStrokes(const ContourSurface& surface, const Visib
 /// Visible occluding contours, the same way; `options.min_length` alone counts.
 std::vector<Stroke> OccludingStrokes(const ContourSurface& surface, const Visibility& visibility,
                                      const ContourOptions& options, int kind);
+
+/// "occluding", "suggestive": kinds of the strokes of DrawContours.
+const std::vector<std::string>& ContourKinds();
+
+/// A line drawing of a mesh: its visible occluding and suggestive contours, thresholds by its own FeatureSize.
+/// @throws Error as FeatureSize, Rasterise and SuggestiveStrokes.
+std::vector<Stroke> DrawContours(const geometry::TriangleMesh& mesh, const Camera& camera,
+                                 const ContourOptions& options = {});
 
 }  // namespace daumier::render

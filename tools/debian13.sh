@@ -29,6 +29,7 @@ trap cleanup EXIT
 mount --bind "$source_root" "$root/daumier"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"  # With /dev/pts, which a test of progress on a terminal opens.
+mount --make-rslave "$root/dev"
 [ -d "$source_root/../shared" ] && mount --bind "$source_root/../shared" "$root/shared"
 
 chroot "$root" bash -ec "cd /daumier

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 TEST(CommandLine, HelpNamesEveryVerb) {
   const ProcessResult result = Daumier({"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* verb : {"dataset", "register", "train", "eval", "predict", "export", "info"})
+  for (const char* verb : {"dataset", "register", "train", "eval", "predict", "draw", "export", "info"})
     EXPECT_THAT(result.out, HasSubstr(verb));
 }
 

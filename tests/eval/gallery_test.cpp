@@ -1,6 +1,5 @@
 #include "eval/gallery.h"
 
-#include "tests/support/expect_error.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
@@ -16,7 +15,6 @@ class Gallery : public ::testing::Test {
  protected:
   void SetUp() override {
     testing::BuildSyntheticFaces(folder_ / "faces", 3);
-    testing::BuildSyntheticSketches(folder_ / "faces", folder_ / "sketches");
     MakeDirectory(folder_ / "out");
   }
 
@@ -25,21 +23,13 @@ class Gallery : public ::testing::Test {
 
 TEST_F(Gallery, ShowsWhatADatabaseHolds) {
   const faces::FaceDatabase faces(folder_ / "faces");
-  const datasets::SketchDatabase sketches(folder_ / "sketches");
-  WriteGallery(faces, &sketches, folder_ / "out");
-  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg", "sketches.jpg"}) {
+  WriteGallery(faces, nullptr, folder_ / "out");
+  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg"}) {
     const render::Image picture = render::ReadImage(folder_ / "out" / name);
     EXPECT_GT(picture.width, 300) << name;
     const auto [darkest, lightest] = std::minmax_element(picture.pixels.begin(), picture.pixels.end());
     EXPECT_GT(*lightest - *darkest, 100) << name << " shows nothing";
   }
-}
-
-TEST_F(Gallery, RefusesSketchesOfAnotherDatabase) {
-  testing::BuildSyntheticFaces(folder_ / "more", 4);
-  const faces::FaceDatabase faces(folder_ / "more");
-  const datasets::SketchDatabase sketches(folder_ / "sketches");
-  testing::ExpectError([&] { WriteGallery(faces, &sketches, folder_ / "out"); }, "belong to another database");
 }
 
 }  // namespace

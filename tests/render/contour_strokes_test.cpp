@@ -121,5 +121,19 @@ TEST(SuggestiveStrokes, MarksSayWhereLinesAreLookedFor) {
   testing::ExpectError([&] { strokes({true}); }, "1 marks");
 }
 
+TEST(DrawContours, TellsOccludingFromSuggestiveContoursAndDoesNotDependOnTheUnit) {
+  TriangleMesh torus = testing::Torus(3, 1, 120, 60);
+  const ContourOptions options{.low = 0, .high = 0, .min_angle = 5, .min_length = 5};
+  const auto strokes = DrawContours(torus, kTilted, options);
+  int num_of_kind[2] = {0, 0};
+  for (const Stroke& stroke : strokes) ++num_of_kind[stroke.kind];
+  EXPECT_GE(num_of_kind[0], 2) << ContourKinds()[0];
+  EXPECT_GE(num_of_kind[1], 1) << ContourKinds()[1];
+  torus.vertices *= 100;
+  const auto large = DrawContours(torus, TurnedCamera(Eigen::Vector3d::Zero(), 500, 256, 0, 40), options);
+  ASSERT_EQ(large.size(), strokes.size());
+  for (size_t s = 0; s < large.size(); ++s) EXPECT_NEAR(large[s].points[0][0], strokes[s].points[0][0], 1e-2);
+}
+
 }  // namespace
 }  // namespace daumier::render

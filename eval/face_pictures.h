@@ -1,0 +1,20 @@
+#pragma once
+#include "faces/face_database.h"
+#include "render/camera.h"
+#include "render/image.h"
+
+#include <vector>
+
+/// Single pictures of the faces of a database, for its sheets.
+namespace daumier::eval {
+
+inline constexpr int kCell = 190;  ///< Pixels a side of a picture in a sheet.
+
+/// One frame for all pictures of a sheet, so that sizes can be compared.
+render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices);
+
+render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
+/// The face's own right side.
+render::Image SideView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
+
+}  // namespace daumier::eval
