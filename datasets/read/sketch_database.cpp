@@ -4,6 +4,7 @@
 #include "faces/face_database.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace daumier::datasets {
 namespace {
@@ -17,6 +18,25 @@ void CheckOffsets(const std::filesystem::path& path, const SafetensorsFile& shar
                 "{}: {} does not rise from 0 to {} in {} steps", path.string(), name, end, count);
 }
 
+/// What datasets/build/sketches.cpp writes.
+render::Camera CameraFromJson(const Json& json) {
+  const auto numbers = [&](const char* key, size_t count) {
+    const auto values = json.at(key).get<std::vector<double>>();
+    DAUMIER_CHECK(values.size() == count, "malformed camera: {} has {} numbers, expected {}", key, values.size(), count);
+    return values;
+  };
+  const auto rotation = numbers("camera_from_world", 9), translation = numbers("translation", 3),
+             principal_point = numbers("principal_point", 2);
+  render::Camera camera;
+  camera.camera_from_world = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
+  camera.translation = Eigen::Map<const Eigen::Vector3d>(translation.data());
+  camera.principal_point = Eigen::Map<const Eigen::Vector2d>(principal_point.data());
+  camera.scale = json.at("scale");
+  camera.width = json.at("width");
+  camera.height = json.at("height");
+  return camera;
+}
+
 }  // namespace
 
 SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool verify)
@@ -28,8 +48,13 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool veri
     num_faces_ = manifest_.counts.at("faces").get<int>();
     faces_per_shard_ = manifest_.counts.at("faces_per_shard").get<int>();
     num_views_ = manifest_.counts.at("views_per_face").get<int>();
+    camera_ = CameraFromJson(manifest_.details.at("camera"));
     kinds_ = manifest_.details.at("kinds").get<std::vector<std::string>>();
-    num_curves_ = static_cast<int>(manifest_.details.at("curves").size());
+    for (const Json& curve : manifest_.details.at("curves")) {
+      if (!IsWrinkleKind(curve.at("kind").get<std::string>())) feature_curves_.push_back(num_curves_);
+      curve_names_.push_back(curve.at("name"));
+      ++num_curves_;
+    }
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }
@@ -69,12 +94,17 @@ std::vector<render::Stroke> SketchDatabase::strokes(int face, int view) const {
 }
 
 std::vector<float> SketchDatabase::curve_points(int face, int view) const {
-  const auto drawn = strokes(face, view);
-  DAUMIER_CHECK(int(drawn.size()) >= num_curves_, "sketch {} has {} strokes, expected {} curves first", face,
-                drawn.size(), num_curves_);
+  std::vector<int> curves(static_cast<size_t>(num_curves_));
+  std::iota(curves.begin(), curves.end(), 0);
+  return PointsOf(strokes(face, view), curves);
+}
+
+std::vector<float> PointsOf(const std::vector<render::Stroke>& strokes, std::span<const int> which) {
   std::vector<float> coordinates;
-  for (int curve = 0; curve < num_curves_; ++curve) {
-    for (const auto& point : drawn[size_t(curve)].points)
+  for (const int stroke : which) {
+    DAUMIER_CHECK(stroke >= 0 && stroke < static_cast<int>(strokes.size()), "stroke {} of a sketch of {}", stroke,
+                  strokes.size());
+    for (const auto& point : strokes[static_cast<size_t>(stroke)].points)
       coordinates.insert(coordinates.end(), point.begin(), point.end());
   }
   return coordinates;

@@ -1,9 +1,11 @@
 #pragma once
 #include "core/manifest.h"
 #include "core/safetensors.h"
+#include "render/camera.h"
 #include "render/strokes.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,9 +24,15 @@ class SketchDatabase {
   /// View 0 is the exact one.
   int num_views() const { return num_views_; }
   int num_curves() const { return num_curves_; }
+  /// The strokes of any sketch that are silhouette or feature lines: the curves less those of IsWrinkleKind, ascending.
+  const std::vector<int>& feature_curves() const { return feature_curves_; }
   std::vector<render::Stroke> strokes(int face, int view = 0) const;
   /// All points of the template's curves in a sketch, one after the other: 2K numbers on the 256 canvas (x0 y0 x1 ...).
   std::vector<float> curve_points(int face, int view = 0) const;
+  /// The names of the template's curves, num_curves.
+  const std::vector<std::string>& curve_names() const { return curve_names_; }
+  /// Of view 0.
+  const render::Camera& camera() const { return camera_; }
   /// What Stroke::kind indexes.
   const std::vector<std::string>& kinds() const { return kinds_; }
   const Manifest& manifest() const { return manifest_; }
@@ -32,9 +40,14 @@ class SketchDatabase {
  private:
   Manifest manifest_;
   int num_faces_ = 0, num_views_ = 0, num_curves_ = 0, faces_per_shard_ = 0;
-  std::vector<std::string> kinds_;
+  std::vector<int> feature_curves_;
+  std::vector<std::string> kinds_, curve_names_;
+  render::Camera camera_;
   std::vector<SafetensorsFile> shards_;
 };
+
+/// The points of some strokes, one after the other (x0 y0 x1 ...). @throws Error if there is no such stroke.
+std::vector<float> PointsOf(const std::vector<render::Stroke>& strokes, std::span<const int> which);
 
 /// Whether a stroke of this kind counts as a wrinkle: suggestive contours, and the outer contour of the lips [Han et
 /// al. 2017, figure 3]. Silhouette and feature lines are all others.

@@ -46,17 +46,10 @@ FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const Sk
                 "there are {} sketches for {} faces: they belong to another database", sketches.num_faces(),
                 database.num_faces());
   std::vector<std::vector<float>> points(database.num_faces());
-  for (const int face : split.train) points.at(face) = sketches.curve_points(face);
+  for (const int face : split.train) points.at(face) = PointsOf(sketches.strokes(face), sketches.feature_curves());
   DAUMIER_CHECK(!split.train.empty(), "no face to fit the curves on");
   return Fit(database, split, options, static_cast<int>(points[split.train.front()].size()),
              [&](int face) { return std::span<const float>(points[face]); });
-}
-
-Eigen::VectorXf EncodeCurves(const faces::BilinearProjector& projector, std::span<const float> curve_points) {
-  const faces::BilinearProjection projection = projector.Project(curve_points);
-  Eigen::VectorXf encoding(projection.u.size() + projection.v.size());
-  encoding << projection.u, projection.v;
-  return encoding;
 }
 
 }  // namespace daumier::datasets

@@ -25,15 +25,10 @@ struct FittedBilinear {
 FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& split,
                              const faces::BilinearOptions& options);
 
-/// The same of the 2-D points on silhouette and feature lines, SketchDatabase::curve_points, in pixels of the 256
-/// canvas: the model behind the shape-level input [Han et al. 2017, section 4.3].
+/// The same of the 2-D points on silhouette and feature lines, SketchDatabase::feature_curves, in pixels of the 256
+/// canvas: the model behind the shape-level input [Han et al. 2017, section 4.3], which faces::CurveEncoder encodes.
 /// @throws Error as FitBilinear, or if the sketches belong to other faces.
 FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const SketchDatabase& sketches,
                                    const Split& split, const faces::BilinearOptions& options);
-
-/// The shape-level input of a sketch, u then v (66 numbers with the paper's 50 and 16), from its curve points (2K) by
-/// the projector of a model of FitCurvesOnTraining: what reconstructs the points best, whoever is drawn.
-/// @throws Error if the number of points differs.
-Eigen::VectorXf EncodeCurves(const faces::BilinearProjector& projector, std::span<const float> curve_points);
 
 }  // namespace daumier::datasets

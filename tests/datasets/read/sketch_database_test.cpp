@@ -21,6 +21,13 @@ class SketchDatabaseTest : public ::testing::Test {
     manifest_.verb = "dataset sketches";
     manifest_.counts = {{"persons", 1}, {"faces", 2}, {"faces_per_shard", 2}, {"views_per_face", 1}};
     manifest_.details = {{"kinds", {"silhouette", "brow", "lips", "wrinkle"}},
+                         {"camera",
+                          {{"camera_from_world", {1, 0, 0, 0, -1, 0, 0, 0, -1}},
+                           {"translation", {1, 2, 3}},
+                           {"scale", 4.5},
+                           {"principal_point", {128, 127}},
+                           {"width", 256},
+                           {"height", 256}}},
                          {"curves", {{{"name", "jaw"}, {"kind", "silhouette"}, {"closed", false}}}}};
     Write({0, 1, 3, 6, 7});
   }
@@ -59,6 +66,28 @@ TEST_F(SketchDatabaseTest, CurvePointsLeaveWrinklesOut) {
   EXPECT_EQ(sketches.num_curves(), 1);
   EXPECT_EQ(sketches.curve_points(0), (std::vector<float>{1, 2}));
   EXPECT_EQ(sketches.curve_points(1), (std::vector<float>{7, 8, 9, 10, 11, 12}));
+}
+
+TEST_F(SketchDatabaseTest, TheCameraIsReadBack) {
+  const render::Camera camera = SketchDatabase(directory_.path()).camera();
+  EXPECT_EQ(camera.camera_from_world(1, 1), -1);
+  EXPECT_EQ(camera.translation, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(camera.scale, 4.5);
+  EXPECT_EQ(camera.principal_point, Eigen::Vector2d(128, 127));
+  EXPECT_EQ(camera.width, 256);
+  manifest_.details["camera"]["translation"] = {1, 2};
+  WriteManifest(directory_.path(), manifest_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "translation has 2 numbers");
+}
+
+TEST_F(SketchDatabaseTest, LipsAreACurveAndNoFeature) {
+  manifest_.details["curves"].push_back({{"name", "lips"}, {"kind", "lips"}, {"closed", true}});
+  WriteManifest(directory_.path(), manifest_);
+  const SketchDatabase sketches(directory_.path());
+  EXPECT_EQ(sketches.num_curves(), 2);
+  EXPECT_EQ(sketches.feature_curves(), (std::vector<int>{0}));
+  EXPECT_EQ(PointsOf(sketches.strokes(0), sketches.feature_curves()), (std::vector<float>{1, 2}));
+  ExpectError([&] { PointsOf(sketches.strokes(0), std::vector<int>{2}); }, "stroke 2 of a sketch of 2");
 }
 
 TEST_F(SketchDatabaseTest, ViewsOfAFaceFollowEachOther) {

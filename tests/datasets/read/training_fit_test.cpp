@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/safetensors.h"
+#include "faces/curve_encoder.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
@@ -98,13 +99,13 @@ class CurveFitTest : public TrainingFitTest {
  protected:
   CurveFitTest() { testing::BuildSyntheticSketches(*folder_ / "faces", sketches_folder_ / "sketches"); }
 
-  double MeanPointError(const faces::BilinearProjector& projector, const SketchDatabase& sketches,
-                        const std::vector<int>& faces) const {
+  static double MeanPointError(const faces::CurveEncoder& encoder, const SketchDatabase& sketches,
+                               const std::vector<int>& faces) {
     double sum = 0;
     int count = 0;
     for (const int face : faces) {
-      const std::vector<float> points = sketches.curve_points(face);
-      const Eigen::VectorXf rebuilt = projector.Project(points).vertices;
+      const std::vector<float> points = PointsOf(sketches.strokes(face), sketches.feature_curves());
+      const Eigen::VectorXf rebuilt = encoder.Encode(points, std::vector<float>(points.size() / 2, 1.0f)).points;
       for (size_t k = 0; k < points.size(); k += 2, ++count)
         sum += std::hypot(rebuilt[Eigen::Index(k)] - points[k], rebuilt[Eigen::Index(k) + 1] - points[k + 1]);
     }
@@ -118,23 +119,10 @@ TEST_F(CurveFitTest, AnEncodingRebuildsThePointsOfUnseenPersons) {
   const SketchDatabase sketches(sketches_folder_ / "sketches");
   const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.15, .test = 0.15}, 2);
   const FittedBilinear fitted = FitCurvesOnTraining(*database_, sketches, split, kRanks);
-  const faces::BilinearProjector projector(fitted.model);
-  EXPECT_LT(MeanPointError(projector, sketches, split.train), 0.5) << "pixels";
-  EXPECT_LT(MeanPointError(projector, sketches, split.test), 1.5) << "pixels";
+  const faces::CurveEncoder encoder(fitted.model);
+  EXPECT_LT(MeanPointError(encoder, sketches, split.train), 0.5) << "pixels";
+  EXPECT_LT(MeanPointError(encoder, sketches, split.test), 1.5) << "pixels";
   EXPECT_EQ(fitted.proof.at("persons"), SplitToJson(*database_, split).at("train").at("persons"));
-}
-
-TEST_F(CurveFitTest, AnEncodingIsUThenV) {
-  const SketchDatabase sketches(sketches_folder_ / "sketches");
-  const Split split = MakeSplit(*database_, {.kind = "person", .validation = 0.15, .test = 0.15}, 2);
-  const FittedBilinear fitted = FitCurvesOnTraining(*database_, sketches, split, kRanks);
-  const faces::BilinearProjector projector(fitted.model);
-  const std::vector<float> points = sketches.curve_points(split.test.front());
-  const Eigen::VectorXf encoding = EncodeCurves(projector, points);
-  ASSERT_EQ(encoding.size(), kRanks.num_identity + kRanks.num_expression);
-  const Eigen::VectorXf rebuilt =
-      faces::Reconstruct(fitted.model, encoding.head(kRanks.num_identity), encoding.tail(kRanks.num_expression));
-  EXPECT_LT((rebuilt - projector.Project(points).vertices).cwiseAbs().maxCoeff(), 1e-3);
 }
 
 }  // namespace

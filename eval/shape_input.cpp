@@ -1,0 +1,60 @@
+#include "eval/shape_input.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace daumier::eval {
+
+ShapeInput::ShapeInput(const faces::BilinearModel& curves, const datasets::SketchDatabase& sketches,
+                       const faces::FaceTemplate& face_template)
+    : sketches_(sketches), encoder_(curves), camera_(sketches.camera()) {
+  const auto& annotated = face_template.annotation.curves;
+  for (const int feature : sketches.feature_curves()) {
+    const std::string& name = sketches.curve_names()[size_t(feature)];
+    const auto curve = std::find_if(annotated.begin(), annotated.end(), [&](const auto& c) { return c.name == name; });
+    DAUMIER_CHECK(curve != annotated.end(), "the template has no curve '{}', which its sketches show", name);
+    vertices_.insert(vertices_.end(), curve->vertices.begin(), curve->vertices.end());
+    if (curve->closed) vertices_.push_back(curve->vertices.front());
+    offsets_.push_back(static_cast<int>(vertices_.size()));
+  }
+}
+
+faces::CurveCode ShapeInput::Given(const std::vector<render::Stroke>& strokes,
+                                   const std::vector<std::vector<bool>>& visible) const {
+  const std::vector<float> points = datasets::PointsOf(strokes, sketches_.feature_curves());
+  std::vector<float> weights;
+  for (const int curve : sketches_.feature_curves()) {
+    for (size_t point = 0; point < strokes[size_t(curve)].points.size(); ++point)
+      weights.push_back(visible.empty() || visible[size_t(curve)][point] ? 1.0f : 0.0f);
+  }
+  return encoder_.Encode(points, weights);
+}
+
+faces::CurveCode ShapeInput::Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,
+                                       int snaps) const {
+  geometry::Points points(Eigen::Index(vertices_.size()), 3);
+  for (size_t k = 0; k < vertices_.size(); ++k) {
+    for (int axis = 0; axis < 3; ++axis)
+      points(Eigen::Index(k), axis) = predicted_face[3 * size_t(vertices_[k]) + size_t(axis)];
+  }
+  std::vector<float> predicted;
+  for (const auto& point : render::Project(camera_, points).rowwise())
+    predicted.insert(predicted.end(), {float(point.x()), float(point.y())});
+  return fitting::RecoverCurves(encoder_, offsets_, predicted, drawn, {.snaps = snaps});
+}
+
+double ShapeInput::ErrorPx(const faces::CurveCode& code, const std::vector<render::Stroke>& truth) const {
+  const std::vector<float> points = datasets::PointsOf(truth, sketches_.feature_curves());
+  DAUMIER_CHECK(Eigen::Index(points.size()) == code.points.size(), "curves of {} coordinates, expected {}",
+                points.size(), code.points.size());
+  double sum = 0;
+  for (size_t k = 0; k < points.size(); k += 2) {
+    const auto row = Eigen::Index(k);
+    sum += std::hypot(double(code.points[row]) - points[k], double(code.points[row + 1]) - points[k + 1]);
+  }
+  return 2 * sum / double(points.size());
+}
+
+}  // namespace daumier::eval
