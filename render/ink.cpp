@@ -25,8 +25,12 @@ constexpr int kDarkestReach = 3;
 constexpr double kMinSpeck = 1.5, kMinHole = 1.0;
 /// Limits of those areas in pixels, whatever the pen.
 constexpr double kLeastSpeck = 6.0, kLargestSpeck = 60.0;
-/// Gap between two areas that make one, in widths of the pen.
-constexpr double kAreaGap = 1.0;
+/// Gap between two areas that make one, in widths of the pen, and the smallest hole in an area that is kept, in squares
+/// of it: glints in pupils and hair.
+constexpr double kAreaGap = 1.0, kMinAreaHole = 25.0;
+/// Small pieces, in squares of the pen's width, are only kept if their darkest pixel has this share of the darkness
+/// that three quarters of the ink stay below: what is fainter is dirt, or noise where there was little light.
+constexpr double kSmallPiece = 30.0, kShareOfTypical = 0.6;
 /// Half the thickness of an area whose outline is drawn, in widths of the pen, and in pixels at least.
 constexpr double kAreaHalfThickness = 1.2, kMinAreaHalfThickness = 5.0;
 /// How far from the border a frame can begin and end, and how far it can depart from a straight line (shares of the
@@ -148,6 +152,32 @@ void ClearSmallPieces(cv::Mat& mask, double min_area, int connectivity) {
   }
 }
 
+/// Clears small pieces of the ink that are fainter than its lines.
+void ClearFaintPieces(cv::Mat& ink, const cv::Mat& darkness, double max_area) {
+  cv::Mat labels, stats, centres;
+  const int num_labels = cv::connectedComponentsWithStats(ink, labels, stats, centres, 8, CV_32S);
+  std::vector<uint8_t> darkest(num_labels, 0), values;
+  for (int row = 0; row < ink.rows; ++row) {
+    for (int column = 0; column < ink.cols; ++column) {
+      if (ink.at<uint8_t>(row, column) == 0) continue;
+      const uint8_t value = darkness.at<uint8_t>(row, column);
+      uint8_t& darkest_of_piece = darkest[labels.at<int>(row, column)];
+      darkest_of_piece = std::max(darkest_of_piece, value);
+      values.push_back(value);
+    }
+  }
+  if (values.empty()) return;
+  const auto rank = values.begin() + 3 * std::ssize(values) / 4;
+  std::nth_element(values.begin(), rank, values.end());
+  for (int row = 0; row < ink.rows; ++row) {
+    for (int column = 0; column < ink.cols; ++column) {
+      const int label = labels.at<int>(row, column);
+      const bool is_small = stats.at<int>(label, cv::CC_STAT_AREA) < max_area;
+      if (is_small && darkest[label] < kShareOfTypical * *rank) ink.at<uint8_t>(row, column) = 0;
+    }
+  }
+}
+
 /// A mask from a matrix that is 255 where there is ink.
 Image MaskOf(const cv::Mat& ink) {
   Image mask(ink.rows, ink.cols, 1);
@@ -175,6 +205,7 @@ Image InkMask(const Image& flattened) {
   const double pen_width = PenWidth(MaskOf(ink));
   const double dot = pen_width * pen_width;
   ClearSmallPieces(ink, std::clamp(kMinSpeck * dot, kLeastSpeck, kLargestSpeck), 8);
+  ClearFaintPieces(ink, darkness, kSmallPiece * dot);
   Image mask = MaskOf(ink);
   cv::Mat paper = MatView(mask);
   ClearSmallPieces(paper, std::min(kMinHole * dot, kLargestSpeck), 4);
@@ -207,6 +238,10 @@ Image HollowAreas(const Image& ink, double pen_width) {
   cv::Mat areas = DistanceTo(core) <= half_thickness;
   const int gap = 2 * static_cast<int>(std::ceil(0.5 * kAreaGap * pen_width)) + 1;
   cv::morphologyEx(areas, areas, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap}));
+  cv::Mat outside;
+  cv::bitwise_not(areas, outside);
+  ClearSmallPieces(outside, kMinAreaHole * pen_width * pen_width, 4);
+  cv::bitwise_not(outside, areas);
   Image hollow = ink;
   cv::Mat view = MatView(hollow);
   view.setTo(kInk, areas);

@@ -186,7 +186,7 @@ double DistanceToSegment(const Vector2d& point, const Vector2d& from, const Vect
   return (point - from - t * along).norm();
 }
 
-/// Keeps of line[first .. last] what lies further than the tolerance from the chord [Douglas & Peucker 1973].
+/// Keeps of line[first .. last] what lies further than the tolerance from the chord [Douglas and Peucker 1973].
 void KeepCorners(const Points& line, size_t first, size_t last, std::vector<bool>& is_kept) {
   size_t furthest = first;
   double distance = kSimplification;

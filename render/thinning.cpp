@@ -26,7 +26,7 @@ int NumPieces(Neighbours n) {
   return count;
 }
 
-/// Whether a pixel goes in one of the two alternating passes [Guo & Hall 1989, A1].
+/// Whether a pixel goes in one of the two alternating passes [Guo and Hall 1989, A1].
 bool Goes(Neighbours n, int pass) {
   if (NumPieces(n) != 1) return false;
   int first_pairs = 0, second_pairs = 0;

@@ -72,6 +72,17 @@ TEST(InkMask, SpecksArePaperAndPinholesAreInk) {
   EXPECT_EQ(InkMask(image), expected);
 }
 
+TEST(InkMask, SmallPiecesFainterThanTheLinesArePaper) {
+  Image image = White();
+  Fill(image, 200, 100, 5, 300, 60);
+  Image expected = image;
+  Fill(image, 300, 100, 5, 300, 190);
+  Fill(image, 400, 100, 5, 20, 190);
+  Fill(expected, 300, 100, 5, 300, 0);
+  Fill(expected, 200, 100, 5, 300, 0);
+  EXPECT_EQ(InkMask(image), expected);
+}
+
 TEST(InkMask, FrameAndScanBorderArePaper) {
   Image expected = White();
   Fill(expected, 200, 100, 5, 300, 0);
@@ -133,6 +144,15 @@ TEST(HollowAreas, NarrowGapBetweenAreasCloses) {
   EXPECT_EQ(HollowAreas(near, 5.0).at(300, 201), kPaper) << "the inside of one area";
   EXPECT_EQ(HollowAreas(near, 5.0).at(300, 197), kPaper);
   EXPECT_EQ(HollowAreas(far, 5.0).at(300, 197), kInk) << "an outline of its own";
+}
+
+TEST(HollowAreas, SmallHolesInAnAreaClose) {
+  Image image = White();
+  Fill(image, 200, 100, 200, 200, kInk);
+  Fill(image, 290, 190, 20, 20, kPaper);
+  Fill(image, 298, 190, 2, 20, kInk);
+  const Image hollow = HollowAreas(image, 5.0);
+  EXPECT_EQ(std::count(hollow.pixels.begin() + 230 * 512, hollow.pixels.begin() + 370 * 512, kInk), 140 * 2 * 5);
 }
 
 TEST(HollowAreas, HasNoOutlineWhereThePictureCutsAnArea) {
