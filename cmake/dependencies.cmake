@@ -30,6 +30,10 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
 add_library(image_libraries INTERFACE)
 target_link_libraries(image_libraries INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
 
+find_package(pugixml REQUIRED)
+add_library(markup_libraries INTERFACE)
+target_link_libraries(markup_libraries INTERFACE pugixml::pugixml)
+
 find_package(LibArchive REQUIRED)
 find_package(ZLIB REQUIRED)
 find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)  # CMake's own module needs the language C.

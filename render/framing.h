@@ -1,0 +1,26 @@
+#pragma once
+#include "core/options.h"
+#include "render/drawing.h"
+
+namespace daumier::render {
+
+struct FrameOptions {
+  double curve_height = 0.62;
+  double max_width = 0.8;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("curve_height", curve_height, Range{0.1, 1.0},
+          "Height of the drawing on the canvas, as a share of its side.");
+    visit("max_width", max_width, Range{0.1, 1.0},
+          "Share of the canvas's side that the drawing is wide at most; it gets smaller than curve_height for it.");
+  }
+};
+
+/// The drawing on the canvas of kSketchCanvas by one scale and a shift: the centre of its bounding box comes to the
+/// centre of the canvas, its height to curve_height of the canvas, or its width to max_width if it would be wider.
+/// Strokes far outside all others (dirt, a signature) are left out and do not count for the box.
+/// @throws Error if there are no points, all are one point, or a coordinate is not finite.
+std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& options = {});
+
+}  // namespace daumier::render

@@ -1,0 +1,118 @@
+#include "render/framing.h"
+
+#include "core/error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace daumier::render {
+namespace {
+
+Stroke Circle(double cx, double cy, double rx, double ry) {
+  Stroke stroke;
+  for (int i = 0; i <= 100; ++i) {
+    const double angle = 0.02 * std::numbers::pi * i;
+    stroke.points.push_back(
+        {static_cast<float>(cx + rx * std::cos(angle)), static_cast<float>(cy + ry * std::sin(angle))});
+  }
+  return stroke;
+}
+
+struct Box {
+  float left = 1e9F, top = 1e9F, right = -1e9F, bottom = -1e9F;
+};
+Box BoxOf(const std::vector<Stroke>& strokes) {
+  Box box;
+  for (const auto& stroke : strokes) {
+    for (const auto& [x, y] : stroke.points) {
+      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
+    }
+  }
+  return box;
+}
+
+TEST(FrameStrokes, TallDrawingGetsTheCurveHeight) {
+  const Box box = BoxOf(FrameStrokes({900, 1200, {Circle(300, 700, 100, 150)}}));
+  EXPECT_NEAR(box.bottom - box.top, 0.62 * 256, 0.1);
+  EXPECT_NEAR(box.right - box.left, 0.62 * 256 * 2 / 3, 0.1);
+  EXPECT_NEAR(box.left + box.right, 256, 0.1);
+  EXPECT_NEAR(box.top + box.bottom, 256, 0.1);
+}
+
+TEST(FrameStrokes, WideDrawingGetsTheLargestWidth) {
+  const Box box = BoxOf(FrameStrokes({900, 1200, {Circle(300, 700, 200, 50)}}));
+  EXPECT_NEAR(box.right - box.left, 0.8 * 256, 0.1);
+  EXPECT_NEAR(box.bottom - box.top, 0.2 * 256, 0.1);
+}
+
+TEST(FrameStrokes, IsASimilarityThatKeepsKinds) {
+  const Drawing drawing{100, 100, {{2, {{10, 10}, {50, 40}, {30, 90}}}, {1, {{20, 30}, {60, 35}}}}};
+  const auto framed = FrameStrokes(drawing);
+  ASSERT_EQ(framed.size(), 2U);
+  EXPECT_EQ(framed[0].kind, 2);
+  EXPECT_EQ(framed[1].kind, 1);
+  const double scale = 0.62 * 256 / 80;
+  for (size_t s = 0; s < 2; ++s) {
+    for (size_t i = 0; i < drawing.strokes[s].points.size(); ++i) {
+      const auto [x, y] = drawing.strokes[s].points[i];
+      EXPECT_NEAR(framed[s].points[i][0], 128 + scale * (x - 35), 1e-3);
+      EXPECT_NEAR(framed[s].points[i][1], 128 + scale * (y - 50), 1e-3);
+    }
+  }
+}
+
+TEST(FrameStrokes, DoesNotDependOnScaleAndPlace) {
+  const auto expected = FrameStrokes({100, 100, {Circle(40, 50, 20, 30), Circle(30, 45, 3, 4)}});
+  const auto moved = FrameStrokes({9000, 9000, {Circle(4700, 1500, 2000, 3000), Circle(3700, 1000, 300, 400)}});
+  for (size_t s = 0; s < 2; ++s) {
+    for (size_t i = 0; i < expected[s].points.size(); ++i) {
+      EXPECT_NEAR(expected[s].points[i][0], moved[s].points[i][0], 1e-2);
+      EXPECT_NEAR(expected[s].points[i][1], moved[s].points[i][1], 1e-2);
+    }
+  }
+}
+
+TEST(FrameStrokes, StrokesFarOutsideAreLeftOut) {
+  const Stroke face = Circle(500, 500, 100, 150);
+  const auto alone = FrameStrokes({1000, 1000, {face}});
+  const auto with_dirt = FrameStrokes({1000, 1000, {face, {0, {{10, 990}}}, {0, {{900, 20}, {912, 20}}}}});
+  ASSERT_EQ(with_dirt.size(), 1U);
+  EXPECT_EQ(with_dirt[0].points, alone[0].points);
+}
+
+TEST(FrameStrokes, WhatBelongsToTheDrawingCountsWhole) {
+  // A long thin line that leaves the circle upwards.
+  const Stroke line{0, {{500, 350}, {500, 250}}};
+  const Box box = BoxOf(FrameStrokes({1000, 1000, {Circle(500, 500, 100, 150), line}}));
+  EXPECT_NEAR(box.bottom - box.top, 0.62 * 256, 0.1);
+  EXPECT_EQ(FrameStrokes({1000, 1000, {Circle(500, 500, 100, 150), line}}).size(), 2U);
+}
+
+TEST(FrameStrokes, OptionsAreParsedAndUsed) {
+  const auto options = ParseOptions<FrameOptions>(Json{{"curve_height", 0.5}, {"max_width", 0.4}});
+  const Box tall = BoxOf(FrameStrokes({100, 100, {Circle(50, 50, 10, 40)}}, options));
+  EXPECT_NEAR(tall.bottom - tall.top, 128, 0.1);
+  const Box wide = BoxOf(FrameStrokes({100, 100, {Circle(50, 50, 40, 40)}}, options));
+  EXPECT_NEAR(wide.right - wide.left, 0.4 * 256, 0.1);
+  EXPECT_THROW(ParseOptions<FrameOptions>(Json{{"curve_height", 3.0}}), Error);
+}
+
+TEST(FrameStrokes, DotsAndStraightLinesHaveAFrameToo) {
+  const auto line = FrameStrokes({100, 100, {{0, {{20, 50}, {80, 50}}}}});
+  EXPECT_NEAR(line[0].points[1][0] - line[0].points[0][0], 0.8 * 256, 0.1);
+  EXPECT_EQ(FrameStrokes({100, 100, {{0, {{20, 50}}}, {0, {{30, 60}}}}}).size(), 2U);
+}
+
+TEST(FrameStrokes, RefusesWhatHasNoExtent) {
+  EXPECT_THROW(FrameStrokes({10, 10, {}}), Error);
+  EXPECT_THROW(FrameStrokes({10, 10, {{0, {}}}}), Error);
+  EXPECT_THROW(FrameStrokes({10, 10, {{0, {{3, 3}}}}}), Error);
+  EXPECT_THROW(FrameStrokes({10, 10, {{0, {{3, std::numeric_limits<float>::quiet_NaN()}, {4, 4}}}}}), Error);
+}
+
+}  // namespace
+}  // namespace daumier::render
