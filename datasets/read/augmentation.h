@@ -13,11 +13,11 @@ struct AugmentationOptions {
   double removal = 0.3;
   double removal_order_weight = 0.5;
   double removal_length_weight = 2;
-  double stroke_shift_px = 4.8;
-  double drawing_shift_px = 9.6;
+  double stroke_shift_px = 2;
+  double drawing_shift_px = 4;
   double width = 0.4;
   double retrace = 0.3;
-  double retrace_px = 1;
+  double retrace_px = 1.5;
   double tremor_px = 0.5;
   double tremor_length_px = 16;
   double gaps = 0.2;
@@ -59,11 +59,12 @@ struct AugmentedSketch {
   std::vector<std::vector<bool>> visible;  ///< Of each point of `moved`: whether the sketch shows its stroke there.
 };
 
-/// Sketch augmentation [Yu et al. 2016] on strokes of the 256 canvas, and the pen: strokes are left out, bent one by
-/// one and all together, the drawing is placed anew, then the pen trembles, retraces strokes whole and leaves gaps.
-/// What these carry out of the canvas, less a margin of 3 pixels, is shifted back, or shrunk if it does not fit; a
-/// sketch that left it before may do so as far. Closed strokes stay closed. With strength 0 the strokes come back bit
-/// for bit, with the default style. The same strokes, options and state of `rng` give the same bytes.
+/// Sketch augmentation [Yu et al. 2016] on strokes of the 256 canvas, and the pen. Strokes are left out, never all;
+/// they are bent one by one and all together; the drawing is turned, scaled and shifted; what this carries out of the
+/// canvas, less a margin of 3 pixels, is shifted back, or shrunk if it does not fit, but a sketch that left it before
+/// may do so as far. Then the pen trembles, draws some strokes twice, the second time whole, and leaves gaps in others
+/// that are longer than two gaps. Closed strokes stay closed. With strength 0 the strokes come back bit for bit, with
+/// the default style. The same strokes, options and state of `rng` give the same bytes.
 AugmentedSketch Augment(const std::vector<render::Stroke>& strokes, const AugmentationOptions& options, Rng& rng);
 
 }  // namespace daumier::datasets
