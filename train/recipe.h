@@ -3,6 +3,7 @@
 
 #include <torch/nn/module.h>
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,14 +24,15 @@ class Recipe {
   virtual torch::nn::Module& module() = 0;
   virtual torch::Device device() const = 0;
   virtual int num_samples() const = 0;
-  /// The loss of training samples, each in 0 .. num_samples - 1. Deterministic but for LibTorch's own generators.
-  virtual LossTerms Loss(const std::vector<int>& samples) = 0;
+  /// The loss of training samples, each in 0 .. num_samples - 1, as the epoch shows them, 0 the first. Deterministic
+  /// but for LibTorch's own generators.
+  virtual LossTerms Loss(const std::vector<int>& samples, int64_t epoch) = 0;
   /// Numbers over the validation samples; the network is in evaluation mode and no gradient is kept.
   virtual std::map<std::string, double> Validate() = 0;
   /// Which of Validate's numbers chooses the best weights; smaller is better.
   virtual std::string metric() const = 0;
   /// What the network saw, written where a loss is not a number.
-  virtual tensor::NamedTensors BatchTensors(const std::vector<int>& samples) = 0;
+  virtual tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) = 0;
 };
 
 }  // namespace daumier::train

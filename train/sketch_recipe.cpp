@@ -34,7 +34,7 @@ SketchRecipe::SketchRecipe(const SketchTrainingOptions& options, const faces::Fa
                            const faces::BilinearModel& bilinear, torch::Device device)
     : faces_(faces),
       device_(device),
-      training_(sketches, split.train, options.network.resolution),
+      training_(sketches, split.train, options.network.resolution, options.augmentation, options.seed),
       validation_(sketches, split.validation, options.network.resolution),
       network_(options.network, bilinear),
       vertex_weights_(CurveVertexWeights(faces.face_template(), options.curve_weight).to(device)) {
@@ -73,8 +73,8 @@ losses::VertexMoments SketchRecipe::MomentsOf(const std::vector<int>& samples) c
   return {moments_.linear.index_select(0, rows), moments_.constant.index_select(0, rows)};
 }
 
-LossTerms SketchRecipe::Loss(const std::vector<int>& samples) {
-  const datasets::SketchBatch batch = training_.Get(samples);
+LossTerms SketchRecipe::Loss(const std::vector<int>& samples, int64_t epoch) {
+  const datasets::SketchBatch batch = training_.Get(samples, epoch);
   const models::FaceCoefficients coefficients = network_->forward(batch.images.to(device_));
   if (gram_loss_) return {(*gram_loss_)(coefficients.u, coefficients.v, MomentsOf(samples)), {}};
   std::vector<int> faces;
@@ -100,8 +100,8 @@ std::map<std::string, double> SketchRecipe::Validate() {
   return {{metric(), eval::Mean(errors)}};
 }
 
-tensor::NamedTensors SketchRecipe::BatchTensors(const std::vector<int>& samples) {
-  const datasets::SketchBatch batch = training_.Get(samples);
+tensor::NamedTensors SketchRecipe::BatchTensors(const std::vector<int>& samples, int64_t epoch) {
+  const datasets::SketchBatch batch = training_.Get(samples, epoch);
   return {{"images", batch.images}, {"faces", batch.faces}};
 }
 

@@ -30,6 +30,7 @@ struct SketchTrainingOptions {
   SketchDataOptions data;
   datasets::SplitOptions split;
   faces::BilinearOptions bilinear;
+  datasets::AugmentationOptions augmentation;
   models::PixelCnnOptions network;
   OptimiserOptions optimiser;
   TrainerOptions trainer;
@@ -42,6 +43,7 @@ struct SketchTrainingOptions {
     visit("data", data, Table{}, "What is learnt from.");
     visit("split", split, Table{}, "Who trains, who validates, who tests.");
     visit("bilinear", bilinear, Table{}, "The bilinear face model, fitted on training faces.");
+    visit("augmentation", augmentation, Table{}, "Training sketches as other hands draw them; off at strength 0.");
     visit("network", network, Table{}, "The network.");
     visit("optimiser", optimiser, Table{}, "AdamW and its schedule.");
     trainer.Visit(visit);
@@ -49,7 +51,8 @@ struct SketchTrainingOptions {
           "How the vertex loss is computed; gram reads no vertex in a step and gives the same number.");
     visit("curve_weight", curve_weight, Range{1, 1000},
           "Weight of the vertices of feature curves in the vertex loss; all others weigh 1.");
-    visit("seed", seed, Range{0, 9e15}, "Of the split, the first weights and the order of the samples.");
+    visit("seed", seed, Range{0, 9e15},
+          "Of the split, the first weights, the order of the samples and their augmentation.");
   }
 };
 
@@ -57,7 +60,8 @@ struct SketchTrainingOptions {
 /// elsewhere.
 torch::Tensor CurveVertexWeights(const faces::FaceTemplate& face_template, double curve_weight);
 
-/// A sketch network on the training faces of a split. The validation's mean_vertex_error_mm is the one of
+/// A sketch network on the training faces of a split, whose sketches are augmented anew in each epoch; validation
+/// sketches stay as they are. The validation's mean_vertex_error_mm is the one of
 /// eval/metrics.h over the region `face`. The databases have to outlive it.
 class SketchRecipe : public Recipe {
  public:
@@ -70,10 +74,10 @@ class SketchRecipe : public Recipe {
   torch::nn::Module& module() override { return *network_; }
   torch::Device device() const override { return device_; }
   int num_samples() const override { return training_.size(); }
-  LossTerms Loss(const std::vector<int>& samples) override;
+  LossTerms Loss(const std::vector<int>& samples, int64_t epoch) override;
   std::map<std::string, double> Validate() override;
   std::string metric() const override { return "mean_vertex_error_mm"; }
-  tensor::NamedTensors BatchTensors(const std::vector<int>& samples) override;
+  tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) override;
 
   const models::SketchNetwork& network() const { return network_; }
 

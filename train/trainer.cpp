@@ -50,7 +50,7 @@ class Training {
     for (bool first = true; step_ < total_steps_ && !stopped_early_; first = false) {
       const int64_t position = step_ % steps_per_epoch_;
       if (first || position == 0)
-        order = Stream(seed_, "training order", uint64_t(step_ / steps_per_epoch_)).Permutation(recipe_.num_samples());
+        order = Stream(seed_, "training order", uint64_t(Epoch())).Permutation(recipe_.num_samples());
       const auto begin = order.begin() + position * batch_;
       TakeStep({begin, begin + batch_});
       progress.Step(1, fmt::format("loss {:.4g}", last_loss_));
@@ -77,9 +77,12 @@ class Training {
  private:
   double Seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
+  /// Of the step under way, 0 the first.
+  int64_t Epoch() const { return step_ / steps_per_epoch_; }
+
   void TakeStep(const std::vector<int>& samples) {
     optimiser_.ZeroGradients();
-    const LossTerms loss = recipe_.Loss(samples);
+    const LossTerms loss = recipe_.Loss(samples, Epoch());
     last_loss_ = loss.total.item<double>();
     std::map<std::string, double> values{{"loss", last_loss_}};
     for (const auto& [name, part] : loss.parts) values[name] = part.item<double>();
@@ -100,14 +103,13 @@ class Training {
   void CheckFinite(double value, const std::string& name, const std::vector<int>& samples) {
     if (std::isfinite(value)) return;
     const std::filesystem::path file = run_directory_ / "nan_batch.safetensors";
-    tensor::NamedTensors batch = recipe_.BatchTensors(samples);
+    tensor::NamedTensors batch = recipe_.BatchTensors(samples, Epoch());
     batch["samples"] = torch::tensor(samples, torch::kInt32);
     tensor::SaveTensors(file, batch);
-    throw Error(
-        fmt::format("{} is {} in step {} (epoch {}), with a learning rate of {:.3g}; its batch is in {}. Try a smaller "
-                    "optimiser.learning_rate or optimiser.clip_norm=1",
-                    name, value, step_ + 1, step_ / steps_per_epoch_ + 1,
-                    LearningRate(optimiser_options_, step_, total_steps_), file.string()));
+    throw Error(fmt::format(
+        "{} is {} in step {} (epoch {}), with a learning rate of {:.3g}; its batch is in {}. Try a smaller "
+        "optimiser.learning_rate or optimiser.clip_norm=1",
+        name, value, step_ + 1, Epoch() + 1, LearningRate(optimiser_options_, step_, total_steps_), file.string()));
   }
 
   void WriteTrainingLine(RunLog& log) {

@@ -2,43 +2,73 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/random.h"
 
 #include <algorithm>
 
 namespace daumier::datasets {
+namespace {
 
-SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution)
-    : faces_(std::move(faces)), ink_(torch::empty({size(), 1, resolution, resolution}, torch::kUInt8)) {
-  const int64_t num_pixels = int64_t(resolution) * resolution;
-  uint8_t* const ink = ink_.data_ptr<uint8_t>();
-  constexpr int kBlock = 64;
-  const auto draw = [&](int block) {
-    const int end = std::min(size(), (block + 1) * kBlock);
-    for (int sample = block * kBlock; sample < end; ++sample) {
-      const render::Image image = render::RasteriseStrokes(sketches.strokes(faces_[sample]), resolution);
-      std::transform(image.pixels.begin(), image.pixels.end(), ink + sample * num_pixels,
-                     [](uint8_t grey) { return static_cast<uint8_t>(255 - grey); });
-    }
+/// work(i) for i = 0..count-1, in one block a core.
+template <class Work>
+void OnAllCores(int64_t count, const Work& work) {
+  const int num_cores = NumCores(), num_blocks = static_cast<int>(std::min<int64_t>(num_cores, count));
+  const auto work_on = [&](int block) {
+    const int64_t end = count * (block + 1) / num_blocks;
+    for (int64_t i = count * block / num_blocks; i < end; ++i) work(i);
     return end;
   };
-  ForEachInOrder((size() + kBlock - 1) / kBlock, draw, [](int) {});
+  ForEachInOrder(
+      num_blocks, work_on, [](int64_t) {}, static_cast<unsigned>(num_cores));
 }
 
-SketchBatch SketchDataset::Get(std::span<const int> samples) const {
+}  // namespace
+
+SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution,
+                             const AugmentationOptions& augmentation, uint64_t seed)
+    : faces_(std::move(faces)), resolution_(resolution), augmentation_(augmentation), seed_(seed), sketches_(sketches) {
+  for (const int face : faces_) {
+    DAUMIER_CHECK(face >= 0 && face < sketches.num_faces(), "sketch {} of a database of {}", face,
+                  sketches.num_faces());
+  }
+  if (augments()) return;
+  ink_ = torch::empty({size(), 1, resolution, resolution}, torch::kUInt8);
+  uint8_t* const ink = ink_.data_ptr<uint8_t>();
+  OnAllCores(size(), [&](int64_t sample) {
+    const render::Image image = render::RasteriseStrokes(sketches.strokes(faces_[sample]), resolution);
+    std::transform(image.pixels.begin(), image.pixels.end(), ink + sample * int64_t(image.pixels.size()),
+                   [](uint8_t grey) { return static_cast<uint8_t>(255 - grey); });
+  });
+}
+
+SketchBatch SketchDataset::Get(std::span<const int> samples, int64_t epoch) const {
   const auto count = static_cast<int64_t>(samples.size());
-  SketchBatch batch{torch::empty({count, 1, ink_.size(2), ink_.size(3)}), torch::empty({count}, torch::kInt64)};
-  const int64_t num_pixels = ink_.size(2) * ink_.size(3);
-  const uint8_t* const ink = ink_.data_ptr<uint8_t>();
+  SketchBatch batch{torch::empty({count, 1, resolution_, resolution_}), torch::empty({count}, torch::kInt64)};
+  const int64_t num_pixels = int64_t(resolution_) * resolution_;
   float* const images = batch.images.data_ptr<float>();
   int64_t* const faces = batch.faces.data_ptr<int64_t>();
   for (int64_t row = 0; row < count; ++row) {
     const int sample = samples[row];
     DAUMIER_CHECK(sample >= 0 && sample < size(), "sample {} of a dataset of {}", sample, size());
-    std::transform(ink + sample * num_pixels, ink + (sample + 1) * num_pixels, images + row * num_pixels,
-                   [](uint8_t value) { return static_cast<float>(value) / 255.0f; });
     faces[row] = faces_[sample];
+    if (augments()) continue;
+    const uint8_t* const ink = ink_.data_ptr<uint8_t>() + sample * num_pixels;
+    std::transform(ink, ink + num_pixels, images + row * num_pixels,
+                   [](uint8_t value) { return static_cast<float>(value) / 255.0f; });
+  }
+  if (augments()) {
+    OnAllCores(count,
+               [&](int64_t row) { DrawAugmented(static_cast<int>(faces[row]), epoch, images + row * num_pixels); });
   }
   return batch;
+}
+
+void SketchDataset::DrawAugmented(int face, int64_t epoch, float* ink) const {
+  Rng rng = Stream(seed_, "augmentation", static_cast<uint64_t>(epoch) << 32 | static_cast<uint32_t>(face));
+  const AugmentedSketch sketch = Augment(sketches_.strokes(face), augmentation_, rng);
+  const render::Image image = render::RasteriseStrokes(sketch.strokes, resolution_, sketch.style);
+  std::transform(image.pixels.begin(), image.pixels.end(), ink,
+                 [](uint8_t grey) { return static_cast<float>(255 - grey) / 255.0f; });
 }
 
 }  // namespace daumier::datasets

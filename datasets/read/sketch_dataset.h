@@ -1,8 +1,10 @@
 #pragma once
+#include "datasets/read/augmentation.h"
 #include "datasets/read/sketch_database.h"
 
 #include <torch/types.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,21 +15,32 @@ struct SketchBatch {
   torch::Tensor images, faces;
 };
 
-/// The sketches of some faces as pictures of R x R pixels: drawn once, by all cores, and kept as bytes.
+/// The sketches of some faces as pictures of R x R pixels, drawn by all cores. As they are (augmentation of strength
+/// 0), they are drawn once and kept as bytes, and are the same in every epoch; augmented, they are drawn anew for each
+/// batch, and the picture of a sample is a function of seed, face and epoch alone.
 class SketchDataset {
  public:
   /// Sample s is the sketch of face `faces[s]`. @throws Error if a face has no sketch.
-  SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution);
+  SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution,
+                const AugmentationOptions& augmentation = {}, uint64_t seed = 0);
 
   int size() const { return static_cast<int>(faces_.size()); }
   const std::vector<int>& faces() const { return faces_; }
 
   /// @throws Error if a sample is not one of 0..size()-1.
-  SketchBatch Get(std::span<const int> samples) const;
+  SketchBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
 
  private:
+  bool augments() const { return augmentation_.strength > 0; }
+  /// Writes R x R values.
+  void DrawAugmented(int face, int64_t epoch, float* ink) const;
+
   std::vector<int> faces_;
-  torch::Tensor ink_;  ///< (N, 1, R, R) uint8, ink = 255.
+  int resolution_;
+  AugmentationOptions augmentation_;
+  uint64_t seed_;
+  SketchDatabase sketches_;  ///< Shares the mapped files.
+  torch::Tensor ink_;        ///< (N, 1, R, R) uint8, ink = 255; undefined if augmented.
 };
 
 }  // namespace daumier::datasets

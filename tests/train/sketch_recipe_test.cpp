@@ -64,7 +64,7 @@ TEST_F(SketchRecipeTest, BothFormsOfTheLossGiveTheSameNumberAndGradient) {
   for (const char* loss : {"gram", "vertices"}) {
     SketchRecipe recipe = MakeRecipe(loss);
     recipe.module().train();
-    const LossTerms terms = recipe.Loss(samples);
+    const LossTerms terms = recipe.Loss(samples, 0);
     terms.total.backward();
     losses.push_back(terms.total.item<double>());
     gradients.push_back(recipe.module().parameters().front().grad());
@@ -78,7 +78,7 @@ TEST_F(SketchRecipeTest, SamplesAreTheTrainingFaces) {
   ASSERT_EQ(recipe.num_samples(), int(split_.train.size()));
   std::vector<int> all(split_.train.size());
   std::iota(all.begin(), all.end(), 0);
-  const torch::Tensor faces = recipe.BatchTensors(all).at("faces");
+  const torch::Tensor faces = recipe.BatchTensors(all, 0).at("faces");
   for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(faces[int64_t(i)].item<int64_t>(), split_.train[i]);
 }
 
@@ -101,6 +101,35 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
   const torch::Tensor region = torch::tensor(faces_.face_template().annotation.regions.at("face")).to(torch::kInt64);
   distances = distances.view({distances.size(0), -1, 3}).norm(2, 2).index_select(1, region);
   EXPECT_NEAR(error, faces::MillimetresPerCm(faces_.face_template()) * distances.mean().item<double>(), 1e-3 * error);
+}
+
+TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndNoValidationSketch) {
+  const std::vector<int> samples = {0, 7, 11, 3};
+  const auto images = [&](SketchRecipe& recipe, int64_t epoch) {
+    return recipe.BatchTensors(samples, epoch).at("images");
+  };
+  const auto loss = [&](SketchRecipe& recipe, int64_t epoch) {
+    const torch::NoGradGuard no_grad;
+    recipe.module().eval();
+    return recipe.Loss(samples, epoch).total.item<double>();
+  };
+  const auto validation = [](SketchRecipe& recipe) {
+    const torch::NoGradGuard no_grad;
+    recipe.module().eval();
+    return recipe.Validate();
+  };
+  SketchRecipe plain = MakeRecipe("gram");
+  EXPECT_TRUE(torch::equal(images(plain, 0), images(plain, 1)));
+  options_.augmentation.strength = 1;
+  SketchRecipe augmented = MakeRecipe("gram");
+  EXPECT_FALSE(torch::equal(images(augmented, 0), images(plain, 0)));
+  EXPECT_FALSE(torch::equal(images(augmented, 0), images(augmented, 1)));
+  EXPECT_TRUE(torch::equal(images(augmented, 1), images(augmented, 1)));
+  EXPECT_NE(loss(augmented, 0), loss(augmented, 1));
+  EXPECT_EQ(validation(plain), validation(augmented));
+  ++options_.seed;
+  SketchRecipe other_seed = MakeRecipe("gram");
+  EXPECT_FALSE(torch::equal(images(other_seed, 1), images(augmented, 1)));
 }
 
 TEST_F(SketchRecipeTest, RefusesASplitWithoutValidation) {

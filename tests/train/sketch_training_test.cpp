@@ -76,18 +76,23 @@ TEST_F(SketchTrainingTest, ManifestProvesThatOnlyTrainingFacesWereFittedAndHolds
 }
 
 TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
-  TrainSketch(Config(), Run("whole"), false, "cpu");
-  // Stopped after the first step, then after the second, then let go on.
-  SetInterrupted(true);
-  testing::ExpectError([&] { TrainSketch(Config(), Run("stopped"), false, "cpu"); }, "stopped after step 1 of");
-  testing::ExpectError([&] { TrainSketch(Config(), Run("stopped"), true, "cpu"); }, "stopped after step 2 of");
-  SetInterrupted(false);
-  TrainSketch(Config(), Run("stopped"), true, "cpu");
-  for (const auto& entry : fs::recursive_directory_iterator(Run("whole"))) {
-    const fs::path name = fs::relative(entry.path(), Run("whole"));
-    if (!entry.is_regular_file() || name == "metrics.jsonl" || name.string().find("tfevents") != std::string::npos)
-      continue;
-    EXPECT_EQ(Sha256OfFile(Run("stopped") / name), Sha256OfFile(entry.path())) << name;
+  for (const double strength : {0.0, 1.0}) {
+    Json config = Config();
+    config["augmentation"] = {{"strength", strength}};
+    const fs::path whole = Run(fmt::format("whole{}", strength)), stopped = Run(fmt::format("stopped{}", strength));
+    TrainSketch(config, whole, false, "cpu");
+    // Stopped after the first step, then after the second, then let go on.
+    SetInterrupted(true);
+    testing::ExpectError([&] { TrainSketch(config, stopped, false, "cpu"); }, "stopped after step 1 of");
+    testing::ExpectError([&] { TrainSketch(config, stopped, true, "cpu"); }, "stopped after step 2 of");
+    SetInterrupted(false);
+    TrainSketch(config, stopped, true, "cpu");
+    for (const auto& entry : fs::recursive_directory_iterator(whole)) {
+      const fs::path name = fs::relative(entry.path(), whole);
+      if (!entry.is_regular_file() || name == "metrics.jsonl" || name.string().find("tfevents") != std::string::npos)
+        continue;
+      EXPECT_EQ(Sha256OfFile(stopped / name), Sha256OfFile(entry.path())) << name << " with strength " << strength;
+    }
   }
 }
 

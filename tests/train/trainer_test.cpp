@@ -46,8 +46,9 @@ class ToyRecipe : public Recipe {
   torch::nn::Module& module() override { return *network_; }
   torch::Device device() const override { return torch::kCPU; }
   int num_samples() const override { return 20; }
-  LossTerms Loss(const std::vector<int>& samples) override {
+  LossTerms Loss(const std::vector<int>& samples, int64_t epoch) override {
     ++num_calls;
+    epochs.push_back(epoch);
     seen.insert(seen.end(), samples.begin(), samples.end());
     if (before_loss) before_loss(num_calls);
     const torch::Tensor index = torch::tensor(samples, torch::kInt64);
@@ -61,12 +62,14 @@ class ToyRecipe : public Recipe {
     return {{"mean_error", error.abs().mean().item<double>() + offset}};
   }
   std::string metric() const override { return "mean_error"; }
-  tensor::NamedTensors BatchTensors(const std::vector<int>& samples) override {
-    return {{"inputs", inputs_.index_select(0, torch::tensor(samples, torch::kInt64))}};
+  tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) override {
+    return {{"inputs", inputs_.index_select(0, torch::tensor(samples, torch::kInt64))},
+            {"epoch", torch::tensor({epoch}, torch::kInt64)}};
   }
 
   std::function<void(int call)> before_loss;
   std::vector<int> seen;
+  std::vector<int64_t> epochs;
   int num_calls = 0;
   double scale = 1, offset = 0;
 
@@ -142,6 +145,18 @@ TEST(Trainer, ShowsEveryEpochInAnotherOrderAndNoSampleTwice) {
   const std::vector<int> second(recipe.seen.begin() + 18, recipe.seen.begin() + 36);
   EXPECT_NE(first, second);
   EXPECT_EQ(std::set<int>(first.begin(), first.end()).size(), 18u);
+}
+
+TEST(Trainer, TellsTheEpochOfEachStepAfterResumingToo) {
+  const testing::TempDir run;
+  ToyRecipe recipe, resumed;
+  recipe.before_loss = [](int call) {
+    if (call == 8) throw Stopped();
+  };
+  EXPECT_THROW(Train(recipe, FourEpochs(), Fast(), 5, run.path()), Stopped);
+  EXPECT_EQ(recipe.epochs, (std::vector<int64_t>{0, 0, 0, 1, 1, 1, 2, 2}));
+  Train(resumed, FourEpochs(), Fast(), 5, run.path());
+  EXPECT_EQ(resumed.epochs, (std::vector<int64_t>{2, 2, 2, 3, 3, 3}));
 }
 
 TEST(Trainer, IsDeterministicInItsSeed) {
@@ -264,6 +279,7 @@ TEST(Trainer, StopsAtALossThatIsNotANumberAndWritesTheBatch) {
   testing::ExpectError([&] { Train(recipe, FourEpochs(), Fast(), 5, run.path()); }, "loss is nan in step 5 (epoch 2)");
   const tensor::NamedTensors batch = tensor::LoadTensors(run / "nan_batch.safetensors");
   EXPECT_EQ(batch.at("inputs").sizes(), (std::vector<int64_t>{6, 3}));
+  EXPECT_EQ(batch.at("epoch").item<int64_t>(), 1);
   const std::vector<int> last(recipe.seen.end() - 6, recipe.seen.end());
   EXPECT_TRUE(torch::equal(batch.at("samples"), torch::tensor(last, torch::kInt32)));
 }

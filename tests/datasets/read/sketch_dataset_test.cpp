@@ -7,6 +7,7 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <torch/torch.h>
 
 namespace daumier::datasets {
@@ -77,8 +78,59 @@ TEST_F(SketchDatasetTest, ABatchDoesNotDependOnWhatElseIsCached) {
   EXPECT_EQ(whole.size(), sketches_->num_faces());
 }
 
+AugmentationOptions Strength(double strength) {
+  AugmentationOptions options;
+  options.strength = strength;
+  return options;
+}
+
+TEST_F(SketchDatasetTest, AnAugmentedPictureIsAFunctionOfSeedFaceAndEpoch) {
+  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, 64, Strength(1), 9);
+  const torch::Tensor image = dataset.Get(std::vector<int>{2}, 4).images[0];
+  const SketchBatch all = dataset.Get(std::vector<int>{4, 3, 2, 1, 0}, 4);
+  EXPECT_TRUE(torch::equal(all.images[2], image));
+  EXPECT_EQ(all.faces[2].item<int64_t>(), 5);
+  const SketchDataset others(*sketches_, {5, 1}, 64, Strength(1), 9), other_seed(*sketches_, {5}, 64, Strength(1), 8);
+  EXPECT_TRUE(torch::equal(others.Get(std::vector<int>{0}, 4).images[0], image));
+  EXPECT_FALSE(torch::equal(other_seed.Get(std::vector<int>{0}, 4).images[0], image));
+  EXPECT_FALSE(torch::equal(dataset.Get(std::vector<int>{2}, 5).images[0], image));
+}
+
+TEST_F(SketchDatasetTest, AnAugmentedPictureDoesNotDependOnTheNumberOfCores) {
+  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, 64, Strength(1), 9);
+  const std::vector<int> samples{0, 1, 2, 3, 4};
+  const torch::Tensor images = dataset.Get(samples, 1).images;
+  cpu_set_t before, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof(before), &before), 0);
+  CPU_ZERO(&one);
+  CPU_SET(sched_getcpu(), &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);
+  const torch::Tensor by_one_core = dataset.Get(samples, 1).images;
+  ASSERT_EQ(sched_setaffinity(0, sizeof(before), &before), 0);
+  EXPECT_TRUE(torch::equal(images, by_one_core));
+}
+
+TEST_F(SketchDatasetTest, AnAugmentedPictureIsTheAugmentedStrokesWithInkOne) {
+  const SketchDataset dataset(*sketches_, {3}, 64, Strength(1), 9);
+  Rng rng = Stream(9, "augmentation", (uint64_t(6) << 32) + 3);
+  const AugmentedSketch sketch = Augment(sketches_->strokes(3), Strength(1), rng);
+  const render::Image drawn = render::RasteriseStrokes(sketch.strokes, 64, sketch.style);
+  const torch::Tensor image = dataset.Get(std::vector<int>{0}, 6).images[0][0];
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) ASSERT_FLOAT_EQ(image[y][x].item<float>(), 1 - drawn.at(y, x) / 255.0f);
+  }
+}
+
+TEST_F(SketchDatasetTest, WithoutAugmentationEveryEpochIsTheSame) {
+  const SketchDataset dataset(*sketches_, {3, 5}, 32), zero(*sketches_, {3, 5}, 32, Strength(0), 9);
+  const std::vector<int> samples{0, 1};
+  EXPECT_TRUE(torch::equal(dataset.Get(samples, 0).images, dataset.Get(samples, 7).images));
+  EXPECT_TRUE(torch::equal(dataset.Get(samples).images, zero.Get(samples, 3).images));
+}
+
 TEST_F(SketchDatasetTest, WhatIsNotThereIsRefused) {
   ExpectError([&] { SketchDataset(*sketches_, {0, 99}, 32); }, "sketch 99");
+  ExpectError([&] { SketchDataset(*sketches_, {0, 99}, 32, Strength(1)); }, "sketch 99");
   const SketchDataset dataset(*sketches_, {0, 1}, 32);
   ExpectError([&] { dataset.Get(std::vector<int>{2}); }, "sample 2 of a dataset of 2");
 }

@@ -1,0 +1,70 @@
+#pragma once
+#include "core/options.h"
+#include "core/random.h"
+#include "render/strokes.h"
+
+#include <vector>
+
+namespace daumier::datasets {
+
+/// Lengths are pixels of the 256 canvas. Every effect draws its size anew for each sketch.
+struct AugmentationOptions {
+  double strength = 0;
+  double removal = 0.3;
+  double removal_order_weight = 0.5;
+  double removal_length_weight = 2;
+  double stroke_shift_px = 2;
+  double drawing_shift_px = 4;
+  double width = 0.4;
+  double retrace = 0.3;
+  double retrace_px = 1.5;
+  double tremor_px = 0.5;
+  double tremor_length_px = 16;
+  double gaps = 0.2;
+  double gap_px = 8;
+  double shift_px = 6;
+  double scale = 0.05;
+  double rotation_degrees = 3;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("strength", strength, Range{0, 4},
+          "Multiplies shares and sizes below; 0: sketches stay as they are, 1: for training, 2: strong.");
+    visit("removal", removal, Range{0, 1}, "Strokes left out, at most this share.");
+    visit("removal_order_weight", removal_order_weight, Range{0, 10},
+          "Later strokes are left out first: log-probability a place in the list. Not multiplied.");
+    visit("removal_length_weight", removal_length_weight, Range{0, 100},
+          "Short strokes are left out first: log-probability a width of the canvas. Not multiplied.");
+    visit("stroke_shift_px", stroke_shift_px, Range{0, 64},
+          "Points that bend a stroke move by this, if it is straight.");
+    visit("drawing_shift_px", drawing_shift_px, Range{0, 64}, "Points that bend the whole drawing move by this.");
+    visit("width", width, Range{0, 2}, "Log of the greatest factor of the stroke width.");
+    visit("retrace", retrace, Range{0, 1}, "Strokes drawn twice, at most this share.");
+    visit("retrace_px", retrace_px, Range{0, 32}, "How far apart both are.");
+    visit("tremor_px", tremor_px, Range{0, 16}, "Trembling of the hand, at most this root mean square.");
+    visit("tremor_length_px", tremor_length_px, Range{1, 256}, "Nothing much shorter trembles. Not multiplied.");
+    visit("gaps", gaps, Range{0, 1}, "Strokes with a gap, at most this share.");
+    visit("gap_px", gap_px, Range{0.1, 256}, "Mean length of a gap. Not multiplied.");
+    visit("shift_px", shift_px, Range{0, 128}, "The drawing is shifted by at most this along each axis.");
+    visit("scale", scale, Range{0, 1}, "Log of the greatest factor of the drawing's size.");
+    visit("rotation_degrees", rotation_degrees, Range{0, 180}, "The drawing is turned by at most this.");
+  }
+};
+
+/// A sketch as another hand might have drawn it.
+struct AugmentedSketch {
+  std::vector<render::Stroke> strokes;  ///< To be drawn: without what is left out, cut at gaps, some of them twice.
+  render::StrokeStyle style;
+  std::vector<render::Stroke> moved;       ///< All points that came in, in their order, where the sketch has them now.
+  std::vector<std::vector<bool>> visible;  ///< Of each point of `moved`: whether the sketch shows its stroke there.
+};
+
+/// Sketch augmentation [Yu et al. 2016] on strokes of the 256 canvas, and the pen. Strokes are left out, never all;
+/// they are bent one by one and all together; the drawing is turned, scaled and shifted; what this carries out of the
+/// canvas, less a margin of 3 pixels, is shifted back, or shrunk if it does not fit, but a sketch that left it before
+/// may do so as far. Then the pen trembles, draws some strokes twice, the second time whole, and leaves gaps in others
+/// that are longer than two gaps. Closed strokes stay closed. With strength 0 the strokes come back bit for bit, with
+/// the default style. The same strokes, options and state of `rng` give the same bytes.
+AugmentedSketch Augment(const std::vector<render::Stroke>& strokes, const AugmentationOptions& options, Rng& rng);
+
+}  // namespace daumier::datasets
