@@ -28,8 +28,8 @@ void Draw(const Arguments& arguments) {
   const geometry::PolygonMesh polygons = faces::ReadMesh(arguments.mesh);
   const geometry::TriangleMesh mesh{polygons.vertices, geometry::Triangulate(polygons)};
   const render::Frame frame = render::FrameOf(mesh.vertices);
-  render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, render::kSketchCanvas, arguments.yaw,
-                                               arguments.pitch);
+  render::Camera camera =
+      render::TurnedCamera(frame.centre, frame.half_height, render::kSketchCanvas, arguments.yaw, arguments.pitch);
   if (arguments.distance > 0) camera = render::WithPerspective(camera, arguments.distance * 2 * frame.half_height);
   const auto strokes = render::DrawContours(mesh, camera, options);
   if (suffix == ".svg") {
@@ -49,8 +49,9 @@ Verb DrawVerb() {
             command.add_option("--out", arguments->out, "FILE.svg or FILE.png")->required();
             command.add_option("--yaw", arguments->yaw, "Degrees to the face's own left; -90: its right side");
             command.add_option("--pitch", arguments->pitch, "Degrees upwards");
-            command.add_option("--distance", arguments->distance,
-                               "Perspective from so many heights of the mesh; 0: orthographic")
+            command
+                .add_option("--distance", arguments->distance,
+                            "Perspective from so many heights of the mesh; 0: orthographic")
                 ->check(CLI::Range(0.0, 1e4));
             command.add_option("--size", arguments->size, "Pixels a side of a PNG")
                 ->check(CLI::Range(16, 8192))

@@ -13,6 +13,7 @@ Verb EvalVerb() {
             struct Arguments {
               std::filesystem::path run, out;
               std::string split = "test";
+              double strength = 0;
               bool as_json = false;
             };
             auto arguments = std::make_shared<Arguments>();
@@ -20,11 +21,16 @@ Verb EvalVerb() {
             command.add_option("--split", arguments->split, "test, validation or train")
                 ->check(CLI::IsMember({"test", "validation", "train"}))
                 ->capture_default_str();
+            command
+                .add_option("--strength", arguments->strength,
+                            "Augment the sketches: 0 not, 1 as in training, 2 strongly")
+                ->check(CLI::Range(0.0, 4.0))
+                ->capture_default_str();
             command.add_option("--out", arguments->out, "Report folder; RUN/report by default");
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             return [arguments] {
               const auto out = arguments->out.empty() ? arguments->run / "report" : arguments->out;
-              const Json metrics = eval::EvaluateSketchRun(arguments->run, arguments->split, out);
+              const Json metrics = eval::EvaluateSketchRun(arguments->run, arguments->split, out, arguments->strength);
               if (arguments->as_json) {
                 PrintResult(metrics, true);
               } else {

@@ -10,8 +10,8 @@
 
 namespace daumier::eval {
 
-/// The shape-level numbers of sketches: from the strokes that are known to be the template's curves, which a network can
-/// be given in training and in a test alone, and from strokes without labels, as a user draws them.
+/// The shape-level numbers of sketches: from the strokes that are known to be the template's curves, which a network
+/// can be given in training and in a test alone, and from strokes without labels, as a user draws them.
 class ShapeInput {
  public:
   /// `curves` is a model of datasets::FitCurvesOnTraining on these sketches. All arguments have to outlive it.
@@ -22,8 +22,8 @@ class ShapeInput {
   /// (datasets::AugmentedSketch::moved and visible; an empty `visible`: all).
   faces::CurveCode Given(const std::vector<render::Stroke>& strokes,
                          const std::vector<std::vector<bool>>& visible = {}) const;
-  /// From drawn strokes without labels and a face that was predicted, 3V in cm: its curves, seen by the sketches' camera,
-  /// snap to the strokes `snaps` times; 0: they are taken as they are.
+  /// From drawn strokes without labels and a face that was predicted, 3V in cm: its curves, seen by the sketches'
+  /// camera, snap to the strokes `snaps` times; 0: they are taken as they are.
   faces::CurveCode Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,
                              int snaps) const;
   /// Mean distance in pixels of the canvas between the points of a code and those of labelled strokes.

@@ -6,9 +6,11 @@
 #include "core/manifest.h"
 #include "core/parallel.h"
 #include "datasets/read/sketch_dataset.h"
+#include "datasets/read/training_fit.h"
 #include "eval/baselines.h"
 #include "eval/metrics.h"
 #include "eval/report.h"
+#include "eval/shape_input.h"
 #include "eval/sketch_run_data.h"
 #include "eval/table.h"
 #include "render/strokes.h"
@@ -36,20 +38,27 @@ constexpr const char* kRidge = "ridge regression";
 constexpr const char* kNearest = "nearest neighbour";
 constexpr const char* kMeanFace = "mean face";
 constexpr const char* kLimit = "limit of the model";
+constexpr const char* kShapeRidge = "ridge on shape numbers";
 
 /// num_faces x 3V coordinates in cm of some faces of the database.
 using Predictor = std::function<FaceRows(std::span<const int> faces)>;
 
 class SketchEvaluation {
  public:
-  SketchEvaluation(const SketchRunData& data, const std::string& side_name)
+  SketchEvaluation(const SketchRunData& data, const std::string& side_name, double strength)
       : data_(data),
         side_name_(side_name),
         test_(data.side(side_name)),
         annotation_(data.faces.face_template().annotation),
         region_(annotation_.regions.at("face")),
         mm_per_cm_(faces::MillimetresPerCm(data.faces.face_template())),
+        curves_(datasets::FitCurvesOnTraining(
+            data.faces, data.sketches, data.split,
+            ParseOptions<faces::BilinearOptions>(data.run.config.at("bilinear"), "bilinear model of the run"))),
+        shape_input_(curves_.model, data.sketches, data.faces.face_template()),
         mean_error_map_(size_t(data.faces.num_vertices()), 0) {
+    variation_.wrinkles = data.run.config.at("sketch").at("wrinkles");
+    variation_.augmentation.strength = strength;
     if (test_.empty()) throw UsageError(fmt::format("the split has no {} face", side_name));
     for (const int face : test_) {
       groups_.push_back(data.faces.group(face));
@@ -62,8 +71,9 @@ class SketchEvaluation {
 
   /// Fits the baselines, predicts with all and fills the rows.
   void Measure() {
+    Encode();
     const SketchSamples samples{[this](int face) { return data_.faces.vertices(face); },
-                                [this](int face) { return data_.sketches.curve_points(face); }};
+                                [this](int face) { return CurvePoints(face); }};
     log::Info("Predicting {} {} faces by the network", test_.size(), side_name_);
     network_errors_mm_ = Errors([this](auto faces) { return PredictByNetwork(faces); }, &mean_error_map_);
     AddRow(kNetwork, network_errors_mm_);
@@ -71,7 +81,8 @@ class SketchEvaluation {
     log::Info("Fitting the free baselines on {} training faces", data_.split.train.size());
     const RidgeFit ridge = FitRidge(samples, data_.split.train, data_.split.validation, region_, DefaultRidgeLambdas());
     ridge_lambda_ = ridge.lambda;
-    AddRow(kRidge, Errors([&](auto faces) { return ridge.model.Predict(CurvePointRows(samples, faces)); }));
+    AddRow(kRidge, Errors([&](auto faces) { return ridge.model.Predict(RowsOf(samples.curve_points, faces)); }));
+    MeasureShapeInput();
     const NearestNeighbour nearest(samples, data_.split.train);
     AddRow(kNearest, Errors([&](auto faces) {
              return Rows(faces, [&](int face) {
@@ -93,6 +104,8 @@ class SketchEvaluation {
             {"num_persons", persons_.size()},
             {"split", side_name_},
             {"shape_input", "none"},
+            {"augmentation_strength", variation_.augmentation.strength},
+            {"shape_error_px", shape_error_px_},
             {"mean_vertex_error_mm", network.error_mm},
             {"interval_mm", {network.interval_mm.low, network.interval_mm.high}},
             {"p90_vertex_error_mm", network.p90_mm},
@@ -154,17 +167,79 @@ class SketchEvaluation {
     return rows;
   }
 
-  static FaceRows CurvePointRows(const SketchSamples& samples, std::span<const int> faces) {
-    FaceRows rows(Eigen::Index(faces.size()), Eigen::Index(samples.curve_points(faces[0]).size()));
-    for (size_t i = 0; i < faces.size(); ++i)
-      rows.row(Eigen::Index(i)) = AsVector(samples.curve_points(faces[i])).transpose();
+  static FaceRows RowsOf(const std::function<std::vector<float>(int face)>& numbers, std::span<const int> faces) {
+    FaceRows rows(Eigen::Index(faces.size()), Eigen::Index(numbers(faces[0]).size()));
+    for (size_t i = 0; i < faces.size(); ++i) rows.row(Eigen::Index(i)) = AsVector(numbers(faces[i])).transpose();
     return rows;
+  }
+
+  datasets::AugmentedSketch Seen(int face) const {
+    return datasets::VariedSketch(data_.sketches, face, variation_, data_.run.manifest.seed, 0);
+  }
+
+  static std::vector<float> AsNumbers(const Eigen::VectorXf& vector) {
+    return {vector.data(), vector.data() + vector.size()};
+  }
+
+  /// The exact points of all curves, or those that are rebuilt from an augmented sketch.
+  std::vector<float> CurvePoints(int face) const {
+    if (variation_.augmentation.strength == 0) return data_.sketches.curve_points(face);
+    return AsNumbers(codes_[size_t(face)].points);
+  }
+
+  /// The shape-level numbers of all faces that are seen here, from labelled strokes.
+  void Encode() {
+    codes_.resize(size_t(data_.faces.num_faces()));
+    std::set<int> faces(data_.split.train.begin(), data_.split.train.end());
+    faces.insert(data_.split.validation.begin(), data_.split.validation.end());
+    faces.insert(test_.begin(), test_.end());
+    log::Info("Encoding the curves of {} faces", faces.size());
+    const std::vector<int> order(faces.begin(), faces.end());
+    auto next = order.begin();
+    ForEachInOrder(
+        int(order.size()),
+        [&](int i) {
+          const auto sketch = Seen(order[size_t(i)]);
+          return shape_input_.Given(sketch.moved, sketch.visible);
+        },
+        [&](faces::CurveCode code) { codes_[size_t(*next++)] = std::move(code); });
+  }
+
+  /// Ridge regression on the shape-level numbers, fitted on given ones, tested on given, predicted and recovered ones.
+  void MeasureShapeInput() {
+    const SketchSamples samples{[this](int face) { return data_.faces.vertices(face); },
+                                [this](int face) { return AsNumbers(codes_[size_t(face)].numbers()); }};
+    const RidgeFit ridge = FitRidge(samples, data_.split.train, data_.split.validation, region_, DefaultRidgeLambdas());
+    const auto measure = [&](const std::string& name, const std::string& input,
+                             const std::function<faces::CurveCode(int face, std::span<const float> predicted)>& code) {
+      double error_px = 0;
+      AddRow(name, Errors([&](std::span<const int> faces) {
+               const FaceRows predicted = PredictByNetwork(faces);
+               FaceRows numbers(predicted.rows(), codes_[size_t(test_[0])].numbers().size());
+               for (size_t i = 0; i < faces.size(); ++i) {
+                 const auto row = predicted.row(Eigen::Index(i));
+                 const faces::CurveCode one = code(faces[i], {row.data(), size_t(row.size())});
+                 error_px += shape_input_.ErrorPx(one, Seen(faces[i]).moved) / double(test_.size());
+                 numbers.row(Eigen::Index(i)) = one.numbers().transpose();
+               }
+               return ridge.model.Predict(numbers);
+             }));
+      rows_.back().shape_input = input;
+      shape_error_px_[input] = error_px;
+    };
+    constexpr int kSnaps = fitting::CurveRecoveryOptions{}.snaps;
+    measure(kShapeRidge, "given", [&](int face, auto) { return codes_[size_t(face)]; });
+    measure(kShapeRidge, "predicted",
+            [&](int face, auto predicted) { return shape_input_.Recovered(predicted, Seen(face).strokes, 0); });
+    measure(kShapeRidge, "recovered",
+            [&](int face, auto predicted) { return shape_input_.Recovered(predicted, Seen(face).strokes, kSnaps); });
   }
 
   FaceRows PredictByNetwork(std::span<const int> faces) const {
     const at::NoGradGuard no_grad;
     models::SketchNetwork network = data_.run.network;
-    const datasets::SketchDataset images(data_.sketches, {faces.begin(), faces.end()}, network->options().resolution);
+    const datasets::SketchDataset images(data_.sketches, {faces.begin(), faces.end()}, network->options().resolution,
+                                         variation_, data_.run.manifest.seed);
     std::vector<int> all(faces.size());
     std::iota(all.begin(), all.end(), 0);
     return tensor::CopyToMatrix<float>(network->Decode(network->forward(images.Get(all).images)));
@@ -227,7 +302,8 @@ class SketchEvaluation {
     ReportSample sample;
     sample.title =
         fmt::format("{}: {:.2f} mm; {}", what, network_errors_mm_[size_t(test_index)], data_.faces.Describe(face));
-    sample.sketch = render::RasteriseStrokes(data_.sketches.strokes(face), render::kSketchCanvas);
+    const auto seen = Seen(face);
+    sample.sketch = render::RasteriseStrokes(seen.strokes, render::kSketchCanvas, seen.style);
     sample.truth = data_.faces.points(face);
     sample.prediction = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
                             prediction.data(), sample.truth.rows(), 3)
@@ -243,6 +319,11 @@ class SketchEvaluation {
   const faces::Annotation& annotation_;
   const std::vector<int>& region_;
   const double mm_per_cm_;
+  const datasets::FittedBilinear curves_;  ///< 2-D model of the training sketches.
+  const ShapeInput shape_input_;
+  datasets::SketchVariation variation_;  ///< Of the sketches that are tested.
+  std::vector<faces::CurveCode> codes_;  ///< Of every face that is seen.
+  Json shape_error_px_ = Json::object();
   std::set<int> persons_;    ///< Who is seen.
   std::vector<int> groups_;  ///< Of each test face: what is resampled as one.
   std::vector<double> interocular_mm_, network_errors_mm_, mean_error_map_;
@@ -254,7 +335,7 @@ void WriteReportManifest(const fs::path& folder, const SketchRunData& data, cons
   Manifest manifest;
   manifest.kind = "report";
   manifest.verb = "eval";
-  manifest.config = {{"split", metrics.at("split")}};
+  manifest.config = {{"split", metrics.at("split")}, {"strength", metrics.at("augmentation_strength")}};
   manifest.seed = data.run.manifest.seed;
   manifest.sources = data.run.manifest.sources;
   manifest.counts = {{"faces", metrics.at("num_faces")}, {"persons", metrics.at("num_persons")}};
@@ -267,10 +348,11 @@ void WriteReportManifest(const fs::path& folder, const SketchRunData& data, cons
 
 }  // namespace
 
-Json EvaluateSketchRun(const fs::path& run_directory, const std::string& split_side, const fs::path& out_directory) {
+Json EvaluateSketchRun(const fs::path& run_directory, const std::string& split_side, const fs::path& out_directory,
+                       double strength) {
   const auto start = std::chrono::steady_clock::now();
   const SketchRunData data = OpenSketchRunData(run_directory);
-  SketchEvaluation evaluation(data, split_side);
+  SketchEvaluation evaluation(data, split_side, strength);
   evaluation.Measure();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Json metrics = evaluation.Metrics(seconds);

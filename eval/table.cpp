@@ -27,9 +27,9 @@ ErrorRow MakeErrorRow(const std::string& name, std::span<const double> errors_mm
 
 std::vector<std::vector<std::string>> TableCells(const std::vector<ErrorRow>& rows) {
   std::vector<std::vector<std::string>> cells = {
-      {"predictor", "mm", "95 % interval", "median", "p90", "p99", "of eye distance"}};
+      {"predictor", "shape input", "mm", "95 % interval", "median", "p90", "p99", "of eye distance"}};
   for (const ErrorRow& row : rows) {
-    cells.push_back({row.name, fmt::format("{:.3f}", row.error_mm),
+    cells.push_back({row.name, row.shape_input, fmt::format("{:.3f}", row.error_mm),
                      fmt::format("{:.3f} to {:.3f}", row.interval_mm.low, row.interval_mm.high),
                      fmt::format("{:.3f}", row.p50_mm), fmt::format("{:.3f}", row.p90_mm),
                      fmt::format("{:.3f}", row.p99_mm), fmt::format("{:.2f} %", 100 * row.interocular_share)});
@@ -71,6 +71,7 @@ Json TableJson(const std::vector<ErrorRow>& rows) {
   Json list = Json::array();
   for (const ErrorRow& row : rows) {
     list.push_back({{"name", row.name},
+                    {"shape_input", row.shape_input},
                     {"error", row.error_mm},
                     {"error_low", row.interval_mm.low},
                     {"error_high", row.interval_mm.high},
@@ -87,6 +88,7 @@ std::vector<ErrorRow> TableFromJson(const Json& list) {
   try {
     for (const Json& entry : list) {
       rows.push_back({.name = entry.at("name").get<std::string>(),
+                      .shape_input = entry.at("shape_input").get<std::string>(),
                       .error_mm = entry.at("error").get<double>(),
                       .interval_mm = {entry.at("error_low").get<double>(), entry.at("error_high").get<double>()},
                       .p50_mm = entry.at("p50").get<double>(),

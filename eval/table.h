@@ -11,6 +11,8 @@ namespace daumier::eval {
 /// millimetres.
 struct ErrorRow {
   std::string name;
+  /// Whence it has the shape-level numbers of a sketch: "none", "given" (from labelled strokes) or "recovered".
+  std::string shape_input = "none";
   double error_mm = 0;
   Interval interval_mm{0, 0};
   double p50_mm = 0, p90_mm = 0, p99_mm = 0;
@@ -27,7 +29,7 @@ std::vector<std::vector<std::string>> TableCells(const std::vector<ErrorRow>& ro
 std::string TableText(const std::vector<ErrorRow>& rows);
 std::string TableMarkdown(const std::vector<ErrorRow>& rows);
 
-/// A list of objects: name, error, error_low, error_high, p50, p90, p99 (mm), interocular_share.
+/// A list of objects: name, shape_input, error, error_low, error_high, p50, p90, p99 (mm), interocular_share.
 Json TableJson(const std::vector<ErrorRow>& rows);
 /// Undoes TableJson. @throws Error if a key is missing.
 std::vector<ErrorRow> TableFromJson(const Json& list);

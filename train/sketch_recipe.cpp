@@ -34,8 +34,8 @@ SketchRecipe::SketchRecipe(const SketchTrainingOptions& options, const faces::Fa
                            const faces::BilinearModel& bilinear, torch::Device device)
     : faces_(faces),
       device_(device),
-      training_(sketches, split.train, options.network.resolution, options.augmentation, options.seed),
-      validation_(sketches, split.validation, options.network.resolution),
+      training_(sketches, split.train, options.network.resolution, options.sketch, options.seed),
+      validation_(sketches, split.validation, options.network.resolution, {.wrinkles = options.sketch.wrinkles}),
       network_(options.network, bilinear),
       vertex_weights_(CurveVertexWeights(faces.face_template(), options.curve_weight).to(device)) {
   DAUMIER_CHECK(training_.size() > 0 && validation_.size() > 0,

@@ -30,7 +30,7 @@ struct SketchTrainingOptions {
   SketchDataOptions data;
   datasets::SplitOptions split;
   faces::BilinearOptions bilinear;
-  datasets::AugmentationOptions augmentation;
+  datasets::SketchVariation sketch;
   models::PixelCnnOptions network;
   OptimiserOptions optimiser;
   TrainerOptions trainer;
@@ -43,7 +43,7 @@ struct SketchTrainingOptions {
     visit("data", data, Table{}, "What is learnt from.");
     visit("split", split, Table{}, "Who trains, who validates, who tests.");
     visit("bilinear", bilinear, Table{}, "The bilinear face model, fitted on training faces.");
-    visit("augmentation", augmentation, Table{}, "Training sketches as other hands draw them; off at strength 0.");
+    visit("sketch", sketch, Table{}, "Which sketch of a face is seen in training.");
     visit("network", network, Table{}, "The network.");
     visit("optimiser", optimiser, Table{}, "AdamW and its schedule.");
     trainer.Visit(visit);
@@ -60,8 +60,8 @@ struct SketchTrainingOptions {
 /// elsewhere.
 torch::Tensor CurveVertexWeights(const faces::FaceTemplate& face_template, double curve_weight);
 
-/// A sketch network on the training faces of a split, whose sketches are augmented anew in each epoch; validation
-/// sketches stay as they are. The validation's mean_vertex_error_mm is the one of
+/// A sketch network on the training faces of a split, whose sketches vary from epoch to epoch; those of
+/// validation are exact and not augmented. The validation's mean_vertex_error_mm is the one of
 /// eval/metrics.h over the region `face`. The databases have to outlive it.
 class SketchRecipe : public Recipe {
  public:

@@ -22,7 +22,8 @@ void CheckOffsets(const std::filesystem::path& path, const SafetensorsFile& shar
 render::Camera CameraFromJson(const Json& json) {
   const auto numbers = [&](const char* key, size_t count) {
     const auto values = json.at(key).get<std::vector<double>>();
-    DAUMIER_CHECK(values.size() == count, "malformed camera: {} has {} numbers, expected {}", key, values.size(), count);
+    DAUMIER_CHECK(values.size() == count, "malformed camera: {} has {} numbers, expected {}", key, values.size(),
+                  count);
     return values;
   };
   const auto rotation = numbers("camera_from_world", 9), translation = numbers("translation", 3),

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "core/random.h"
 
 #include <algorithm>
 
@@ -25,17 +24,17 @@ void OnAllCores(int64_t count, const Work& work) {
 }  // namespace
 
 SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution,
-                             const AugmentationOptions& augmentation, uint64_t seed)
-    : faces_(std::move(faces)), resolution_(resolution), augmentation_(augmentation), seed_(seed), sketches_(sketches) {
+                             const SketchVariation& variation, uint64_t seed)
+    : faces_(std::move(faces)), resolution_(resolution), variation_(variation), seed_(seed), sketches_(sketches) {
   for (const int face : faces_) {
     DAUMIER_CHECK(face >= 0 && face < sketches.num_faces(), "sketch {} of a database of {}", face,
                   sketches.num_faces());
   }
-  if (augments()) return;
+  if (variation.varies(sketches)) return;
   ink_ = torch::empty({size(), 1, resolution, resolution}, torch::kUInt8);
   uint8_t* const ink = ink_.data_ptr<uint8_t>();
   OnAllCores(size(), [&](int64_t sample) {
-    const render::Image image = render::RasteriseStrokes(sketches.strokes(faces_[sample]), resolution);
+    const render::Image image = Draw(faces_[sample], 0);
     std::transform(image.pixels.begin(), image.pixels.end(), ink + sample * int64_t(image.pixels.size()),
                    [](uint8_t grey) { return static_cast<uint8_t>(255 - grey); });
   });
@@ -51,24 +50,24 @@ SketchBatch SketchDataset::Get(std::span<const int> samples, int64_t epoch) cons
     const int sample = samples[row];
     DAUMIER_CHECK(sample >= 0 && sample < size(), "sample {} of a dataset of {}", sample, size());
     faces[row] = faces_[sample];
-    if (augments()) continue;
+    if (!ink_.defined()) continue;
     const uint8_t* const ink = ink_.data_ptr<uint8_t>() + sample * num_pixels;
     std::transform(ink, ink + num_pixels, images + row * num_pixels,
                    [](uint8_t value) { return static_cast<float>(value) / 255.0f; });
   }
-  if (augments()) {
-    OnAllCores(count,
-               [&](int64_t row) { DrawAugmented(static_cast<int>(faces[row]), epoch, images + row * num_pixels); });
+  if (!ink_.defined()) {
+    OnAllCores(count, [&](int64_t row) {
+      const render::Image image = Draw(static_cast<int>(faces[row]), epoch);
+      std::transform(image.pixels.begin(), image.pixels.end(), images + row * num_pixels,
+                     [](uint8_t grey) { return static_cast<float>(255 - grey) / 255.0f; });
+    });
   }
   return batch;
 }
 
-void SketchDataset::DrawAugmented(int face, int64_t epoch, float* ink) const {
-  Rng rng = Stream(seed_, "augmentation", static_cast<uint64_t>(epoch) << 32 | static_cast<uint32_t>(face));
-  const AugmentedSketch sketch = Augment(sketches_.strokes(face), augmentation_, rng);
-  const render::Image image = render::RasteriseStrokes(sketch.strokes, resolution_, sketch.style);
-  std::transform(image.pixels.begin(), image.pixels.end(), ink,
-                 [](uint8_t grey) { return static_cast<float>(255 - grey) / 255.0f; });
+render::Image SketchDataset::Draw(int face, int64_t epoch) const {
+  const AugmentedSketch sketch = VariedSketch(sketches_, face, variation_, seed_, epoch);
+  return render::RasteriseStrokes(sketch.strokes, resolution_, sketch.style);
 }
 
 }  // namespace daumier::datasets

@@ -1,6 +1,5 @@
 #pragma once
-#include "datasets/read/augmentation.h"
-#include "datasets/read/sketch_database.h"
+#include "datasets/read/sketch_variation.h"
 
 #include <torch/types.h>
 
@@ -15,14 +14,14 @@ struct SketchBatch {
   torch::Tensor images, faces;
 };
 
-/// The sketches of some faces as pictures of R x R pixels, drawn by all cores. As they are (augmentation of strength
-/// 0), they are drawn once and kept as bytes, and are the same in every epoch; augmented, they are drawn anew for each
-/// batch, and the picture of a sample is a function of seed, face and epoch alone.
+/// The sketches of some faces as pictures of R x R pixels, drawn by all cores. Where they do not vary they are drawn
+/// once and kept as bytes, and are the same in every epoch; else they are drawn anew for each batch, and the picture of
+/// a sample is a function of variation, seed, face and epoch alone.
 class SketchDataset {
  public:
   /// Sample s is the sketch of face `faces[s]`. @throws Error if a face has no sketch.
   SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution,
-                const AugmentationOptions& augmentation = {}, uint64_t seed = 0);
+                const SketchVariation& variation = {}, uint64_t seed = 0);
 
   int size() const { return static_cast<int>(faces_.size()); }
   const std::vector<int>& faces() const { return faces_; }
@@ -31,16 +30,14 @@ class SketchDataset {
   SketchBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
 
  private:
-  bool augments() const { return augmentation_.strength > 0; }
-  /// Writes R x R values.
-  void DrawAugmented(int face, int64_t epoch, float* ink) const;
+  render::Image Draw(int face, int64_t epoch) const;
 
   std::vector<int> faces_;
   int resolution_;
-  AugmentationOptions augmentation_;
+  SketchVariation variation_;
   uint64_t seed_;
   SketchDatabase sketches_;  ///< Shares the mapped files.
-  torch::Tensor ink_;        ///< (N, 1, R, R) uint8, ink = 255; undefined if augmented.
+  torch::Tensor ink_;        ///< (N, 1, R, R) uint8, ink = 255; undefined if sketches vary.
 };
 
 }  // namespace daumier::datasets

@@ -25,7 +25,7 @@ TEST_F(SketchEvalTest, WritesTheKeysThatAreAgreedOnAndAReport) {
   EXPECT_EQ(metrics.at("num_persons"), 1);
   EXPECT_EQ(metrics.at("split"), "test");
   EXPECT_EQ(metrics.at("shape_input"), "none");
-  EXPECT_EQ(metrics.at("table").size(), 5u);
+  EXPECT_EQ(metrics.at("table").size(), 8u);
   EXPECT_EQ(metrics.at("table")[0].at("error"), metrics.at("mean_vertex_error_mm"));
   for (const char* file : {"sheet.png", "mean_error.png", "errors.svg", "index.html", "table.md"})
     EXPECT_TRUE(fs::exists(out / file)) << file;

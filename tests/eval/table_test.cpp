@@ -24,23 +24,25 @@ TEST(ErrorRow, HoldsMeanPercentilesAndTheShareOfTheEyeDistance) {
 TEST(Table, TextIsAligned) {
   ErrorRow other = TwoFaces();
   other.name = "a much longer name";
+  other.shape_input = "given";
   EXPECT_EQ(TableText({TwoFaces(), other}),
-            "predictor              mm   95 % interval  median    p90    p99  of eye distance\n"
-            "network             2.000  2.000 to 2.000   2.000  2.800  2.980           3.00 %\n"
-            "a much longer name  2.000  2.000 to 2.000   2.000  2.800  2.980           3.00 %\n");
+            "predictor           shape input     mm   95 % interval  median    p90    p99  of eye distance\n"
+            "network                    none  2.000  2.000 to 2.000   2.000  2.800  2.980           3.00 %\n"
+            "a much longer name        given  2.000  2.000 to 2.000   2.000  2.800  2.980           3.00 %\n");
 }
 
 TEST(Table, MarkdownHasAHeadAndARule) {
   EXPECT_EQ(TableMarkdown({TwoFaces()}),
-            "| predictor | mm | 95 % interval | median | p90 | p99 | of eye distance |\n"
-            "|---|---:|---:|---:|---:|---:|---:|\n"
-            "| network | 2.000 | 2.000 to 2.000 | 2.000 | 2.800 | 2.980 | 3.00 % |\n");
+            "| predictor | shape input | mm | 95 % interval | median | p90 | p99 | of eye distance |\n"
+            "|---|---:|---:|---:|---:|---:|---:|---:|\n"
+            "| network | none | 2.000 | 2.000 to 2.000 | 2.000 | 2.800 | 2.980 | 3.00 % |\n");
 }
 
 TEST(Table, JsonHasAnObjectARow) {
   const Json list = TableJson({TwoFaces()});
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0]["name"], "network");
+  EXPECT_EQ(list[0]["shape_input"], "none");
   EXPECT_EQ(list[0]["error"], 2.0);
   EXPECT_EQ(list[0]["error_low"], 2.0);
   EXPECT_EQ(list[0]["error_high"], 2.0);

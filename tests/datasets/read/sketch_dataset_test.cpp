@@ -51,18 +51,19 @@ TEST_F(SketchDatasetTest, ImagesAreTheRasterisedStrokesWithInkOne) {
   EXPECT_LT(batch.images.mean().item<float>(), 0.3f);  // Mostly paper.
 }
 
-TEST(SketchDataset, InkIsOneAndPaperIsZero) {
+TEST_F(SketchDatasetTest, InkIsOneAndPaperIsZero) {
   const TempDir folder;
   MakeDirectory(folder / "shards");
   SafetensorsWriter writer;  // A line of 1.5 pixels through the middle row of 256 x 256, drawn at that size.
   writer.Add<float>("points", {2, 2}, std::vector<float>{0, 127.5, 256, 127.5});
   writer.Add<int64_t>("stroke_offsets", {2}, std::vector<int64_t>{0, 2});
   writer.Add<int32_t>("stroke_kinds", {1}, std::vector<int32_t>{0});
-  writer.Add<int64_t>("face_offsets", {2}, std::vector<int64_t>{0, 1});
+  writer.Add<int64_t>("sketch_offsets", {2}, std::vector<int64_t>{0, 1});
   writer.Write(folder / faces::PersonShardName(0));
   Manifest manifest;
   manifest.kind = "sketches";
-  manifest.counts = {{"persons", 1}, {"faces", 1}, {"faces_per_shard", 1}};
+  manifest.counts = {{"persons", 1}, {"faces", 1}, {"faces_per_shard", 1}, {"views_per_face", 1}};
+  manifest.details = SketchDatabase(*folder_ / "sketches").manifest().details;
   WriteManifest(folder.path(), manifest);
   const torch::Tensor image = SketchDataset(SketchDatabase(folder.path()), {0}, 256).Get(std::vector<int>{0}).images;
   EXPECT_EQ(image[0][0][127][100].item<float>(), 1.0f);
@@ -78,10 +79,10 @@ TEST_F(SketchDatasetTest, ABatchDoesNotDependOnWhatElseIsCached) {
   EXPECT_EQ(whole.size(), sketches_->num_faces());
 }
 
-AugmentationOptions Strength(double strength) {
-  AugmentationOptions options;
-  options.strength = strength;
-  return options;
+SketchVariation Strength(double strength) {
+  SketchVariation variation;
+  variation.augmentation.strength = strength;
+  return variation;
 }
 
 TEST_F(SketchDatasetTest, AnAugmentedPictureIsAFunctionOfSeedFaceAndEpoch) {
@@ -112,8 +113,7 @@ TEST_F(SketchDatasetTest, AnAugmentedPictureDoesNotDependOnTheNumberOfCores) {
 
 TEST_F(SketchDatasetTest, AnAugmentedPictureIsTheAugmentedStrokesWithInkOne) {
   const SketchDataset dataset(*sketches_, {3}, 64, Strength(1), 9);
-  Rng rng = Stream(9, "augmentation", (uint64_t(6) << 32) + 3);
-  const AugmentedSketch sketch = Augment(sketches_->strokes(3), Strength(1), rng);
+  const AugmentedSketch sketch = VariedSketch(*sketches_, 3, Strength(1), 9, 6);
   const render::Image drawn = render::RasteriseStrokes(sketch.strokes, 64, sketch.style);
   const torch::Tensor image = dataset.Get(std::vector<int>{0}, 6).images[0][0];
   for (int y = 0; y < 64; ++y) {

@@ -1,0 +1,35 @@
+#pragma once
+#include "core/options.h"
+#include "datasets/read/augmentation.h"
+#include "datasets/read/sketch_database.h"
+
+#include <cstdint>
+
+namespace daumier::datasets {
+
+/// Which sketch of a face a network sees.
+struct SketchVariation {
+  bool wrinkles = true;
+  bool all_views = false;
+  AugmentationOptions augmentation;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("wrinkles", wrinkles, Flag{}, "Show suggestive contours and the outer contour of the lips.");
+    visit("all_views", all_views, Flag{},
+          "Any of the views that the sketches hold, another one each epoch; else the exact one.");
+    visit("augmentation", augmentation, Table{}, "Sketches as other hands draw them; off at strength 0.");
+  }
+
+  /// Whether the sketch is another one in each epoch.
+  bool varies(const SketchDatabase& sketches) const {
+    return augmentation.strength > 0 || (all_views && sketches.num_views() > 1);
+  }
+};
+
+/// The sketch of a face in an epoch, a function of its arguments alone. Its `moved` and `visible` are of all strokes of
+/// the database, its `strokes` are without wrinkles if they are not wanted. @throws Error if there is no such face.
+AugmentedSketch VariedSketch(const SketchDatabase& sketches, int face, const SketchVariation& variation, uint64_t seed,
+                             int64_t epoch);
+
+}  // namespace daumier::datasets
