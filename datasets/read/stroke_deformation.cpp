@@ -48,8 +48,8 @@ render::Stroke DeformStroke(render::Stroke stroke, double shift_px, Rng& rng) {
   if (stroke.points.size() < 3 || length == 0) return stroke;
   const bool closed = IsClosed(stroke);
   const int num_spans = std::max(closed ? 2 : 1, static_cast<int>(std::lround(length / kHandleSpacing)));
-  std::vector<Vector2d> handles;
-  for (int i = 0; i < num_spans + (closed ? 0 : 1); ++i) handles.push_back(arc.PointAt(length * i / num_spans));
+  std::vector<Vector2d> handles(size_t(num_spans) + (closed ? 0 : 1));
+  for (size_t i = 0; i < handles.size(); ++i) handles[i] = arc.PointAt(length * double(i) / num_spans);
 
   const double reach = shift_px * Straightness(stroke, closed, length);
   const double x = rng.Below(2) ? reach : -reach, y = rng.Below(2) ? reach : -reach;
