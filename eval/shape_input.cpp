@@ -39,8 +39,9 @@ faces::CurveCode ShapeInput::Recovered(std::span<const float> predicted_face, co
     for (int axis = 0; axis < 3; ++axis)
       points(Eigen::Index(k), axis) = predicted_face[3 * size_t(vertices_[k]) + size_t(axis)];
   }
+  const geometry::Points projected = render::Project(camera_, points);
   std::vector<float> predicted;
-  for (const auto& point : render::Project(camera_, points).rowwise())
+  for (const auto& point : projected.rowwise())
     predicted.insert(predicted.end(), {float(point.x()), float(point.y())});
   return fitting::RecoverCurves(encoder_, offsets_, predicted, drawn, {.snaps = snaps});
 }

@@ -52,12 +52,10 @@ class SketchEvaluation {
         annotation_(data.faces.face_template().annotation),
         region_(annotation_.regions.at("face")),
         mm_per_cm_(faces::MillimetresPerCm(data.faces.face_template())),
-        curves_(datasets::FitCurvesOnTraining(
-            data.faces, data.sketches, data.split,
-            ParseOptions<faces::BilinearOptions>(data.run.config.at("bilinear"), "bilinear model of the run"))),
+        curves_(datasets::FitCurvesOnTraining(data.faces, data.sketches, data.split, data.bilinear)),
         shape_input_(curves_.model, data.sketches, data.faces.face_template()),
         mean_error_map_(size_t(data.faces.num_vertices()), 0) {
-    variation_.wrinkles = data.run.config.at("sketch").at("wrinkles");
+    variation_.wrinkles = data.sketch.wrinkles;
     variation_.augmentation.strength = strength;
     if (test_.empty()) throw UsageError(fmt::format("the split has no {} face", side_name));
     for (const int face : test_) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "datasets/read/sketch_database.h"
+#include "datasets/read/sketch_variation.h"
 #include "datasets/read/splits.h"
 #include "faces/face_database.h"
 #include "models/sketch_run.h"
@@ -16,6 +16,8 @@ struct SketchRunData {
   faces::FaceDatabase faces;
   datasets::SketchDatabase sketches;
   datasets::Split split;
+  faces::BilinearOptions bilinear;
+  datasets::SketchVariation sketch;  ///< Of the training sketches.
 
   /// "train", "validation" or "test". @throws UsageError for another word.
   const std::vector<int>& side(const std::string& name) const;

@@ -48,6 +48,28 @@ TEST_F(SketchEvalTest, MeasuresBaselinesAsWorkedOutByHand) {
   EXPECT_LT(metrics.at("model_limit_mm").get<double>(), metrics.at("mean_face_baseline_mm").get<double>());
 }
 
+TEST_F(SketchEvalTest, ShapeInputStandsInEveryRowOfTheTable) {
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "shape");
+  std::map<std::string, int> rows;
+  for (const Json& row : metrics.at("table")) ++rows[row.at("shape_input").get<std::string>()];
+  EXPECT_EQ(rows, (std::map<std::string, int>{{"none", 5}, {"given", 1}, {"predicted", 1}, {"recovered", 1}}));
+  const Json& px = metrics.at("shape_error_px");
+  EXPECT_LT(px.at("given"), px.at("predicted")) << "an untrained network predicts badly";
+  EXPECT_GT(px.at("given"), 0.0);
+}
+
+TEST_F(SketchEvalTest, AugmentedSketchesAreOthersAndTheSameEachTime) {
+  Json plain = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "plain");
+  Json strong = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "strong", 1.5);
+  Json again = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "again", 1.5);
+  EXPECT_EQ(strong.at("augmentation_strength"), 1.5);
+  EXPECT_NE(strong.at("mean_vertex_error_mm"), plain.at("mean_vertex_error_mm"));
+  EXPECT_NE(strong.at("ridge_mm"), plain.at("ridge_mm"));
+  EXPECT_EQ(strong.at("mean_face_baseline_mm"), plain.at("mean_face_baseline_mm"));
+  strong.erase("seconds"), again.erase("seconds");
+  EXPECT_EQ(strong, again);
+}
+
 TEST_F(SketchEvalTest, FindsATrainingFaceByItsNearestNeighbour) {
   const Json metrics = EvaluateSketchRun(*folder_ / "run", "train", *folder_ / "train");
   EXPECT_EQ(metrics.at("nearest_neighbour_mm"), 0.0);

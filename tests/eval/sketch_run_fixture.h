@@ -2,6 +2,7 @@
 #include "core/config.h"
 #include "core/files.h"
 #include "core/manifest.h"
+#include "datasets/read/sketch_variation.h"
 #include "datasets/read/training_fit.h"
 #include "models/sketch_network.h"
 #include "tensor/module_state.h"
@@ -31,14 +32,16 @@ class SketchRunFixture : public ::testing::Test {
     const faces::FaceDatabase faces(*folder_ / "faces");
     const datasets::SplitOptions split_options;
     const datasets::Split split = datasets::MakeSplit(faces, split_options, 7);
-    const datasets::FittedBilinear fitted =
-        datasets::FitOnTraining(faces, split, {.num_identity = 6, .num_expression = 4});
+    const faces::BilinearOptions bilinear{.num_identity = 6, .num_expression = 4};
+    const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, bilinear);
     const models::PixelCnnOptions network_options{.resolution = 32, .width = 4, .hidden = 16};
     torch::manual_seed(7);
     models::SketchNetwork network(network_options, fitted.model);
     const Json config = {
         {"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
         {"split", ToJson(split_options)},
+        {"bilinear", ToJson(bilinear)},
+        {"sketch", ToJson(datasets::SketchVariation())},
         {"network", ToJson(network_options)},
         {"seed", 7}};
     MakeDirectory(run / "best");

@@ -60,7 +60,7 @@ TEST(RecoverCurves, SnapsAPredictionOntoTheStrokes) {
   const double after =
       MeanError(RecoverCurves(encoder, kOffsets, predicted, Strokes(truth), {.snaps = 4, .reach_px = 16}), truth);
   EXPECT_NEAR(before, std::hypot(2, 5), 0.1) << "without a snap the prediction itself is encoded";
-  EXPECT_LT(after, 1.0);
+  EXPECT_LT(after, 1.5) << "along themselves curves move little";
 }
 
 TEST(RecoverCurves, StrokesOutOfReachOrAcrossChangeNothing) {
