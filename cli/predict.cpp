@@ -6,18 +6,26 @@
 namespace daumier::cli {
 
 Verb PredictVerb() {
-  return {
-      "predict", "Sketch images to meshes and pictures", [](CLI::App& command) {
-        struct Arguments {
-          std::filesystem::path run, out;
-          std::vector<std::filesystem::path> inputs;
-        };
-        auto arguments = std::make_shared<Arguments>();
-        command.add_option("run", arguments->run, "Run folder")->required();
-        command.add_option("inputs", arguments->inputs, "Frontal face sketches: dark lines on light paper")->required();
-        command.add_option("--out", arguments->out, "Folder to write")->required();
-        return [arguments] { fitting::PredictSketches(arguments->run, arguments->inputs, arguments->out); };
-      }};
+  return {"predict", "Drawings to meshes and pictures", [](CLI::App& command) {
+            struct Arguments {
+              std::filesystem::path run, out;
+              std::vector<std::filesystem::path> inputs;
+              bool keep_frame = false;
+            };
+            auto arguments = std::make_shared<Arguments>();
+            command.add_option("run", arguments->run, "Run folder")->required();
+            command
+                .add_option("inputs", arguments->inputs,
+                            "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines")
+                ->required();
+            command.add_flag("--keep-frame", arguments->keep_frame,
+                             "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");
+            command.add_option("--out", arguments->out, "Folder to write")->required();
+            return [arguments] {
+              fitting::PredictSketches(arguments->run, arguments->inputs, arguments->out,
+                                       arguments->keep_frame ? fitting::Framing::kKeep : fitting::Framing::kFit);
+            };
+          }};
 }
 
 }  // namespace daumier::cli

@@ -1,7 +1,7 @@
 #pragma once
 #include "geometry/mesh.h"
 #include "models/sketch_run.h"
-#include "render/image.h"
+#include "render/drawing.h"
 
 #include <torch/types.h>
 
@@ -10,12 +10,17 @@
 
 namespace daumier::fitting {
 
-/// A picture of a drawing as the network sees it: (1, 1, R, R) float32, ink 1, paper 0. The paper is the picture's
-/// median grey; light lines on dark are inverted. The picture is padded to a square with paper and scaled to R x R by
-/// the mean over areas; what differs from the paper by less than the grain of paper counts as paper, and faint lines
-/// are strengthened until the inkiest fiftieth of the picture is as dark as in training.
-/// @throws Error if the picture is empty or holds no lines.
-torch::Tensor SketchFromImage(const render::Image& image, int resolution);
+/// Strokes of the canvas as the network sees them, drawn with the pen of the training sketches: (1, 1, R, R) float32,
+/// ink 1, paper 0.
+torch::Tensor SketchTensor(const std::vector<render::Stroke>& strokes, int resolution);
+
+/// Where a drawing stands on the canvas.
+enum class Framing {
+  kFit,   ///< Its bounding box is brought to where the training's heads stand (render::FrameStrokes).
+  kKeep,  ///< The sheet is the canvas: for drawings that were made in the training's frame.
+};
+/// @throws Error as render::FrameStrokes.
+std::vector<render::Stroke> OnCanvas(const render::Drawing& drawing, Framing framing);
 
 /// A trained run, ready to turn drawings into faces.
 class SketchPredictor {
@@ -33,11 +38,11 @@ class SketchPredictor {
   models::SketchRun run_;
 };
 
-/// `daumier predict`: for every picture NAME.* a mesh NAME.obj and a sheet NAME.png of sketch, front and side, and a
-/// manifest (kind "predictions"). Pictures of the same name are told apart by -2, -3, ... Nothing is written unless
-/// every picture can be read.
-/// @throws Error as SketchPredictor, render::ReadImage and SketchFromImage, naming the picture.
-void PredictSketches(const std::filesystem::path& run_directory, const std::vector<std::filesystem::path>& pictures,
-                     const std::filesystem::path& out_directory);
+/// `daumier predict`: for every drawing of the files (render::ReadDrawings) a mesh NAME.obj, the strokes as the network
+/// sees them NAME.svg, a sheet NAME.png of sketch, front and side, and a manifest (kind "predictions"). NAME is the
+/// file's; drawings of the same name are told apart by -2, -3, ... Nothing is written unless every file can be read.
+/// @throws Error as SketchPredictor, render::ReadDrawings and OnCanvas, naming the file.
+void PredictSketches(const std::filesystem::path& run_directory, const std::vector<std::filesystem::path>& files,
+                     const std::filesystem::path& out_directory, Framing framing = Framing::kFit);
 
 }  // namespace daumier::fitting

@@ -3,7 +3,9 @@
 #include "core/files.h"
 #include "core/manifest.h"
 #include "geometry/obj.h"
+#include "render/read_drawing.h"
 #include "render/strokes.h"
+#include "render/svg.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_run_folder.h"
 #include "tests/support/temp_dir.h"
@@ -34,59 +36,34 @@ torch::Tensor TrainingRaster(int resolution) {
   return (1 - grey / 255).view({1, 1, resolution, resolution});
 }
 
-double MeanDifference(const torch::Tensor& a, const torch::Tensor& b) {
-  return (a - b).abs().mean().item<double>();
-}
-
-Image WithValues(Image image, const std::function<double(double)>& value) {
-  for (uint8_t& pixel : image.pixels) pixel = static_cast<uint8_t>(value(pixel));
-  return image;
-}
-
-TEST(SketchFromImage, TakesATrainingRasterAsItIs) {
-  const auto sketch = SketchFromImage(render::RasteriseStrokes(Drawing(), 128), 128);
+TEST(SketchTensor, IsTheTrainingRaster) {
+  const auto sketch = SketchTensor(Drawing(), 128);
   EXPECT_EQ(sketch.sizes().vec(), (std::vector<int64_t>{1, 1, 128, 128}));
-  EXPECT_LT(MeanDifference(sketch, TrainingRaster(128)), 0.005);
+  EXPECT_TRUE(torch::allclose(sketch, TrainingRaster(128), 0, 1e-6));
 }
 
-TEST(SketchFromImage, SizeInversionColourAndPaperMakeLittleDifference) {
-  const Image large = render::RasteriseStrokes(Drawing(), 512);
-  const auto expected = SketchFromImage(large, 64);
-  EXPECT_LT(MeanDifference(expected, TrainingRaster(64)), 0.05);
-  EXPECT_LT(MeanDifference(SketchFromImage(WithValues(large, [](double v) { return 255 - v; }), 64), expected), 1e-6);
-  EXPECT_LT(MeanDifference(SketchFromImage(WithValues(large, [](double v) { return 90 + 0.5 * v; }), 64), expected),
-            0.06);
-  Image rgb(512, 512, 3);
-  for (size_t i = 0; i < rgb.pixels.size(); ++i) rgb.pixels[i] = large.pixels[i / 3];
-  EXPECT_LT(MeanDifference(SketchFromImage(rgb, 64), expected), 1e-6);
+TEST(OnCanvas, KeepsTheSheetOrFitsTheDrawing) {
+  const render::Drawing wide{512, 256, {{0, {{100, 100}, {200, 150}}}}};
+  const auto kept = OnCanvas(wide, Framing::kKeep);
+  EXPECT_EQ(kept[0].points[0], (std::array<float, 2>{50, 114}));  // 128 pixels of paper above, then halved.
+  EXPECT_EQ(kept[0].points[1], (std::array<float, 2>{100, 139}));
+  const auto fitted = OnCanvas(wide, Framing::kFit);
+  EXPECT_NEAR(0.5 * (fitted[0].points[0][0] + fitted[0].points[1][0]), 128, 1e-3);
+  ExpectError([] { OnCanvas({10, 10, {}}, Framing::kFit); }, "");
 }
 
-TEST(SketchFromImage, PadsWithPaperSoThatNothingIsStretched) {
-  Image wide(32, 64, 1, 200);
-  for (int row = 8; row < 24; ++row)
-    for (int column = 24; column < 40; ++column) wide.at(row, column) = 0;
-  const auto sketch = SketchFromImage(wide, 64)[0][0];
-  EXPECT_EQ(sketch.sum().item<float>(), 16 * 16);
-  EXPECT_EQ(sketch.slice(0, 24, 40).slice(1, 24, 40).sum().item<float>(), 16 * 16);
-}
-
-TEST(SketchFromImage, StrengthensFaintLinesAndDropsPaperGrain) {
-  Image faint = WithValues(render::RasteriseStrokes(Drawing(), 64), [](double v) { return v < 128 ? 190 : 255; });
-  EXPECT_GT(SketchFromImage(faint, 64).max().item<float>(), 0.7f);
-  faint.at(0, 0) = 245;
-  EXPECT_EQ(SketchFromImage(faint, 64)[0][0][0][0].item<float>(), 0.0f);
-}
-
-TEST(SketchFromImage, RefusesPicturesWithoutLines) {
-  ExpectError([] { SketchFromImage(Image(20, 20, 1), 64); }, "holds no lines");
-  ExpectError([] { SketchFromImage(Image(), 64); }, "the picture is empty");
+TEST(OnCanvas, ATracedTrainingRasterComesBack) {
+  const testing::TempDir folder;
+  render::WriteImage(folder / "face.png", render::RasteriseStrokes(Drawing(), 512));
+  const auto traced = SketchTensor(OnCanvas(render::ReadDrawings(folder / "face.png")[0], Framing::kKeep), 64);
+  EXPECT_LT((traced - TrainingRaster(64)).abs().mean().item<double>(), 0.03);
 }
 
 TEST(SketchPredictor, AnswersTheNetworksVertices) {
   const testing::TempDir folder;
   auto network = testing::WriteSketchRun(folder.path());
   SketchPredictor predictor(folder.path());
-  const auto sketch = SketchFromImage(render::RasteriseStrokes(Drawing(), 100), predictor.resolution());
+  const auto sketch = SketchTensor(Drawing(), predictor.resolution());
   const auto face = predictor.Predict(sketch);
   const auto expected = network->Decode(network->forward(sketch)).view({-1, 3});
   ASSERT_EQ(face.rows(), network->num_vertices());
@@ -100,24 +77,38 @@ TEST(PredictSketches, WritesAMeshAndASheetForEveryPicture) {
   testing::WriteSketchRun(folder / "run");
   MakeDirectory(folder / "other");
   for (const auto* name : {"face.png", "other/face.png"}) {
-    render::WriteImage(folder / name, render::RasteriseStrokes(Drawing(), 80));
+    render::WriteImage(folder / name, render::RasteriseStrokes(Drawing(), 240));
   }
   PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out");
   const Manifest manifest = ReadManifest(folder / "out", "predictions");
   EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
-  EXPECT_EQ(manifest.checksums.size(), 4u);
+  EXPECT_EQ(manifest.checksums.size(), 6u);
   EXPECT_EQ(ReadFile(folder / "out/face.obj"), ReadFile(folder / "out/face-2.obj"));
   const auto mesh = geometry::ReadObj(folder / "out/face.obj");
   EXPECT_EQ(mesh.vertices.rows(), models::LoadSketchRun(folder / "run").face_template.num_vertices());
   EXPECT_GT(render::ReadImage(folder / "out/face.png").width, 1000);
 }
 
+TEST(PredictSketches, ReadsStrokesDirectly) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  WriteFileAtomically(folder / "two.ndjson",
+                      "{\"drawing\": [[[0, 90], [10, 200]], [[50, 60, 70], [5, 9, 5]]]}\n"
+                      "{\"drawing\": [[[0, 255], [0, 255]]]}\n");
+  render::WriteSvg(folder / "face.svg", Drawing(), {"line"});
+  PredictSketches(folder / "run", {folder / "two.ndjson", folder / "face.svg"}, folder / "out", Framing::kKeep);
+  for (const char* name : {"two.obj", "two-2.obj", "face.obj"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / name));
+  const auto strokes = render::ReadSvg(folder / "out/face.svg").strokes;
+  ASSERT_EQ(strokes.size(), Drawing().size());
+  EXPECT_EQ(strokes[2].points, Drawing()[2].points) << "the canvas is kept as it is";
+}
+
 TEST(PredictSketches, NamesTheBadPictureAndWritesNothing) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteImage(folder / "blank.png", Image(30, 30, 1));
-  ExpectError([&] { PredictSketches(folder / "run", {folder / "blank.png"}, folder / "out"); },
-              "blank.png: the picture holds no lines");
+  ExpectError([&] { PredictSketches(folder / "run", {folder / "blank.png"}, folder / "out"); }, "blank.png");
   ExpectError([&] { PredictSketches(folder / "run", {folder / "none.png"}, folder / "out"); }, "none.png");
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
