@@ -12,20 +12,6 @@ namespace daumier::eval {
 
 namespace {
 
-std::vector<ErrorRow> RowsOf(const Json& table) {
-  std::vector<ErrorRow> rows;
-  for (const Json& entry : table) {
-    rows.push_back({.name = entry.at("name"),
-                    .error_mm = entry.at("error"),
-                    .interval_mm = {entry.at("error_low"), entry.at("error_high")},
-                    .p50_mm = entry.at("p50"),
-                    .p90_mm = entry.at("p90"),
-                    .p99_mm = entry.at("p99"),
-                    .interocular_share = entry.at("interocular_share")});
-  }
-  return rows;
-}
-
 /// A line of the table of databases.
 std::string DatabaseLine(const Json& row) {
   return fmt::format("| {} | {} | {} | {:.0f} | {} | {} | {} |\n", row.at("name").get<std::string>(),
@@ -54,7 +40,7 @@ TEST(ResultsDocument, ShowsTheTablesOfItsRecords) {
     for (const char* key : {"command", "commit", "seeds", "train_seconds", "metrics"})
       EXPECT_TRUE(record.contains(key)) << key;
     EXPECT_TRUE(record.at("metrics").contains("data_hash"));
-    EXPECT_NE(document.find(TableMarkdown(RowsOf(record.at("metrics").at("table")))), std::string::npos)
+    EXPECT_NE(document.find(TableMarkdown(TableFromJson(record.at("metrics").at("table")))), std::string::npos)
         << file.path() << " and docs/results.md do not agree";
     EXPECT_NE(document.find(record.at("command").get<std::string>()), std::string::npos) << file.path();
   }
