@@ -40,9 +40,10 @@ Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchData
 /// The bilinear model of a run: fitted and written with all else that begins a run folder, or read back from it.
 faces::BilinearModel BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
                               const faces::FaceDatabase& faces, const datasets::Split& split) {
-  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
   log::Info("Fitting the bilinear model on {} training faces", split.train.size());
   const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, options.bilinear);
+  // Only now does the folder hold a run: what the fit refuses can be told otherwise in the same folder.
+  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
   manifest.details["bilinear"] = fitted.proof;
   manifest.checksums = faces::WriteFaceTemplate(directory, faces.face_template());
   manifest.checksums[kBilinearFile] = faces::WriteBilinearModel(directory / kBilinearFile, fitted.model);

@@ -120,7 +120,7 @@ TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndNoValidationS
   };
   SketchRecipe plain = MakeRecipe("gram");
   EXPECT_TRUE(torch::equal(images(plain, 0), images(plain, 1)));
-  options_.augmentation.strength = 1;
+  options_.sketch.augmentation.strength = 1;
   SketchRecipe augmented = MakeRecipe("gram");
   EXPECT_FALSE(torch::equal(images(augmented, 0), images(plain, 0)));
   EXPECT_FALSE(torch::equal(images(augmented, 0), images(augmented, 1)));

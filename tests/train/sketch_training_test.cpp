@@ -78,7 +78,7 @@ TEST_F(SketchTrainingTest, ManifestProvesThatOnlyTrainingFacesWereFittedAndHolds
 TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
   for (const double strength : {0.0, 1.0}) {
     Json config = Config();
-    config["augmentation"] = {{"strength", strength}};
+    config["sketch"] = {{"augmentation", {{"strength", strength}}}};
     const fs::path whole = Run(fmt::format("whole{}", strength)), stopped = Run(fmt::format("stopped{}", strength));
     TrainSketch(config, whole, false, "cpu");
     // Stopped after the first step, then after the second, then let go on.
@@ -103,6 +103,13 @@ TEST_F(SketchTrainingTest, RefusesToResumeAnotherConfigAndToOverwriteARun) {
   config["optimiser"]["learning_rate"] = 0.25;
   testing::ExpectError([&] { TrainSketch(config, Run("once"), true, "cpu"); },
                        "optimiser.learning_rate is 0.005 there and 0.25 now");
+}
+
+TEST_F(SketchTrainingTest, WhatTheFitRefusesCanBeToldOtherwiseInTheSameFolder) {
+  Json config = Config();
+  config["bilinear"]["num_identity"] = 500;
+  testing::ExpectError([&] { TrainSketch(config, Run("refused"), false, "cpu"); }, "");
+  EXPECT_NO_THROW(TrainSketch(Config(), Run("refused"), false, "cpu"));
 }
 
 TEST_F(SketchTrainingTest, RefusesMissingFoldersAndSketchesOfOtherFaces) {
