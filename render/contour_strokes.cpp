@@ -52,7 +52,7 @@ Stroke SmoothStroke(std::vector<Eigen::RowVector3d> points, int kind) {
     for (size_t i = 1; i < last; ++i) points[i] = 0.25 * before[i - 1] + 0.5 * before[i] + 0.25 * before[i + 1];
     if (closed) points[0] = points[last] = 0.25 * before[last - 1] + 0.5 * before[0] + 0.25 * before[1];
   }
-  Stroke stroke{.kind = kind};
+  Stroke stroke{kind, {}};
   for (const auto& point : points)
     stroke.points.push_back({static_cast<float>(point.x()), static_cast<float>(point.y())});
   return stroke;

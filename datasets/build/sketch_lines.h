@@ -13,7 +13,7 @@ namespace daumier::datasets {
 struct WrinkleOptions {
   bool drawn = true;
   double clearance_mm = 3;
-  render::ContourOptions contours;
+  render::ContourOptions contours = {};
 
   template <class V>
   void Visit(V&& visit) {

@@ -113,7 +113,8 @@ TEST_F(BuildSketchesTest, TheSideViewHasItsOwnCurves) {
   BuildSketches(options, *folder_ / "side");
   const SketchDatabase sketches(*folder_ / "side");
   int num_curves = 0;
-  for (const auto& curve : faces::FaceDatabase(*folder_ / "faces").face_template().annotation.curves)
+  const faces::FaceDatabase faces(*folder_ / "faces");
+  for (const auto& curve : faces.face_template().annotation.curves)
     num_curves += curve.view == faces::View::kSide;
   EXPECT_EQ(sketches.num_curves(), num_curves);
 }

@@ -263,7 +263,9 @@ TEST(Augment, IsStrongerWithMoreStrength) {
       for (size_t i = 0; i < Face()[0].points.size(); ++i)
         sum += (ToVector(sketch.moved[0].points[i]) - ToVector(Face()[0].points[i])).norm();
     }
-    if (strength > 0) EXPECT_GT(sum, 1.3 * last);
+    if (strength > 0) {
+      EXPECT_GT(sum, 1.3 * last);
+    }
     last = sum;
   }
 }
