@@ -20,6 +20,13 @@ std::vector<int> Indices(int begin, int end) {
   return indices;
 }
 
+/// The same lines, in the exact view, as they are.
+datasets::SketchVariation Exact(datasets::SketchVariation variation) {
+  variation.all_views = false;
+  variation.augmentation.strength = 0;
+  return variation;
+}
+
 }  // namespace
 
 torch::Tensor CurveVertexWeights(const faces::FaceTemplate& face_template, double curve_weight) {
@@ -35,7 +42,7 @@ SketchRecipe::SketchRecipe(const SketchTrainingOptions& options, const faces::Fa
     : faces_(faces),
       device_(device),
       training_(sketches, split.train, options.network.resolution, options.sketch, options.seed),
-      validation_(sketches, split.validation, options.network.resolution, {.wrinkles = options.sketch.wrinkles}),
+      validation_(sketches, split.validation, options.network.resolution, Exact(options.sketch)),
       network_(options.network, bilinear),
       vertex_weights_(CurveVertexWeights(faces.face_template(), options.curve_weight).to(device)) {
   DAUMIER_CHECK(training_.size() > 0 && validation_.size() > 0,
