@@ -8,8 +8,8 @@
 namespace daumier::eval {
 
 ShapeInput::ShapeInput(const faces::BilinearModel& curves, const datasets::SketchDatabase& sketches,
-                       const faces::FaceTemplate& face_template)
-    : sketches_(sketches), encoder_(curves), camera_(sketches.camera()) {
+                       const faces::FaceTemplate& face_template, const faces::CurveEncoderOptions& options)
+    : sketches_(sketches), encoder_(curves, options), camera_(sketches.camera()) {
   const auto& annotated = face_template.annotation.curves;
   for (const int feature : sketches.feature_curves()) {
     const std::string& name = sketches.curve_names()[size_t(feature)];
@@ -33,7 +33,7 @@ faces::CurveCode ShapeInput::Given(const std::vector<render::Stroke>& strokes,
 }
 
 faces::CurveCode ShapeInput::Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,
-                                       int snaps) const {
+                                       const fitting::CurveRecoveryOptions& options) const {
   geometry::Points points(Eigen::Index(vertices_.size()), 3);
   for (size_t k = 0; k < vertices_.size(); ++k) {
     for (int axis = 0; axis < 3; ++axis)
@@ -41,9 +41,8 @@ faces::CurveCode ShapeInput::Recovered(std::span<const float> predicted_face, co
   }
   const geometry::Points projected = render::Project(camera_, points);
   std::vector<float> predicted;
-  for (const auto& point : projected.rowwise())
-    predicted.insert(predicted.end(), {float(point.x()), float(point.y())});
-  return fitting::RecoverCurves(encoder_, offsets_, predicted, drawn, {.snaps = snaps});
+  for (const auto& point : projected.rowwise()) predicted.insert(predicted.end(), {float(point.x()), float(point.y())});
+  return fitting::RecoverCurves(encoder_, offsets_, predicted, drawn, options);
 }
 
 double ShapeInput::ErrorPx(const faces::CurveCode& code, const std::vector<render::Stroke>& truth) const {

@@ -16,7 +16,7 @@ class ShapeInput {
  public:
   /// `curves` is a model of datasets::FitCurvesOnTraining on these sketches. All arguments have to outlive it.
   ShapeInput(const faces::BilinearModel& curves, const datasets::SketchDatabase& sketches,
-             const faces::FaceTemplate& face_template);
+             const faces::FaceTemplate& face_template, const faces::CurveEncoderOptions& options = {});
 
   /// From labelled strokes: all points that came in, where the sketch has them, and whether it shows them
   /// (datasets::AugmentedSketch::moved and visible; an empty `visible`: all).
@@ -25,7 +25,7 @@ class ShapeInput {
   /// From drawn strokes without labels and a face that was predicted, 3V in cm: its curves, seen by the sketches'
   /// camera, snap to the strokes `snaps` times; 0: they are taken as they are.
   faces::CurveCode Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,
-                             int snaps) const;
+                             const fitting::CurveRecoveryOptions& options = {}) const;
   /// Mean distance in pixels of the canvas between the points of a code and those of labelled strokes.
   double ErrorPx(const faces::CurveCode& code, const std::vector<render::Stroke>& truth) const;
 

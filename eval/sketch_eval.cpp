@@ -225,12 +225,12 @@ class SketchEvaluation {
       rows_.back().shape_input = input;
       shape_error_px_[input] = error_px;
     };
-    constexpr int kSnaps = fitting::CurveRecoveryOptions{}.snaps;
     measure(kShapeRidge, "given", [&](int face, auto) { return codes_[size_t(face)]; });
-    measure(kShapeRidge, "predicted",
-            [&](int face, auto predicted) { return shape_input_.Recovered(predicted, Seen(face).strokes, 0); });
+    measure(kShapeRidge, "predicted", [&](int face, auto predicted) {
+      return shape_input_.Recovered(predicted, Seen(face).strokes, {.snaps = 0});
+    });
     measure(kShapeRidge, "recovered",
-            [&](int face, auto predicted) { return shape_input_.Recovered(predicted, Seen(face).strokes, kSnaps); });
+            [&](int face, auto predicted) { return shape_input_.Recovered(predicted, Seen(face).strokes); });
   }
 
   FaceRows PredictByNetwork(std::span<const int> faces) const {

@@ -8,7 +8,7 @@
 namespace daumier::faces {
 
 struct CurveEncoderOptions {
-  double deviation_px = 1;
+  double deviation_px = 0.5;
   int rounds = 4;
 
   template <class V>

@@ -10,8 +10,8 @@ namespace daumier::fitting {
 
 struct CurveRecoveryOptions {
   int snaps = 2;
-  double reach_px = 12;
-  double max_angle = 50;
+  double reach_px = 16;
+  double max_angle = 30;
 
   template <class V>
   void Visit(V&& visit) {

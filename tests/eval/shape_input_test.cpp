@@ -35,7 +35,7 @@ TEST_F(ShapeInputTest, TheTrueFacesCurvesAreRecoveredLikeGivenOnes) {
     const auto strokes = sketches_->strokes(face);
     const double given = input.ErrorPx(input.Given(strokes), strokes);
     EXPECT_LT(given, 3) << "six identities say little about a seventh";
-    EXPECT_NEAR(input.ErrorPx(input.Recovered(faces_->vertices(face), strokes, 0), strokes), given, 0.05)
+    EXPECT_NEAR(input.ErrorPx(input.Recovered(faces_->vertices(face), strokes, {.snaps = 0}), strokes), given, 0.05)
         << "its projected curves are the strokes";
   }
 }
@@ -46,8 +46,8 @@ TEST_F(ShapeInputTest, SnappingImprovesAWrongPrediction) {
   for (const int face : split_.test) {
     const auto strokes = sketches_->strokes(face);
     const auto wrong = faces_->vertices(split_.train.front());
-    predicted += input.ErrorPx(input.Recovered(wrong, strokes, 0), strokes);
-    recovered += input.ErrorPx(input.Recovered(wrong, strokes, 3), strokes);
+    predicted += input.ErrorPx(input.Recovered(wrong, strokes, {.snaps = 0}), strokes);
+    recovered += input.ErrorPx(input.Recovered(wrong, strokes, {.snaps = 3}), strokes);
   }
   EXPECT_LT(recovered, 0.9 * predicted);
 }
