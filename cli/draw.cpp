@@ -42,7 +42,7 @@ void Draw(const Arguments& arguments) {
 }  // namespace
 
 Verb DrawVerb() {
-  return {"draw", "A line drawing of a mesh: occluding and suggestive contours", [](CLI::App& command) {
+  return {"draw", "A line drawing of a mesh: occluding and suggestive contours, borders", [](CLI::App& command) {
             auto arguments = std::make_shared<Arguments>();
             command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, y up, facing +z")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");

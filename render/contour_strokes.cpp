@@ -103,7 +103,7 @@ std::vector<Stroke> OccludingStrokes(const ContourSurface& surface, const Visibi
 }
 
 const std::vector<std::string>& ContourKinds() {
-  static const std::vector<std::string> kinds = {"occluding", "suggestive"};
+  static const std::vector<std::string> kinds = {"occluding", "suggestive", "border"};
   return kinds;
 }
 
@@ -115,6 +115,8 @@ std::vector<Stroke> DrawContours(const geometry::TriangleMesh& mesh, const Camer
   std::vector<Stroke> strokes = OccludingStrokes(surface, visibility, options, 0);
   const std::vector<Stroke> suggestive = SuggestiveStrokes(surface, visibility, feature_size, options, 1);
   strokes.insert(strokes.end(), suggestive.begin(), suggestive.end());
+  const std::vector<Stroke> borders = StrokesOf(Borders(mesh), visibility, 0, options.min_length, 2);
+  strokes.insert(strokes.end(), borders.begin(), borders.end());
   return strokes;
 }
 

@@ -47,10 +47,11 @@ std::vector<Stroke> SuggestiveStrokes(const ContourSurface& surface, const Visib
 std::vector<Stroke> OccludingStrokes(const ContourSurface& surface, const Visibility& visibility,
                                      const ContourOptions& options, int kind);
 
-/// "occluding", "suggestive": kinds of the strokes of DrawContours.
+/// "occluding", "suggestive", "border": kinds of the strokes of DrawContours.
 const std::vector<std::string>& ContourKinds();
 
-/// A line drawing of a mesh: its visible occluding and suggestive contours, thresholds by its own FeatureSize.
+/// A line drawing of a mesh: its visible occluding and suggestive contours and borders, thresholds by its own
+/// FeatureSize.
 /// @throws Error as FeatureSize, Rasterise and SuggestiveStrokes.
 std::vector<Stroke> DrawContours(const geometry::TriangleMesh& mesh, const Camera& camera,
                                  const ContourOptions& options = {});

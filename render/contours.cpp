@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 namespace daumier::render {
@@ -163,6 +164,26 @@ std::vector<ContourSegment> OccludingContours(const TriangleMesh& mesh, const Vi
     const auto& [a, b] = *line;
     AppendWherePositive(mesh, f, *line, {a.Of(view.radial, triangle), b.Of(view.radial, triangle)}, {1.0, 1.0},
                         {1.0, 1.0}, segments);
+  }
+  return segments;
+}
+
+std::vector<ContourSegment> Borders(const TriangleMesh& mesh) {
+  std::map<std::array<int, 2>, int> num_triangles;
+  const auto edge_of = [&](int f, int k) {
+    const auto [low, high] = std::minmax({mesh.triangles(f, k), mesh.triangles(f, (k + 1) % 3)});
+    return std::array{low, high};
+  };
+  for (int f = 0; f < mesh.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) ++num_triangles[edge_of(f, k)];
+  }
+  std::vector<ContourSegment> segments;
+  for (int f = 0; f < mesh.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      if (num_triangles.at(edge_of(f, k)) != 1) continue;
+      const int from = mesh.triangles(f, k), to = mesh.triangles(f, (k + 1) % 3);
+      segments.push_back({f, {mesh.vertices.row(from), 0, {from, from}}, {mesh.vertices.row(to), 0, {to, to}}});
+    }
   }
   return segments;
 }

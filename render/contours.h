@@ -31,9 +31,10 @@ ViewCurvature ComputeViewCurvature(const geometry::TriangleMesh& mesh, const geo
 /// One end of a piece of a line.
 struct ContourEnd {
   Eigen::Vector3d point;
-  /// What makes the line stand out: of suggestive contours rise / n_dot_v, of occluding ones the radial curvature.
+  /// What makes the line stand out: of suggestive contours rise / n_dot_v, of occluding ones the radial curvature, of
+  /// borders nothing.
   double strength = 0;
-  /// The mesh edge that it lies on, lower vertex first; {-1, -1} inside of a triangle.
+  /// The mesh edge that it lies on, lower vertex first; a vertex twice at that vertex; {-1, -1} inside of a triangle.
   std::array<int, 2> edge = {-1, -1};
 };
 
@@ -52,5 +53,8 @@ std::vector<ContourSegment> SuggestiveContours(const geometry::TriangleMesh& mes
 /// Occluding contours before visibility: zeros of n_dot_v, interpolated linearly, where the radial curvature is
 /// positive; the others lie inside of the surface.
 std::vector<ContourSegment> OccludingContours(const geometry::TriangleMesh& mesh, const ViewCurvature& view);
+
+/// The edges that have one triangle: where the surface ends.
+std::vector<ContourSegment> Borders(const geometry::TriangleMesh& mesh);
 
 }  // namespace daumier::render

@@ -125,14 +125,27 @@ TEST(DrawContours, TellsOccludingFromSuggestiveContoursAndDoesNotDependOnTheUnit
   TriangleMesh torus = testing::Torus(3, 1, 120, 60);
   const ContourOptions options{.low = 0, .high = 0, .min_angle = 5, .min_length = 5};
   const auto strokes = DrawContours(torus, kTilted, options);
-  int num_of_kind[2] = {0, 0};
+  int num_of_kind[3] = {0, 0, 0};
   for (const Stroke& stroke : strokes) ++num_of_kind[stroke.kind];
   EXPECT_GE(num_of_kind[0], 2) << ContourKinds()[0];
   EXPECT_GE(num_of_kind[1], 1) << ContourKinds()[1];
+  EXPECT_EQ(num_of_kind[2], 0) << "a torus is closed";
   torus.vertices *= 100;
   const auto large = DrawContours(torus, TurnedCamera(Eigen::Vector3d::Zero(), 500, 256, 0, 40), options);
   ASSERT_EQ(large.size(), strokes.size());
   for (size_t s = 0; s < large.size(); ++s) EXPECT_NEAR(large[s].points[0][0], strokes[s].points[0][0], 1e-2);
+}
+
+TEST(DrawContours, DrawsTheBorderOfAnOpenSurfaceAsOneLoop) {
+  const TriangleMesh dome =
+      testing::Sheet(20, [](double x, double y) { return 0.3 * std::sin(3 * x) * std::sin(3 * y); });
+  const Frame frame = FrameOf(dome.vertices);
+  const auto strokes = DrawContours(dome, FrontalCamera(frame.centre, frame.half_height, 256));
+  const auto is_border = [](const Stroke& stroke) { return ContourKinds()[size_t(stroke.kind)] == "border"; };
+  EXPECT_EQ(std::count_if(strokes.begin(), strokes.end(), is_border), 1);
+  const auto border = std::find_if(strokes.begin(), strokes.end(), is_border);
+  EXPECT_EQ(border->points.size(), 81u);
+  EXPECT_EQ(border->points.front(), border->points.back());
 }
 
 }  // namespace

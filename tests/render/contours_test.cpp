@@ -108,6 +108,18 @@ TEST(SuggestiveContours, StopWhereTheSurfaceFacesTheViewerMoreThanAllowed) {
   EXPECT_LE(*std::max_element(kept.begin(), kept.end()), limit + 1e-9);
 }
 
+TEST(Borders, AreTheEdgesOfOneTriangle) {
+  const auto segments = Borders(testing::FlatSheet(4));
+  EXPECT_EQ(segments.size(), 16u);
+  for (const ContourSegment& segment : segments) {
+    for (const ContourEnd& end : {segment.from, segment.to}) {
+      const bool on_border = end.point.x() == 0 || end.point.x() == 1 || end.point.y() == 0 || end.point.y() == 1;
+      EXPECT_TRUE(on_border);
+    }
+  }
+  EXPECT_TRUE(Borders(testing::Sphere(1, 2)).empty());
+}
+
 TEST(FeatureSize, ScalesWithTheMesh) {
   TriangleMesh torus = testing::Torus(3, 1, 60, 30);
   const double size = FeatureSize(torus, geometry::ComputePrincipalCurvatures(torus));
