@@ -36,4 +36,11 @@ using CurvatureDerivatives = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::Row
 /// @throws Error if `curvatures` belong to another number of vertices.
 CurvatureDerivatives ComputeCurvatureDerivatives(const TriangleMesh& mesh, const PrincipalCurvatures& curvatures);
 
+/// Both at once, which is faster: ComputePrincipalCurvatures and ComputeCurvatureDerivatives.
+struct SurfaceCurvature {
+  PrincipalCurvatures principal;
+  CurvatureDerivatives derivatives;
+};
+SurfaceCurvature ComputeSurfaceCurvature(const TriangleMesh& mesh);
+
 }  // namespace daumier::geometry

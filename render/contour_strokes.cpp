@@ -73,9 +73,8 @@ std::vector<Stroke> StrokesOf(const std::vector<ContourSegment>& segments, const
 }  // namespace
 
 ContourSurface MakeContourSurface(geometry::TriangleMesh mesh) {
-  geometry::PrincipalCurvatures curvatures = geometry::ComputePrincipalCurvatures(mesh);
-  geometry::CurvatureDerivatives derivatives = geometry::ComputeCurvatureDerivatives(mesh, curvatures);
-  return {std::move(mesh), std::move(curvatures), std::move(derivatives)};
+  geometry::SurfaceCurvature curvature = geometry::ComputeSurfaceCurvature(mesh);
+  return {std::move(mesh), std::move(curvature.principal), std::move(curvature.derivatives)};
 }
 
 std::vector<Stroke> SuggestiveStrokes(const ContourSurface& surface, const Visibility& visibility, double feature_size,

@@ -86,6 +86,14 @@ TEST(SolveLdlt, SolvesAndRefusesWhatIsSingular) {
   EXPECT_FALSE(SolveLdlt(w, solved));
 }
 
+TEST(SurfaceCurvature, IsBothAtOnce) {
+  const TriangleMesh torus = testing::Torus(3, 1, 40, 20);
+  const SurfaceCurvature both = ComputeSurfaceCurvature(torus);
+  const PrincipalCurvatures principal = ComputePrincipalCurvatures(torus);
+  EXPECT_EQ(both.principal.k1, principal.k1);
+  EXPECT_EQ(both.derivatives, ComputeCurvatureDerivatives(torus, principal));
+}
+
 TEST(PrincipalCurvature, RefusesCurvaturesOfAnotherMesh) {
   const TriangleMesh sphere = testing::Sphere(1, 1);
   testing::ExpectError([&] { ComputeCurvatureDerivatives(testing::Sphere(1, 2), ComputePrincipalCurvatures(sphere)); },
