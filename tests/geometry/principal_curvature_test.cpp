@@ -38,6 +38,30 @@ TEST(PrincipalCurvature, OfATorusIsInClosedForm) {
   }
 }
 
+/// With s = x^2 / a^4 + y^2 / b^4 + z^2 / c^4: K = 1 / (a b c s)^2, H = (a^2 + b^2 + c^2 - |p|^2) / (2 (a b c)^2
+/// s^(3/2)).
+TEST(PrincipalCurvature, OfAnEllipsoidIsInClosedForm) {
+  const Vector3 axes(3, 2, 1.5);
+  TriangleMesh ellipsoid = testing::Sphere(1, 6);
+  ellipsoid.vertices = ellipsoid.vertices * axes.asDiagonal();
+  const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(ellipsoid);
+  const double volume2 = std::pow(axes.prod(), 2);
+  const auto num_vertices = ellipsoid.vertices.rows();
+  Eigen::VectorXd mean_errors(num_vertices), gaussian_errors(num_vertices);  // Relative.
+  for (Eigen::Index v = 0; v < num_vertices; ++v) {
+    const Vector3 p = ellipsoid.vertices.row(v);
+    const double s = (p.array() / axes.array().square()).square().sum();
+    const double gaussian = 1 / (volume2 * s * s);
+    const double mean = (axes.squaredNorm() - p.squaredNorm()) / (2 * volume2 * std::pow(s, 1.5));
+    mean_errors[v] = std::abs(0.5 * (curvatures.k1[v] + curvatures.k2[v]) / mean - 1);
+    gaussian_errors[v] = std::abs(curvatures.k1[v] * curvatures.k2[v] / gaussian - 1);
+  }
+  EXPECT_LT(mean_errors.mean(), 0.01);
+  EXPECT_LT(gaussian_errors.mean(), 0.02);
+  EXPECT_LT(mean_errors.maxCoeff(), 0.06) << "where the triangles change their shape";
+  EXPECT_LT(gaussian_errors.maxCoeff(), 0.12);
+}
+
 /// The graph z = a x^2 / 2 + b y^2 / 2 + c x^3 / 6 at the origin: k = a, b and C_111 = c, but for the sign, since the
 /// graph is convex downwards.
 TEST(PrincipalCurvature, OfAGraphIsItsSecondAndThirdDerivative) {

@@ -38,6 +38,28 @@ TEST(ViewCurvature, OfASphereIsItsCurvatureTimesSineSquared) {
   }
 }
 
+/// An ellipsoid with the axes 3, 2, 1.5, seen along v: where n . v = 0 the points lie in the plane sum v_i p_i / a_i^2
+/// = 0, and II(w, w) = sum w_i^2 / a_i^2 / sqrt(s), s = sum p_i^2 / a_i^4.
+TEST(OccludingContours, OfAnEllipsoidLieInAPlaneAndItsRadialCurvatureIsInClosedForm) {
+  const Eigen::Vector3d axes(3, 2, 1.5), squares = axes.cwiseAbs2();
+  TriangleMesh ellipsoid = testing::Sphere(1, 6);
+  ellipsoid.vertices = ellipsoid.vertices * axes.asDiagonal();
+  const Camera camera = TurnedCamera(Eigen::Vector3d::Zero(), 5, 256, 25, 35);
+  const Eigen::Vector3d towards = -camera.camera_from_world.row(2).transpose();
+  const Viewed viewed(ellipsoid, camera);
+  for (Eigen::Index v = 0; v < ellipsoid.vertices.rows(); ++v) {
+    const Eigen::Vector3d p = ellipsoid.vertices.row(v), gradient = p.cwiseQuotient(squares);
+    const Eigen::Vector3d n = gradient.normalized(), w = towards - towards.dot(n) * n;
+    const double expected = w.cwiseAbs2().cwiseQuotient(squares).sum() / gradient.norm();
+    EXPECT_NEAR(viewed.view.radial[v], expected, 0.1 * (0.1 + expected)) << p.transpose();
+  }
+  const auto contour = OccludingContours(ellipsoid, viewed.view);
+  ASSERT_GT(contour.size(), 100u);
+  for (const ContourSegment& segment : contour)
+    EXPECT_NEAR(segment.from.point.cwiseQuotient(squares).dot(towards), 0, 0.01) << segment.from.point.transpose();
+  EXPECT_TRUE(SuggestiveContours(ellipsoid, viewed.view).empty()) << "it is convex";
+}
+
 TEST(OccludingContours, OfASphereAreItsEquatorOrInPerspectiveASmallerCircle) {
   const TriangleMesh sphere = testing::Sphere(2, 4);
   const auto ring = OccludingContours(sphere, Viewed(sphere, kFromFront).view);
