@@ -114,8 +114,7 @@ TEST_F(BuildSketchesTest, TheSideViewHasItsOwnCurves) {
   const SketchDatabase sketches(*folder_ / "side");
   int num_curves = 0;
   const faces::FaceDatabase faces(*folder_ / "faces");
-  for (const auto& curve : faces.face_template().annotation.curves)
-    num_curves += curve.view == faces::View::kSide;
+  for (const auto& curve : faces.face_template().annotation.curves) num_curves += curve.view == faces::View::kSide;
   EXPECT_EQ(sketches.num_curves(), num_curves);
 }
 
