@@ -16,8 +16,12 @@ constexpr float kModeSigmas = 2;
 /// The rows of the kept vertices of shapes in the source's unit, in cm.
 Eigen::MatrixXf CropShapes(const Eigen::MatrixXf& shapes, double cm_per_unit, const geometry::VertexMap& map) {
   Eigen::MatrixXf kept(3 * map.old_from_new.size(), shapes.cols());
-  for (size_t v = 0; v < map.old_from_new.size(); ++v)
-    kept.middleRows<3>(3 * v) = shapes.middleRows<3>(3 * map.old_from_new[v]) * static_cast<float>(cm_per_unit);
+  for (Eigen::Index shape = 0; shape < shapes.cols(); ++shape) {
+    for (size_t v = 0; v < map.old_from_new.size(); ++v) {
+      kept.col(shape).segment<3>(3 * Eigen::Index(v)) =
+          shapes.col(shape).segment<3>(3 * map.old_from_new[v]) * static_cast<float>(cm_per_unit);
+    }
+  }
   return kept;
 }
 
