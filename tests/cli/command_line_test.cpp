@@ -1,6 +1,8 @@
 #include "core/files.h"
 #include "core/json.h"
+#include "geometry/obj.h"
 #include "tests/cli/pipeline.h"
+#include "tests/geometry/shapes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,6 +41,19 @@ TEST(CommandLine, InfoHasTheKeysThatAreReadByMachines) {
   EXPECT_GT(info.at("sgemm_gflops").get<double>(), 0.0);
   EXPECT_TRUE(info.contains("device"));
   EXPECT_TRUE(info.contains("libtorch"));
+}
+
+TEST(CommandLine, DrawMakesAnSvgOrAPngOfAMesh) {
+  const TempDir folder;
+  geometry::WriteObj(folder / "ball.obj", Sphere(2, 3));
+  const ProcessResult svg = Daumier({"draw", folder / "ball.obj", "--out", folder / "ball.svg", "min_length=4"});
+  ASSERT_EQ(svg.exit_code, 0) << svg.err;
+  EXPECT_THAT(ReadFile(folder / "ball.svg"), HasSubstr("class=\"occluding\""));
+  EXPECT_EQ(Daumier({"draw", folder / "ball.obj", "--out", folder / "ball.png", "--distance", "3"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "ball.png"));
+  const ProcessResult other = Daumier({"draw", folder / "ball.obj", "--out", folder / "ball.pdf"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr(".svg or .png"));
 }
 
 TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {
