@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 
 namespace daumier::faces {
@@ -11,6 +12,8 @@ namespace {
 
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Neighbouring points of a curve say about the same: where twice as many are there, some are left out.
+constexpr int kEnoughPoints = 150;
 /// Below this share of the factors' size a standard deviation says that a factor never changed.
 constexpr float kLeastDeviation = 1e-3f;
 
@@ -57,14 +60,16 @@ CurveCode CurveEncoder::Encode(std::span<const float> points, std::span<const fl
                 "{} coordinates and {} weights were given for the {} points of a curve model", points.size(),
                 weights.size(), num_points());
   // Only points that count are carried along, scaled by the root of their weight over the deviation.
+  const auto num_counting = std::count_if(weights.begin(), weights.end(), [](float weight) { return weight > 0; });
+  const auto every = std::max<Eigen::Index>(1, num_counting / kEnoughPoints);
   std::vector<int> kept;
-  for (int k = 0; k < num_points(); ++k) {
-    if (weights[size_t(k)] > 0) kept.insert(kept.end(), {2 * k, 2 * k + 1});
+  for (int k = 0, counting = 0; k < num_points(); ++k) {
+    if (weights[size_t(k)] > 0 && counting++ % every == 0) kept.insert(kept.end(), {2 * k, 2 * k + 1});
   }
   Eigen::VectorXf scale(kept.size()), target(kept.size());
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     const auto coordinate = size_t(kept[size_t(i)]);
-    scale[i] = std::sqrt(weights[coordinate / 2]) / float(options_.deviation_px);
+    scale[i] = std::sqrt(weights[coordinate / 2] * float(every)) / float(options_.deviation_px);
     target[i] = scale[i] * points[coordinate];
   }
   const Rows core = model_->core(Eigen::all, kept).array().rowwise() * scale.transpose().array();

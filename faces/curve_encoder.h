@@ -37,8 +37,9 @@ class CurveEncoder {
   /// Starts from the mean expression. Keeps a reference to the model.
   explicit CurveEncoder(const BilinearModel& model, const CurveEncoderOptions& options = {});
 
-  /// points: 2K (x0 y0 x1 ...); weights: K. A point of weight 0 is not looked at. Starts from `start` where one is
-  /// given. @throws Error if a number of points differs.
+  /// points: 2K (x0 y0 x1 ...); weights: K. A point of weight 0 is not looked at; where 300 and more count, only every
+  /// second, third, ... of them is looked at, and stands for the others. Starts from `start` where one is given.
+  /// @throws Error if a number of points differs.
   CurveCode Encode(std::span<const float> points, std::span<const float> weights,
                    const CurveCode* start = nullptr) const;
 
