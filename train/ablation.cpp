@@ -78,7 +78,9 @@ Json RunAblation(const Ablation& ablation, const AblationTask& task, const fs::p
       failed.insert({where, place.row.name()});
       continue;
     }
-    table = WriteAblationReport(ablation, task, runs, directory);
+    const bool in_sheet =
+        place.split == ablation.options.splits.front() && place.seed == ablation.options.seeds.front();
+    table = WriteAblationReport(ablation, task, runs, directory, in_sheet);
     StopHereIfInterrupted(directory);
   }
   if (table.is_null()) table = WriteAblationReport(ablation, task, runs, directory);

@@ -32,7 +32,8 @@ struct AblationRowOptions {
     visit("paper", paper, Range{0, 1e6}, "The paper's own error, in its own column; 0: it has none.");
     visit("run_of", run_of, Text{}, "Train nothing: evaluate the run of that row with the options of this one.");
     visit("from", from, Text{}, "Train and evaluate nothing: read the report of that row.");
-    visit("line", line, Text{}, "Which line of the report's table is the row's error; its first by default.");
+    visit("line", line, Text{},
+          "Which line of the report's table is the row's error; by default the run's own result.");
     visit("shape_input", shape_input, Text{}, "Of which shape input that line is, where several have its name.");
   }
 };

@@ -51,14 +51,12 @@ bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, co
   return any;
 }
 
-/// sheet.png, of the first split and seed.
-bool WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, const AblationTask& task,
+void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, const AblationTask& task,
                 const fs::path& file) {
   std::vector<AblationPicture> pictures;
   for (const Place& place : places)
     if (place.row.evaluates()) pictures.push_back(runs.Picture(place));
   if (!pictures.empty()) task.WriteSheet(pictures, file);
-  return fs::exists(file);
 }
 
 std::string Page(const Json& table, bool has_curves, bool has_sheet) {
@@ -79,27 +77,29 @@ std::string Page(const Json& table, bool has_curves, bool has_sheet) {
 }  // namespace
 
 Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, const AblationRuns& runs,
-                         const fs::path& directory) {
+                         const fs::path& directory, bool with_sheet) {
   std::vector<AblationResult> results;
-  std::vector<Place> trained, headline;
+  std::vector<Place> trained;
   for (const std::string& split : ablation.options.splits) {
     for (const uint64_t seed : ablation.options.seeds) {
-      std::vector<Place> places = DonePlaces(ablation, runs, split, seed);
+      const std::vector<Place> places = DonePlaces(ablation, runs, split, seed);
       if (places.empty()) continue;
       CheckSameTest(places, runs, task);
       for (const Place& place : places)
         if (place.row.trains()) trained.push_back(place);
       for (AblationResult& baseline : runs.Baselines(places.front())) results.push_back(std::move(baseline));
       for (const Place& place : places) results.push_back(runs.Result(place));
-      if (headline.empty()) headline = std::move(places);
     }
   }
   const Json table = AblationTableJson(results, task.unit());
   WriteFileAtomically(directory / "table.md", AblationMarkdown(table));
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
   const bool has_curves = WriteCurves(trained, ablation, runs, task, directory / "curves.svg");
-  const bool has_sheet = WriteSheet(headline, runs, task, directory / "sheet.png");
-  WriteFileAtomically(directory / "index.html", Page(table, has_curves, has_sheet));
+  const fs::path sheet = directory / "sheet.png";
+  if (with_sheet)
+    WriteSheet(DonePlaces(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs, task,
+               sheet);
+  WriteFileAtomically(directory / "index.html", Page(table, has_curves, fs::exists(sheet)));
   return table;
 }
 

@@ -109,13 +109,12 @@ void AblationRuns::Train(const Place& place) const {
   const fs::path run = Folder(place) / "run";
   const Json config = Config(place);
   if (fs::exists(run / "manifest.json") && task_.Finished(run, config)) return;
-  log::Info("Row {}: training", place.Describe());
   task_.Train(config, run);
 }
 
 void AblationRuns::Evaluate(const Place& place) const {
   if (State(place) == RowState::kDone || !place.row.evaluates()) return;
-  log::Info("Row {}: evaluation", place.Describe());
+  log::Info("Evaluating {}", place.Describe());
   const fs::path run = Run(place);
   task_.Evaluate(run, Eval(place), Folder(place) / "report");
   const Json measured = {{"format_version", 1},

@@ -32,8 +32,9 @@ struct AblationResult {
 ///   error                  the mean over seeds of `errors`, one a seed; steps, costs and further numbers likewise
 ///   error_low, error_high  95 % interval. Of one seed: the report's own. Of several: a bootstrap over persons
 ///                          (eval::PersonBootstrap) of all test faces of all seeds; seeds are not resampled
-///   difference             error minus the error of `difference_to`, the split's first row: the mean over the test
-///                          faces of all seeds that both have, and the same bootstrap of these paired differences
+///   difference             error minus the error of `difference_to`, the split's first row that tells its face errors:
+///                          the mean over the test faces of all seeds that both have, and the same bootstrap of these
+///                          paired differences
 /// @throws Error if two results on one split and seed have a different number of faces.
 Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit);
 

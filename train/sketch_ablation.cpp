@@ -95,10 +95,12 @@ std::vector<std::string> SketchAblation::baselines() const {
 AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& line,
                                         const std::string& shape_input) const {
   try {
-    const Json& table = metrics.at("table");
+    const Json &table = metrics.at("table"), &result = metrics.at("shape_input");
+    // The report's own result is the line of the network with the shape input that the report tells.
+    const Json network = table.at(0).at("name"), name = line.empty() ? network : Json(line);
+    const Json input = shape_input.empty() && name == network ? result : Json(shape_input);
     const auto found = std::find_if(table.begin(), table.end(), [&](const Json& entry) {
-      return entry.at("name") == (line.empty() ? table.at(0).at("name") : Json(line)) &&
-             (shape_input.empty() || entry.at("shape_input") == shape_input);
+      return entry.at("name") == name && (input == "" || entry.at("shape_input") == input);
     });
     DAUMIER_CHECK(found != table.end(), "a report has no line '{}'{}", line,
                   shape_input.empty() ? "" : fmt::format(" of shape input '{}'", shape_input));
@@ -108,7 +110,7 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
       if (key != "name" && key.substr(0, 5) != "error") measure.more[key] = value;
     measure.more["num_faces"] = metrics.at("num_faces");
     measure.more["data_hash"] = metrics.at("data_hash");
-    if (found == table.begin() && metrics.contains("face_errors_mm")) {
+    if (name == network && found->at("shape_input") == result && metrics.contains("face_errors_mm")) {
       measure.face_errors = metrics.at("face_errors_mm").get<std::vector<double>>();
       measure.groups = metrics.at("groups").get<std::vector<int>>();
     }

@@ -24,6 +24,8 @@ class SketchAblation : public AblationTask {
   std::string unit() const override { return "mm"; }
   std::string validation_metric() const override { return "mean_vertex_error_mm"; }
   std::vector<std::string> baselines() const override;
+  /// By default the report's own result: the network with the shape input that metrics.json tells. Its face errors
+  /// alone are known.
   AblationMeasure Measure(const Json& metrics, const std::string& line, const std::string& shape_input) const override;
   std::string TestedOn(const Json& metrics) const override;
   void WriteSheet(const std::vector<AblationPicture>& rows, const std::filesystem::path& file) const override;

@@ -39,7 +39,7 @@ TEST_F(AblationReportTest, WithoutARowIsEmpty) {
 }
 
 TEST_F(AblationReportTest, LeavesOutWhatIsNotDone) {
-  Make(1, "random");
+  Make(1, "person");
   const Json table = Write();
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table[0]["name"], "mean face");
@@ -52,6 +52,8 @@ TEST_F(AblationReportTest, ShowsASheetOfTheFirstSplitAndCurvesOfBoth) {
     for (const char* split : {"person", "random"}) Make(row, split);
   EXPECT_EQ(Write().size(), 6u);
   EXPECT_EQ(Text("sheet.png"), "row 2\nrow 3\n");
+  WriteAblationReport(ablation_, task_, AblationRuns(ablation_, task_, folder_.path()), folder_.path(), false);
+  EXPECT_EQ(task_.num_sheets, 1) << "it stays as it is";
   const std::string curves = Text("curves.svg"), page = Text("index.html");
   EXPECT_NE(curves.find("Split: random"), std::string::npos);
   EXPECT_NE(curves.find("2.10  row 2"), std::string::npos) << "the least validation error of that row";

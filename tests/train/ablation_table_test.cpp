@@ -70,6 +70,9 @@ TEST(AblationTable, WhatIsUnknownIsNull) {
   const Json table = AblationTableJson({MakeResult("a", 1, {1, 3}), fit}, "mm");
   for (const char* key : {"paper", "difference", "difference_low", "steps", "parameters", "train_seconds", "infer_ms"})
     EXPECT_TRUE(table[1].at(key).is_null()) << key;
+  EXPECT_EQ(AblationTableJson({fit, MakeResult("a", 1, {1, 3}), MakeResult("b", 1, {1, 3})}, "mm")[2]["difference_to"],
+            "a")
+      << "the first row that tells its faces";
   AblationResult second = fit;
   second.seed = 2;
   EXPECT_TRUE(AblationTableJson({fit, second}, "mm")[0]["error_low"].is_null());
