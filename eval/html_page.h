@@ -24,9 +24,9 @@ struct HtmlFigure {
 struct HtmlPage {
   std::string title;
   std::string summary;  ///< A sentence or two below the title.
-  std::vector<ReportTable> tables;
-  std::vector<HtmlFigure> figures;
-  std::vector<ReportFact> facts;
+  std::vector<ReportTable> tables = {};
+  std::vector<HtmlFigure> figures = {};
+  std::vector<ReportFact> facts = {};
 };
 
 /// The text with &, <, >, " and ' replaced by entities, so that it can stand in HTML between tags and in quotes.

@@ -1,4 +1,5 @@
 #pragma once
+#include "eval/sketch_eval.h"
 #include "render/image.h"
 
 #include <filesystem>
@@ -11,7 +12,7 @@ namespace daumier::eval {
 struct ComparedRun {
   std::string name;
   std::filesystem::path run;
-  double strength = 0;  ///< Of the augmentation of its sketches.
+  SketchEvalOptions options = {};  ///< Of its evaluation.
 };
 
 /// A face of the databases.
@@ -20,9 +21,9 @@ struct ComparedSketch {
   int face = 0;
 };
 
-/// What several runs of the same databases make of the same faces (eval/comparison_sheet.h). A row shows the sketch
-/// that the first run sees. @throws Error as models::LoadSketchRun and the databases, if there is no run, or if a run
-/// was trained on other data than the first.
+/// What several runs of the same databases make of the same faces (eval/comparison_sheet.h), each as its evaluation
+/// measures it (SketchMeasurement::PredictResult). A row shows the sketch that the first run sees.
+/// @throws Error as EvaluateSketchRun, if there is no run, or if a run was trained on other data than the first.
 render::Image SketchComparison(const std::vector<ComparedRun>& runs, const std::vector<ComparedSketch>& faces);
 
 /// Which test faces a sheet shows: the median, where the worst 5 % begin, and the first. `errors`: of each of `faces`.

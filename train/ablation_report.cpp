@@ -55,7 +55,7 @@ void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, cons
                 const fs::path& file) {
   std::vector<AblationPicture> pictures;
   for (const Place& place : places)
-    if (place.row.evaluates()) pictures.push_back(runs.Picture(place));
+    if (runs.Result(place).measure.of_run) pictures.push_back(runs.Picture(place));
   if (!pictures.empty()) task.WriteSheet(pictures, file);
 }
 

@@ -124,15 +124,18 @@ void AblationRuns::Evaluate(const Place& place) const {
   WriteFileAtomically(Folder(place) / kMeasuredFile, measured.dump(2) + "\n");
 }
 
+AblationRuns::Place AblationRuns::Reported(const Place& place) const {
+  return place.row.evaluates() ? place : PlaceOf(place, place.row.options.from);
+}
+
 Json AblationRuns::Metrics(const Place& place) const {
-  const std::string& from = place.row.options.from;
-  return ReadJson(Folder(from.empty() ? place : PlaceOf(place, from)) / "report" / "metrics.json");
+  return ReadJson(Folder(Reported(place)) / "report" / "metrics.json");
 }
 
 RunCost AblationRuns::Cost(const Place& place) const {
   const fs::path run = Run(place);
   const Manifest manifest = ReadManifest(run, "run");
-  const Json measured = ReadJson(Folder(place) / kMeasuredFile);
+  const Json measured = ReadJson(Folder(Reported(place)) / kMeasuredFile);
   return {.steps = manifest.counts.at("steps").get<int64_t>(),
           .parameters = manifest.counts.at("parameters").get<int64_t>(),
           .train_seconds = TrainSeconds(run),
@@ -144,7 +147,7 @@ AblationResult AblationRuns::Result(const Place& place) const {
   const AblationRowOptions& row = place.row.options;
   AblationResult result{.name = row.name, .split = place.split, .seed = place.seed, .paper = row.paper};
   result.measure = task_.Measure(Metrics(place), row.line, row.shape_input);
-  if (place.row.evaluates()) result.cost = Cost(place);
+  if (result.measure.of_run) result.cost = Cost(place);
   return result;
 }
 
@@ -161,7 +164,7 @@ std::vector<AblationResult> AblationRuns::Baselines(const Place& place) const {
 }
 
 AblationPicture AblationRuns::Picture(const Place& place) const {
-  return {place.row.name(), Run(place), Eval(place), Metrics(place)};
+  return {place.row.name(), place.row.options.shape_input, Run(place), Eval(Reported(place)), Metrics(place)};
 }
 
 double TrainSeconds(const fs::path& run) {

@@ -55,6 +55,8 @@ class AblationRuns {
  private:
   std::filesystem::path Folder(const Place& place) const;
   Place PlaceOf(const Place& place, const std::string& row) const;
+  /// Whose report the row is read from: its own, or another row's.
+  Place Reported(const Place& place) const;
   Json Config(const Place& place) const;
   /// The evaluation's options with run folders in the place of rows.
   Json Eval(const Place& place) const;

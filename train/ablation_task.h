@@ -13,6 +13,7 @@ namespace daumier::train {
 struct AblationMeasure {
   double error = 0;
   eval::Interval interval{0, 0};
+  bool of_run = false;  ///< The line is the run's own network, so that what the run cost belongs to it.
   /// Further columns by their names in table.json: p90, shape_input, data_hash, ...
   Json more = Json::object();
   /// The error of every test face, and what is resampled as one; empty where the report does not tell them.
@@ -20,9 +21,10 @@ struct AblationMeasure {
   std::vector<int> groups = {};
 };
 
-/// A run whose face is shown in a sheet.
+/// A row whose network is shown in a sheet.
 struct AblationPicture {
   std::string name;
+  std::string shape_input;  ///< As the row tells it.
   std::filesystem::path run;
   Json eval;     ///< Options of its evaluation; a reference to a row holds that row's run folder.
   Json metrics;  ///< Of its report.
@@ -65,8 +67,7 @@ class AblationTask {
                                   const std::string& shape_input) const = 0;
   /// Whether reports were measured on the same test faces: equal texts.
   virtual std::string TestedOn(const Json& metrics) const = 0;
-  /// Writes a picture of the rows side by side on some test faces that the first one chooses; or nothing, if no report
-  /// tells its faces.
+  /// Writes a picture of the rows side by side on some test faces that the first one chooses.
   virtual void WriteSheet(const std::vector<AblationPicture>& rows, const std::filesystem::path& file) const = 0;
 };
 

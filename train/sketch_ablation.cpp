@@ -21,17 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SketchReportOptions {
-  std::string split = "test";
-  double strength = 0;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("split", split, Choices{{"train", "validation", "test"}}, "Side of the split.");
-    visit("strength", strength, Range{0, 4}, "How strongly the sketches are augmented.");
-  }
-};
-
 Json WithoutPaths(Json config) {
   config.erase("data");
   return config;
@@ -52,7 +41,7 @@ Json SketchAblation::ResolvedConfig(Json config, uint64_t seed, const std::strin
 }
 
 Json SketchAblation::ResolvedEval(const Json& eval, const std::string& where) const {
-  return ToJson(ParseOptions<SketchReportOptions>(eval, where));
+  return ToJson(ParseOptions<eval::SketchEvalOptions>(eval, where));
 }
 
 bool SketchAblation::Finished(const fs::path& run, const Json& config) const {
@@ -69,16 +58,16 @@ void SketchAblation::Train(const Json& config, const fs::path& run) const {
 }
 
 void SketchAblation::Evaluate(const fs::path& run, const Json& eval, const fs::path& report) const {
-  const auto options = ParseOptions<SketchReportOptions>(eval, "options of an evaluation");
-  eval::EvaluateSketchRun(run, options.split, report, options.strength);
+  eval::EvaluateSketchRun(run, report, ParseOptions<eval::SketchEvalOptions>(eval));
 }
 
 double SketchAblation::InferMs(const fs::path& run) const {
   constexpr int kRuns = 51;
   const at::NoGradGuard no_grad;
   models::SketchNetwork network = models::LoadSketchRun(run).network;
-  const int64_t side = network->options().resolution;
-  const torch::Tensor sketch = torch::zeros({1, 1, side, side});
+  const models::SketchNetworkOptions& options = network->options();
+  const models::SketchInput sketch{torch::zeros({1, 1, options.resolution, options.resolution}),
+                                   torch::zeros({1, 4, options.num_points}), torch::zeros({1, network->num_shape()})};
   std::vector<double> ms;
   for (int i = 0; i < kRuns; ++i) {
     const auto start = std::chrono::steady_clock::now();
@@ -110,7 +99,10 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
       if (key != "name" && key.substr(0, 5) != "error") measure.more[key] = value;
     measure.more["num_faces"] = metrics.at("num_faces");
     measure.more["data_hash"] = metrics.at("data_hash");
-    if (name == network && found->at("shape_input") == result && metrics.contains("face_errors_mm")) {
+    measure.of_run = name == network;
+    measure.more["regions_mm"] = nullptr;
+    if (name == network && found->at("shape_input") == result) {
+      measure.more["regions_mm"] = metrics.at("regions_mm");
       measure.face_errors = metrics.at("face_errors_mm").get<std::vector<double>>();
       measure.groups = metrics.at("groups").get<std::vector<int>>();
     }
@@ -121,16 +113,17 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
 }
 
 std::string SketchAblation::TestedOn(const Json& metrics) const {
-  const Json faces = metrics.value("faces", Json::array());
   return fmt::format("{} faces of {}, faces {}, data {}", metrics.at("num_faces").dump(), metrics.at("split").dump(),
-                     Sha256(faces.dump()).substr(0, 12), metrics.at("data_hash").dump());
+                     Sha256(metrics.at("faces").dump()).substr(0, 12), metrics.at("data_hash").dump());
 }
 
 void SketchAblation::WriteSheet(const std::vector<AblationPicture>& rows, const fs::path& file) const {
   const Json& metrics = rows.front().metrics;
-  if (!metrics.contains("face_errors_mm")) return;
   std::vector<eval::ComparedRun> runs;
-  for (const AblationPicture& row : rows) runs.push_back({row.name, row.run, row.eval.at("strength").get<double>()});
+  for (const AblationPicture& row : rows) {
+    runs.push_back({row.name, row.run, ParseOptions<eval::SketchEvalOptions>(row.eval)});
+    if (row.shape_input == "given") runs.back().options.recover_with.clear();
+  }
   render::WriteImage(
       file, eval::SketchComparison(runs, eval::ChooseFaces(metrics.at("faces").get<std::vector<int>>(),
                                                            metrics.at("face_errors_mm").get<std::vector<double>>())));

@@ -19,8 +19,16 @@ TEST_F(SketchComparisonTest, ShowsARunAColumnAndAFaceARow) {
 
 TEST_F(SketchComparisonTest, AugmentedSketchesAreOthers) {
   const std::vector<ComparedSketch> faces = {{"first", 0}};
-  EXPECT_NE(SketchComparison({{"network", *folder_ / "run", 1.5}}, faces),
+  EXPECT_NE(SketchComparison({{"network", *folder_ / "run", {.strength = 1.5}}}, faces),
             SketchComparison({{"network", *folder_ / "run"}}, faces));
+}
+
+TEST_F(SketchComparisonTest, NetworksThatReadShapeGetItGivenOrRecovered) {
+  WriteRun(*folder_ / "shape",
+           {.shape_input = "late", .resolution = 32, .width = 4, .hidden = 16, .branch = 16, .shape_hidden = 8});
+  const std::vector<ComparedSketch> faces = {{"first", 0}};
+  EXPECT_NE(SketchComparison({{"network", *folder_ / "shape"}}, faces),
+            SketchComparison({{"network", *folder_ / "shape", {.recover_with = (*folder_ / "run").string()}}}, faces));
 }
 
 TEST_F(SketchComparisonTest, RefusesNothingAndWhatIsNoRun) {

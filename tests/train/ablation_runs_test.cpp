@@ -80,6 +80,9 @@ TEST_F(AblationRunsTest, RowsWithoutARunOrAReportTakeThoseOfOthers) {
   EXPECT_EQ(Runs().State(Place(3)), RowState::kDone) << "the report that it is read from is there";
   EXPECT_EQ(Runs().Result(Place(3)).measure.error, 5.0);
   EXPECT_FALSE(Runs().Result(Place(3)).cost.has_value()) << "nothing was trained for it";
+  ablation_.rows[3].options.line = "network";
+  EXPECT_EQ(Runs().Result(Place(3)).cost->parameters, 7);
+  EXPECT_EQ(Runs().Picture(Place(3)).eval, Runs().Picture(Place(0)).eval);
   EXPECT_EQ(std::count(task_.log.begin(), task_.log.end(), "train 3"), 1);
 }
 

@@ -108,7 +108,8 @@ class FakeAblation : public AblationTask {
     measure.error = metrics["errors"][name].get<double>();
     measure.interval = {measure.error - 0.1, measure.error + 0.1};
     measure.more = {{"p90", measure.error + 1}, {"shape_input", "none"}};
-    if (name != "network") return measure;
+    measure.of_run = name == "network";
+    if (!measure.of_run) return measure;
     measure.face_errors = {measure.error - 0.1, measure.error + 0.1};
     measure.groups = {0, 1};
     return measure;

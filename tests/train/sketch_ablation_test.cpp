@@ -20,18 +20,24 @@ constexpr const char* kTable = R"(
 splits = ["random"]
 [config]
 bilinear = {num_identity = 5, num_expression = 3}
-network = {resolution = 32, width = 4, hidden = 16}
+network = {resolution = 32, width = 4, hidden = 16, branch = 16, shape_hidden = 8}
 epochs = 2
 batch = 8
 [[rows]]
-name = "wide"
-paper = 2.22
+name = "shape"
+paper = 2.04
+shape_input = "given"
+config.network.shape_input = "late"
+eval.recover_with = "pixel"
 [[rows]]
-name = "narrow"
-config.network.width = 2
+name = "shape, recovered"
+from = "shape"
+shape_input = "recovered"
+[[rows]]
+name = "pixel"
 [[rows]]
 name = "ridge"
-from = "wide"
+from = "pixel"
 line = "ridge regression"
 )";
 
@@ -69,21 +75,29 @@ TEST_F(SketchAblationTest, TrainsAndMeasuresEveryRowAndGoesOnAfterAStop) {
   std::vector<std::string> names;
   for (const Json& row : table) names.push_back(row["name"].get<std::string>());
   EXPECT_EQ(names, (std::vector<std::string>{"mean face", "nearest neighbour", "ridge regression", "limit of the model",
-                                             "wide", "narrow", "ridge"}));
-  for (const char* key :
-       {"error", "error_low", "error_high", "steps", "parameters", "train_seconds", "infer_ms", "p90"})
-    EXPECT_GT(table[4].at(key).get<double>(), 0) << key;
-  EXPECT_EQ(table[4]["paper"], 2.22);
-  EXPECT_EQ(table[4]["shape_input"], "none");
-  EXPECT_EQ(table[4]["data_hash"]["faces"], DataHash(*folder_ / "faces"));
-  EXPECT_GT(table[4]["parameters"], table[5]["parameters"]);
-  EXPECT_EQ(table[6]["error"], table[2]["error"]);
-  EXPECT_TRUE(table[6]["steps"].is_null());
-  EXPECT_EQ(ReadManifest(out / "random/seed1/narrow/run", "run").config.at("split").at("kind"), "random");
+                                             "shape", "shape, recovered", "pixel", "ridge"}));
+  const Json &given = table[4], &recovered = table[5], &pixel = table[6];
+  for (const Json* row : {&given, &recovered, &pixel})
+    for (const char* key :
+         {"error", "error_low", "error_high", "steps", "parameters", "train_seconds", "infer_ms", "p90"})
+      EXPECT_GT(row->at(key).get<double>(), 0) << key;
+  EXPECT_EQ(given["paper"], 2.04);
+  EXPECT_EQ(given["shape_input"], "given");
+  EXPECT_EQ(recovered["shape_input"], "recovered");
+  EXPECT_EQ(recovered["parameters"], given["parameters"]);
+  EXPECT_GT(given["parameters"], pixel["parameters"]);
+  EXPECT_EQ(pixel["data_hash"]["faces"], DataHash(*folder_ / "faces"));
+  EXPECT_TRUE(pixel["regions_mm"].is_object());
+  EXPECT_EQ(pixel["difference_to"], "shape, recovered") << "errors of single faces are those of a run's result";
+  EXPECT_NEAR(pixel["difference"].get<double>(), pixel["error"].get<double>() - recovered["error"].get<double>(), 1e-9);
+  EXPECT_EQ(table[7]["error"], table[2]["error"]);
+  EXPECT_TRUE(table[7]["steps"].is_null());
+  EXPECT_EQ(ReadManifest(out / "random/seed1/shape/run", "run").config.at("split").at("kind"), "random");
+  for (const char* file : {"sheet.png", "curves.svg", "index.html", "table.md"}) EXPECT_TRUE(fs::exists(out / file));
 
-  const auto written = fs::last_write_time(out / "random/seed1/wide/report/metrics.json");
+  const auto written = fs::last_write_time(out / "random/seed1/pixel/report/metrics.json");
   EXPECT_EQ(RunAblation(Load(), task, out), table) << "nothing is trained or measured again";
-  EXPECT_EQ(fs::last_write_time(out / "random/seed1/wide/report/metrics.json"), written);
+  EXPECT_EQ(fs::last_write_time(out / "random/seed1/pixel/report/metrics.json"), written);
 }
 
 TEST_F(SketchAblationTest, RefusesWithoutDataAndUnknownOptionsNamingTheRow) {
@@ -92,6 +106,19 @@ TEST_F(SketchAblationTest, RefusesWithoutDataAndUnknownOptionsNamingTheRow) {
                        "row 'a': it needs data.faces=FOLDER");
   testing::ExpectError([&] { task.ResolvedConfig(Json::object(), 1, "persons", "row 'a'"); }, "did you mean 'person'?");
   testing::ExpectError([&] { task.ResolvedEval({{"strenght", 1}}, "row 'a'"); }, "did you mean 'strength'?");
+}
+
+TEST(SketchAblationConfigs, AllAreParsed) {
+  const SketchAblation task;
+  int num_configs = 0;
+  for (const auto& entry : fs::directory_iterator(testing::SourceRoot() / "configs" / "sketch")) {
+    if (!entry.path().filename().string().starts_with("ablation")) continue;
+    const Ablation ablation =
+        LoadAblation(entry.path(), {"data.faces=faces", "data.sketches=sketches"}, task.references());
+    EXPECT_FALSE(PlanAblation(ablation, task, "absent").empty()) << entry.path();
+    ++num_configs;
+  }
+  EXPECT_GT(num_configs, 0);
 }
 
 TEST(SketchAblationMeasure, ReadsALineByItsNameAndShapeInput) {
@@ -107,10 +134,12 @@ TEST(SketchAblationMeasure, ReadsALineByItsNameAndShapeInput) {
       {"data_hash", {{"faces", "f"}}},
       {"faces", {3, 5}},
       {"face_errors_mm", {1.5, 3.5}},
-      {"groups", {0, 1}}};
+      {"groups", {0, 1}},
+      {"regions_mm", {{"nose", 2.0}}}};
   EXPECT_EQ(task.Measure(metrics, "", "").error, 2.5) << "the run's own result";
   EXPECT_EQ(task.Measure(metrics, "", "").face_errors, (std::vector<double>{1.5, 3.5}));
   EXPECT_EQ(task.Measure(metrics, "", "").more.at("p90"), 4);
+  EXPECT_EQ(task.Measure(metrics, "", "").more.at("regions_mm").at("nose"), 2.0);
   EXPECT_EQ(task.Measure(metrics, "", "given").error, 2);
   EXPECT_TRUE(task.Measure(metrics, "", "given").face_errors.empty()) << "they are the result's";
   EXPECT_EQ(task.Measure(metrics, "fit", "").error, 6);
