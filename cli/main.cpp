@@ -26,8 +26,9 @@ int main(int argc, char** argv) {
   app.add_option("--threads", threads, "Threads to use; all cores by default")->check(CLI::Range(0, 1024));
 
   std::function<void()> action;
-  for (const cli::Verb& verb : {cli::DatasetVerb(), cli::RegisterVerb(), cli::TrainVerb(), cli::EvalVerb(),
-                                cli::PredictVerb(), cli::DrawVerb(), cli::ExportVerb(), cli::InfoVerb()}) {
+  for (const cli::Verb& verb :
+       {cli::DatasetVerb(), cli::RegisterVerb(), cli::TrainVerb(), cli::AblateVerb(), cli::EvalVerb(),
+        cli::PredictVerb(), cli::DrawVerb(), cli::ExportVerb(), cli::InfoVerb()}) {
     CLI::App* command = app.add_subcommand(verb.name, verb.summary);
     command->callback([&action, run = verb.set_up(*command)] { action = run; });
   }

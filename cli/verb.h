@@ -21,6 +21,7 @@ struct Verb {
 Verb DatasetVerb();
 Verb RegisterVerb();
 Verb TrainVerb();
+Verb AblateVerb();
 Verb EvalVerb();
 Verb PredictVerb();
 Verb DrawVerb();

@@ -26,9 +26,7 @@ double ErrorRange(const ReportData& data) {
   if (data.error_range_mm > 0.0) return data.error_range_mm;
   const double mean = std::accumulate(data.face_errors_mm.begin(), data.face_errors_mm.end(), 0.0) /
                       static_cast<double>(data.face_errors_mm.size());
-  if (mean == 0.0) return 1.0;
-  const double step = render::NiceStep(2.0 * mean, 5);
-  return step * std::ceil(2.0 * mean / step - 1e-9);
+  return mean > 0.0 ? render::NiceCeiling(2.0 * mean, 5) : 1.0;
 }
 
 void CheckData(const ReportData& data) {

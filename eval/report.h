@@ -1,4 +1,5 @@
 #pragma once
+#include "eval/html_page.h"
 #include "geometry/mesh.h"
 #include "render/image.h"
 
@@ -23,17 +24,6 @@ struct ReportSample {
   render::Image sketch;                ///< Square, grey or RGB; empty where the input is no picture.
   geometry::Points truth, prediction;  ///< V x 3, cm.
   Eigen::VectorXd error_mm;            ///< V; NaN where no error is counted (shown grey).
-};
-
-/// Rows of text as they are to be shown; the first column is set to the left, the others to the right.
-struct ReportTable {
-  std::string title;
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-};
-
-struct ReportFact {
-  std::string name, value;  ///< "seed", "7".
 };
 
 struct ReportData {

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "eval/chart_panel.h"
 #include "eval/report.h"
 #include "render/ticks.h"
 
@@ -13,51 +14,11 @@ constexpr double kWidth = 480.0, kHeight = 420.0;
 constexpr double kLeft = 58.0, kRight = kWidth - 18.0;
 
 constexpr const char* kStyle = R"(
-.paper { fill: #fff; } .bar { fill: #31688e; } .line { fill: none; stroke: #31688e; stroke-width: 2; }
-.grid { stroke: #e4e4e8; } .axis { stroke: #88888f; } text { fill: #45454c; font: 13px system-ui, sans-serif; }
-@media (prefers-color-scheme: dark) {
-  .paper { fill: #212126; } .bar { fill: #6aa9d0; } .line { stroke: #6aa9d0; }
-  .grid { stroke: #34343b; } .axis { stroke: #8a8a92; } text { fill: #c8c8ce; }
-}
+.bar { fill: #31688e; } .line { fill: none; stroke: #31688e; stroke-width: 2; }
+@media (prefers-color-scheme: dark) { .bar { fill: #6aa9d0; } .line { stroke: #6aa9d0; } }
 )";
 
-/// A panel from row `top` to row `bottom`, whose axes begin at 0.
-struct Panel {
-  double top, bottom, x_max, y_max;
-
-  double x(double value) const { return kLeft + (kRight - kLeft) * value / x_max; }
-  double y(double value) const { return bottom - (bottom - top) * value / y_max; }
-
-  /// Grid lines with labels, and what the two axes mean.
-  std::string Axes(const std::vector<render::Tick>& y_ticks, std::string_view x_label, std::string_view y_label) const {
-    std::string svg;
-    for (const render::Tick& tick : y_ticks) {
-      const double row = y(tick.value);
-      svg += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", kLeft,
-                         kRight, row);
-      svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", kLeft - 7.0, row + 4.5,
-                         tick.label);
-    }
-    for (const render::Tick& tick : render::NiceTicks(0.0, x_max, 8)) {
-      svg += fmt::format("<line class=\"axis\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>\n",
-                         x(tick.value), bottom, bottom + 4.0);
-      svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", x(tick.value),
-                         bottom + 18.0, tick.label);
-    }
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (kLeft + kRight) / 2.0,
-                       bottom + 35.0, x_label);
-    svg += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                       (top + bottom) / 2.0, y_label);
-    return svg;
-  }
-
-  std::string Baseline() const {
-    return fmt::format("<line class=\"axis\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", kLeft,
-                       kRight, bottom);
-  }
-};
-
-std::string Bars(const Panel& panel, const ErrorHistogram& histogram) {
+std::string Bars(const ChartPanel& panel, const ErrorHistogram& histogram) {
   std::string svg;
   for (size_t bin = 0; bin < histogram.counts.size(); ++bin) {
     if (histogram.counts[bin] == 0) continue;
@@ -71,7 +32,7 @@ std::string Bars(const Panel& panel, const ErrorHistogram& histogram) {
 }
 
 /// A stair that rises at each error. Errors within half a pixel share a stair, so that many faces make no long file.
-std::string Stairs(const Panel& panel, std::vector<double> errors_mm) {
+std::string Stairs(const ChartPanel& panel, std::vector<double> errors_mm) {
   std::sort(errors_mm.begin(), errors_mm.end());
   const auto column = [&](size_t i) { return 0.5 * std::round(2.0 * panel.x(errors_mm[i])); };
   std::string path = fmt::format("M{:.1f} {:.1f}", panel.x(0.0), panel.y(0.0));
@@ -103,18 +64,14 @@ std::string ErrorCurveSvg(const std::vector<double>& errors_mm) {
   const ErrorHistogram histogram = MakeErrorHistogram(errors_mm);
   const double x_max = histogram.bin_width * static_cast<double>(histogram.counts.size());
   const int most = *std::max_element(histogram.counts.begin(), histogram.counts.end());
-  const Panel bars{14.0, 164.0, x_max, static_cast<double>(most)};
-  const Panel share{224.0, 374.0, x_max, 100.0};
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\">\n"
-      "<title>Errors of {2} faces</title>\n<style>{3}</style>\n"
-      "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-      kWidth, kHeight, errors_mm.size(), kStyle);
+  const ChartPanel bars{kLeft, kRight, 14.0, 164.0, x_max, static_cast<double>(most)};
+  const ChartPanel share{kLeft, kRight, 224.0, 374.0, x_max, 100.0};
+  std::string svg;
   svg += bars.Axes(render::NiceTicks(0.0, most, std::min(4, most)), "mean vertex error (mm)", "faces");
   svg += Bars(bars, histogram) + bars.Baseline();
   svg += share.Axes(render::NiceTicks(0.0, 100.0, 5), "mean vertex error (mm)", "share of faces (%)");
   svg += share.Baseline() + Stairs(share, errors_mm);
-  return svg + "</svg>\n";
+  return ChartSvg(kWidth, kHeight, fmt::format("Errors of {} faces", errors_mm.size()), kStyle, svg);
 }
 
 }  // namespace daumier::eval

@@ -104,12 +104,13 @@ void SketchMeasurement::Encode() {
   const std::vector<int> order(faces.begin(), faces.end());
   auto next = order.begin();
   ForEachInOrder(
-      int(order.size()),
-      [&](int i) {
-        const auto sketch = Seen(order[size_t(i)]);
-        return shape_input_.Given(sketch.moved, sketch.visible);
-      },
+      int(order.size()), [&](int i) { return GivenCode(order[size_t(i)]); },
       [&](faces::CurveCode code) { codes_[size_t(*next++)] = std::move(code); });
+}
+
+faces::CurveCode SketchMeasurement::GivenCode(int face) const {
+  const auto sketch = Seen(face);
+  return shape_input_.Given(sketch.moved, sketch.visible);
 }
 
 void SketchMeasurement::MeasureNetwork() {
@@ -139,7 +140,9 @@ FaceRows SketchMeasurement::PredictWithoutShape(std::span<const int> faces) cons
 }
 
 FaceRows SketchMeasurement::GivenNumbers(std::span<const int> faces) const {
-  return RowsOf([this](int face) { return AsNumbers(codes_[size_t(face)].numbers()); }, faces);
+  return RowsOf(
+      [this](int face) { return AsNumbers((codes_.empty() ? GivenCode(face) : codes_[size_t(face)]).numbers()); },
+      faces);
 }
 
 FaceRows SketchMeasurement::RecoveredNumbers(std::span<const int> faces) const {

@@ -37,7 +37,7 @@ class SketchMeasurement {
   Eigen::VectorXd mean_error_map() const { return InFaceOnly(mean_error_map_); }
   std::map<std::string, double> region_errors_mm() const;
 
-  /// A face as the result predicts it, 3V cm, beside the truth, and what was seen.
+  /// A face as the result predicts it, 3V cm, beside the truth, and what was seen; without Measure too.
   FaceRows PredictResult(std::span<const int> faces) const;
   datasets::AugmentedSketch Seen(int face) const { return reader_.Seen(face); }
   /// Distance of each vertex in mm, NaN outside of the region `face`.
@@ -49,6 +49,7 @@ class SketchMeasurement {
 
   void OpenRecoveringRun();
   void Encode();
+  faces::CurveCode GivenCode(int face) const;
   void MeasureNetwork();
   void MeasureShapeInput();
   void MeasureBaselines();

@@ -18,6 +18,11 @@ double NiceStep(double range, int max_steps) {
   return 10.0 * power;
 }
 
+double NiceCeiling(double value, int max_steps) {
+  const double step = NiceStep(value, max_steps);
+  return step * std::ceil(value / step - 1e-9);
+}
+
 std::vector<Tick> NiceTicks(double low, double high, int max_steps) {
   const double step = NiceStep(high - low, max_steps);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));

@@ -8,6 +8,10 @@ namespace daumier::render {
 /// @throws Error if the range is not positive and finite or max_steps is not positive.
 double NiceStep(double range, int max_steps);
 
+/// The least multiple of a nice step that is not below `value`: where an axis from 0 to `value` may end.
+/// NiceCeiling(4.6, 5) = 5. @throws Error as NiceStep.
+double NiceCeiling(double value, int max_steps);
+
 struct Tick {
   double value = 0.0;
   std::string label;  ///< With as many decimals as the step needs.

@@ -9,30 +9,6 @@
 namespace daumier::eval {
 namespace {
 
-/// Expects that each tag is closed in the order in which tags were opened, that attributes stand in quotes, and that
-/// all is in one element.
-void ExpectWellFormed(const std::string& xml) {
-  std::vector<std::string> open;
-  int num_roots = 0;
-  for (size_t begin = xml.find('<'); begin != std::string::npos; begin = xml.find('<', begin + 1)) {
-    const size_t end = xml.find('>', begin);
-    ASSERT_NE(end, std::string::npos) << "a tag has no end";
-    const std::string tag = xml.substr(begin + 1, end - begin - 1);
-    ASSERT_EQ(std::count(tag.begin(), tag.end(), '"') % 2, 0) << tag;
-    ASSERT_EQ(Count(tag, "="), Count(tag, "=\"")) << tag;
-    if (tag.front() == '/') {
-      ASSERT_FALSE(open.empty()) << tag;
-      ASSERT_EQ(tag.substr(1), open.back());
-      open.pop_back();
-    } else {
-      num_roots += open.empty() ? 1 : 0;
-      if (tag.back() != '/') open.push_back(tag.substr(0, tag.find(' ')));
-    }
-  }
-  EXPECT_TRUE(open.empty());
-  EXPECT_EQ(num_roots, 1);
-}
-
 TEST(ErrorHistogram, CountsByHand) {
   // The largest error over 5 bins asks for 0.92 at least, so bins are 1 mm wide.
   const ErrorHistogram histogram = MakeErrorHistogram({0.0, 0.99, 1.0, 2.5, 2.6, 4.6}, 5);

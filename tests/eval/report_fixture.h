@@ -4,9 +4,13 @@
 #include "render/draw.h"
 #include "tests/support/synthetic_face.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 /// What the tests of reports share.
 namespace daumier::eval {
@@ -40,6 +44,30 @@ inline int Count(const std::string& text, const std::string& part) {
   int count = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return count;
+}
+
+/// Expects that each tag is closed in the order in which tags were opened, that attributes stand in quotes, and that
+/// all is in one element.
+inline void ExpectWellFormed(const std::string& xml) {
+  std::vector<std::string> open;
+  int num_roots = 0;
+  for (size_t begin = xml.find('<'); begin != std::string::npos; begin = xml.find('<', begin + 1)) {
+    const size_t end = xml.find('>', begin);
+    ASSERT_NE(end, std::string::npos) << "a tag has no end";
+    const std::string tag = xml.substr(begin + 1, end - begin - 1);
+    ASSERT_EQ(std::count(tag.begin(), tag.end(), '"') % 2, 0) << tag;
+    ASSERT_EQ(Count(tag, "="), Count(tag, "=\"")) << tag;
+    if (tag.front() == '/') {
+      ASSERT_FALSE(open.empty()) << tag;
+      ASSERT_EQ(tag.substr(1), open.back());
+      open.pop_back();
+    } else {
+      num_roots += open.empty() ? 1 : 0;
+      if (tag.back() != '/') open.push_back(tag.substr(0, tag.find(' ')));
+    }
+  }
+  EXPECT_TRUE(open.empty());
+  EXPECT_EQ(num_roots, 1);
 }
 
 }  // namespace daumier::eval

@@ -47,6 +47,14 @@ TEST(NiceStep, RefusesRangesThatAreNone) {
   EXPECT_THROW(NiceStep(1.0, 0), Error);
 }
 
+TEST(NiceCeiling, IsTheFirstMultipleOfANiceStepFromTheValueOn) {
+  EXPECT_DOUBLE_EQ(NiceCeiling(4.6, 5), 5.0);
+  EXPECT_DOUBLE_EQ(NiceCeiling(5.0, 5), 5.0);
+  EXPECT_DOUBLE_EQ(NiceCeiling(5.2, 5), 6.0);
+  EXPECT_DOUBLE_EQ(NiceCeiling(0.3, 3), 0.3);
+  EXPECT_THROW(NiceCeiling(0.0, 5), Error);
+}
+
 TEST(NiceTicks, LabelsHaveTheDecimalsOfTheStep) {
   EXPECT_EQ(Labels(NiceTicks(0.0, 1.0, 5)), (Strings{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
   EXPECT_EQ(Labels(NiceTicks(0.0, 0.1, 2)), (Strings{"0.00", "0.05", "0.10"}));

@@ -1,0 +1,82 @@
+#include "cli/verb.h"
+#include "core/files.h"
+#include "core/options.h"
+#include "train/ablation.h"
+#include "train/sketch_ablation.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+namespace daumier::cli {
+namespace {
+
+std::string Describe(train::RowState state) {
+  switch (state) {
+    case train::RowState::kToTrain:
+      return "to train";
+    case train::RowState::kToGoOn:
+      return "to go on with";
+    case train::RowState::kToEvaluate:
+      return "to evaluate";
+    case train::RowState::kDone:
+      return "done";
+  }
+  return "";
+}
+
+void PrintPlan(const std::vector<train::AblationStep>& steps, bool as_json) {
+  Json list = Json::array();
+  for (const train::AblationStep& step : steps) {
+    if (!as_json) fmt::print("seed {}  {:<8} {:<28} {}\n", step.seed, step.split, step.row, Describe(step.state));
+    list.push_back({{"row", step.row}, {"split", step.split}, {"seed", step.seed}, {"state", Describe(step.state)}});
+  }
+  if (as_json) fmt::print("{}\n", list.dump(2));
+}
+
+}  // namespace
+
+Verb AblateVerb() {
+  return {"ablate", "Train and evaluate every row of a table", [](CLI::App& command) {
+            struct Arguments {
+              ConfigArguments config;
+              std::filesystem::path out;
+              std::vector<std::string> only;
+              std::string device = "cpu";
+              bool dry_run = false, as_json = false;
+            };
+            auto arguments = std::make_shared<Arguments>();
+            command.add_option("config", arguments->config.file, "TOML file of the table")->required();
+            command.add_option("overrides", arguments->config.overrides,
+                               "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
+            command.add_option("--out", arguments->out, "Folder of runs, reports, table and pictures")->required();
+            command.add_option("--only", arguments->only, "Rows to make, and what they need: NAME,NAME")
+                ->delimiter(',')
+                ->allow_extra_args(false);
+            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+            command.add_flag("--dry-run", arguments->dry_run, "Say what is done and what would be, and do nothing");
+            command.add_flag("--json", arguments->as_json, "Machine-readable");
+            command.footer("The table:\n" + HelpText<train::AblationOptions>() + "Each of its [[rows]]:\n" +
+                           HelpText<train::AblationRowOptions>() +
+                           "[config] and [eval] of the table or of a row override the base config and the defaults of "
+                           "`daumier eval`; docs/formats.md tells more.");
+            return [arguments] {
+              const train::SketchAblation task(arguments->device);
+              const train::Ablation ablation =
+                  train::LoadAblation(arguments->config.file, arguments->config.overrides, task.references());
+              if (arguments->dry_run) {
+                PrintPlan(train::PlanAblation(ablation, task, arguments->out, arguments->only), arguments->as_json);
+                return;
+              }
+              const Json table = train::RunAblation(ablation, task, arguments->out, arguments->only);
+              if (arguments->as_json) {
+                fmt::print("{}\n", table.dump(2));
+              } else {
+                fmt::print("{}\npictures: {}\n", ReadFile(arguments->out / "table.md"),
+                           (arguments->out / "index.html").string());
+              }
+            };
+          }};
+}
+
+}  // namespace daumier::cli

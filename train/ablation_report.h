@@ -1,0 +1,12 @@
+#pragma once
+#include "train/ablation_runs.h"
+
+namespace daumier::train {
+
+/// Writes what an ablation has so far into its folder: table.json (returned), table.md, curves.svg, sheet.png (of the
+/// first split and seed, if `with_sheet`) and index.html. Rows that are not done are left out; free baselines are those
+/// of the first row that is. @throws Error if two rows of a split and seed were not measured on the same test faces.
+Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, const AblationRuns& runs,
+                         const std::filesystem::path& directory, bool with_sheet = true);
+
+}  // namespace daumier::train

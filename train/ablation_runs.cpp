@@ -1,0 +1,190 @@
+#include "train/ablation_runs.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/manifest.h"
+#include "train/run_log.h"
+
+#include <ATen/Parallel.h>
+
+#include <functional>
+#include <sstream>
+
+namespace daumier::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMeasuredFile = "measured.json";
+
+/// Names the weights of a finished run.
+std::string WeightsOf(const fs::path& run) {
+  return ReadManifest(run, "run").checksums.at("best/model.safetensors");
+}
+
+Json ReadJson(const fs::path& file) {
+  try {
+    return Json::parse(ReadFile(file));
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{} is no JSON: {}", file.string(), error.what()));
+  }
+}
+
+/// Every whole line of metrics.jsonl; a line that a kill cut short is left out.
+void ForEachRecord(const fs::path& run, const std::function<void(const Json&)>& read) {
+  std::istringstream lines(ReadFile(run / RunLog::kMetricsFile));
+  for (std::string line; std::getline(lines, line);) {
+    const Json record = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+    if (record.is_object()) read(record);
+  }
+}
+
+}  // namespace
+
+AblationRuns::AblationRuns(const Ablation& ablation, const AblationTask& task, const fs::path& directory)
+    : ablation_(ablation), task_(task), directory_(directory), references_(task.references()) {
+  for (const AblationRow& row : ablation.rows) {
+    if (row.evaluates()) task.ResolvedEval(row.eval, fmt::format("eval of row '{}'", row.name()));
+    if (!row.trains()) continue;
+    for (const std::string& split : ablation.options.splits) Config({row, split, ablation.options.seeds.front()});
+  }
+}
+
+fs::path AblationRuns::Folder(const Place& place) const {
+  return directory_ / FolderName(place.split) / fmt::format("seed{}", place.seed) / FolderName(place.row.name());
+}
+
+AblationRuns::Place AblationRuns::PlaceOf(const Place& place, const std::string& row) const {
+  return {ablation_.row(row, fmt::format("row '{}'", place.row.name())), place.split, place.seed};
+}
+
+Json AblationRuns::Config(const Place& place) const {
+  return task_.ResolvedConfig(place.row.config, place.seed, place.split,
+                              fmt::format("config of row '{}'", place.row.name()));
+}
+
+fs::path AblationRuns::Run(const Place& place) const {
+  if (!place.row.options.run_of.empty()) return Run(PlaceOf(place, place.row.options.run_of));
+  if (!place.row.options.from.empty()) return Run(PlaceOf(place, place.row.options.from));
+  return Folder(place) / "run";
+}
+
+Json AblationRuns::Eval(const Place& place) const {
+  Json eval = task_.ResolvedEval(place.row.eval, fmt::format("eval of row '{}'", place.row.name()));
+  for (const std::string& key : references_)
+    if (const std::string name = eval.value(key, ""); !name.empty()) eval[key] = Run(PlaceOf(place, name)).string();
+  return eval;
+}
+
+Json AblationRuns::Made(const Place& place) const {
+  Json made = {{"eval", task_.ResolvedEval(place.row.eval, place.row.name())}, {"weights", WeightsOf(Run(place))}};
+  for (const std::string& key : references_)
+    if (const std::string name = made["eval"].value(key, ""); !name.empty())
+      made["eval"][key] = {{"row", name}, {"weights", WeightsOf(Run(PlaceOf(place, name)))}};
+  return made;
+}
+
+RowState AblationRuns::State(const Place& place) const {
+  const AblationRowOptions& row = place.row.options;
+  if (!row.from.empty()) return State(PlaceOf(place, row.from));
+  if (place.row.trains()) {
+    const fs::path run = Folder(place) / "run";
+    if (!fs::exists(run / "manifest.json")) return fs::exists(run) ? RowState::kToGoOn : RowState::kToTrain;
+    if (!task_.Finished(run, Config(place))) return RowState::kToGoOn;
+  }
+  for (const std::string& name : NeededRows(place.row, references_)) {
+    if (name == place.row.name()) continue;
+    const RowState needed = State(PlaceOf(place, name));
+    if (needed == RowState::kToTrain || needed == RowState::kToGoOn)
+      return place.row.trains() ? RowState::kToEvaluate : needed;
+  }
+  const fs::path measured = Folder(place) / kMeasuredFile;
+  if (!fs::exists(measured) || !fs::exists(Folder(place) / "report" / "metrics.json")) return RowState::kToEvaluate;
+  return ReadJson(measured).value("made_of", Json()) == Made(place) ? RowState::kDone : RowState::kToEvaluate;
+}
+
+void AblationRuns::Train(const Place& place) const {
+  if (!place.row.trains()) return;
+  const fs::path run = Folder(place) / "run";
+  const Json config = Config(place);
+  if (fs::exists(run / "manifest.json") && task_.Finished(run, config)) return;
+  task_.Train(config, run);
+}
+
+void AblationRuns::Evaluate(const Place& place) const {
+  if (State(place) == RowState::kDone || !place.row.evaluates()) return;
+  log::Info("Evaluating {}", place.Describe());
+  const fs::path run = Run(place);
+  task_.Evaluate(run, Eval(place), Folder(place) / "report");
+  const Json measured = {{"format_version", 1},
+                         {"made_of", Made(place)},
+                         {"infer_ms", task_.InferMs(run)},
+                         {"infer_threads", at::get_num_threads()}};
+  WriteFileAtomically(Folder(place) / kMeasuredFile, measured.dump(2) + "\n");
+}
+
+AblationRuns::Place AblationRuns::Reported(const Place& place) const {
+  return place.row.evaluates() ? place : PlaceOf(place, place.row.options.from);
+}
+
+Json AblationRuns::Metrics(const Place& place) const {
+  return ReadJson(Folder(Reported(place)) / "report" / "metrics.json");
+}
+
+RunCost AblationRuns::Cost(const Place& place) const {
+  const fs::path run = Run(place);
+  const Manifest manifest = ReadManifest(run, "run");
+  const Json measured = ReadJson(Folder(Reported(place)) / kMeasuredFile);
+  return {.steps = manifest.counts.at("steps").get<int64_t>(),
+          .parameters = manifest.counts.at("parameters").get<int64_t>(),
+          .train_seconds = TrainSeconds(run),
+          .infer_ms = measured.at("infer_ms").get<double>(),
+          .infer_threads = measured.at("infer_threads").get<int>()};
+}
+
+AblationResult AblationRuns::Result(const Place& place) const {
+  const AblationRowOptions& row = place.row.options;
+  AblationResult result{.name = row.name, .split = place.split, .seed = place.seed, .paper = row.paper};
+  result.measure = task_.Measure(Metrics(place), row.line, row.shape_input);
+  if (result.measure.of_run) result.cost = Cost(place);
+  return result;
+}
+
+std::vector<AblationResult> AblationRuns::Baselines(const Place& place) const {
+  const Json metrics = Metrics(place);
+  std::vector<AblationResult> results;
+  for (const std::string& line : task_.baselines())
+    results.push_back({.name = line,
+                       .split = place.split,
+                       .seed = place.seed,
+                       .baseline = true,
+                       .measure = task_.Measure(metrics, line, "")});
+  return results;
+}
+
+AblationPicture AblationRuns::Picture(const Place& place) const {
+  return {place.row.name(), place.row.options.shape_input, Run(place), Eval(Reported(place)), Metrics(place)};
+}
+
+double TrainSeconds(const fs::path& run) {
+  double total = 0, last = 0;
+  ForEachRecord(run, [&](const Json& record) {
+    const double seconds = record.value("seconds", 0.0);
+    total += seconds >= last ? seconds - last : seconds;
+    last = seconds;
+  });
+  return total;
+}
+
+ValidationCurve ReadValidationCurve(const fs::path& run, const std::string& metric) {
+  ValidationCurve curve;
+  ForEachRecord(run, [&](const Json& record) {
+    if (record.value("phase", "") != "validation" || !record.contains(metric)) return;
+    curve.steps.push_back(record.at("step").get<double>());
+    curve.errors.push_back(record.at(metric).get<double>());
+  });
+  return curve;
+}
+
+}  // namespace daumier::train

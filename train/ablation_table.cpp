@@ -1,0 +1,216 @@
+#include "train/ablation_table.h"
+
+#include "core/error.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace daumier::train {
+namespace {
+
+/// Of the bootstraps; any number will do, but the same each time.
+constexpr uint64_t kBootstrapSeed = 1;
+
+using Results = std::vector<const AblationResult*>;
+
+/// What equal texts have in common, the mean of numbers, key by key of objects; null where there is no such thing.
+Json MeanOf(const std::vector<Json>& values) {
+  if (std::all_of(values.begin(), values.end(), [&](const Json& value) { return value == values[0]; }))
+    return values[0];
+  if (std::all_of(values.begin(), values.end(), [](const Json& value) { return value.is_number(); })) {
+    double sum = 0;
+    for (const Json& value : values) sum += value.get<double>();
+    return sum / double(values.size());
+  }
+  if (!std::all_of(values.begin(), values.end(), [](const Json& value) { return value.is_object(); })) return nullptr;
+  Json mean = Json::object();
+  for (const auto& [key, ignored] : values[0].items()) {
+    std::vector<Json> entries;
+    for (const Json& value : values) entries.push_back(value.value(key, Json()));
+    mean[key] = MeanOf(entries);
+  }
+  return mean;
+}
+
+template <class Function>
+Json MeanOver(const Results& results, const Function& function) {
+  std::vector<Json> values;
+  for (const AblationResult* result : results) values.push_back(function(*result));
+  return MeanOf(values);
+}
+
+struct PairedFaces {
+  std::vector<double> errors;
+  std::vector<int> groups;
+};
+
+/// The faces of all seeds in one list; nothing if a result does not tell its faces.
+PairedFaces AllFaces(const Results& results) {
+  PairedFaces faces;
+  for (const AblationResult* result : results) {
+    const AblationMeasure& measure = result->measure;
+    if (measure.face_errors.empty()) return {};
+    faces.errors.insert(faces.errors.end(), measure.face_errors.begin(), measure.face_errors.end());
+    faces.groups.insert(faces.groups.end(), measure.groups.begin(), measure.groups.end());
+  }
+  return faces;
+}
+
+/// error - error of the reference, face by face, over the seeds that both have.
+PairedFaces Differences(const Results& results, const Results& references) {
+  PairedFaces faces;
+  for (const AblationResult* result : results) {
+    const auto reference = std::find_if(references.begin(), references.end(),
+                                        [&](const AblationResult* other) { return other->seed == result->seed; });
+    if (reference == references.end()) continue;
+    const std::vector<double>&errors = result->measure.face_errors, &others = (*reference)->measure.face_errors;
+    if (errors.empty() || others.empty()) continue;
+    DAUMIER_CHECK(errors.size() == others.size(),
+                  "'{}' was measured on {} faces and '{}' on {}: they cannot be compared", result->name, errors.size(),
+                  (*reference)->name, others.size());
+    for (size_t face = 0; face < errors.size(); ++face) faces.errors.push_back(errors[face] - others[face]);
+    const std::vector<int>& groups = result->measure.groups;
+    faces.groups.insert(faces.groups.end(), groups.begin(), groups.end());
+  }
+  return faces;
+}
+
+void SetInterval(Json& row, const std::string& key, const PairedFaces& faces) {
+  if (faces.errors.empty()) return;
+  const eval::Interval interval = eval::PersonBootstrap(faces.errors, faces.groups, kBootstrapSeed);
+  row[key + "_low"] = interval.low;
+  row[key + "_high"] = interval.high;
+}
+
+Json RowJson(const Results& results, const Results& references, const std::string& unit) {
+  const AblationResult& first = *results.front();
+  Json row = {{"name", first.name},
+              {"split", first.split},
+              {"baseline", first.baseline},
+              {"paper", first.paper > 0 ? Json(first.paper) : Json()},
+              {"unit", unit},
+              {"error", MeanOver(results, [](const AblationResult& result) { return result.measure.error; })}};
+  for (const char* key : {"error_low", "error_high", "errors", "seeds", "difference_to", "difference", "difference_low",
+                          "difference_high", "steps", "parameters", "train_seconds", "infer_ms", "infer_threads"})
+    row[key] = nullptr;
+  if (results.size() == 1) {
+    row["error_low"] = first.measure.interval.low;
+    row["error_high"] = first.measure.interval.high;
+  } else {
+    SetInterval(row, "error", AllFaces(results));
+  }
+  row["errors"] = row["seeds"] = Json::array();
+  for (const AblationResult* result : results) {
+    row["errors"].push_back(result->measure.error);
+    row["seeds"].push_back(result->seed);
+  }
+  const PairedFaces differences = Differences(results, references);
+  if (!references.empty() && references.front() != results.front() && !differences.errors.empty()) {
+    row["difference_to"] = references.front()->name;
+    row["difference"] = eval::Mean(differences.errors);
+    SetInterval(row, "difference", differences);
+  }
+  if (std::all_of(results.begin(), results.end(), [](const AblationResult* result) { return result->cost; })) {
+    row["steps"] = MeanOver(results, [](const AblationResult& result) { return result.cost->steps; });
+    row["parameters"] = MeanOver(results, [](const AblationResult& result) { return result.cost->parameters; });
+    row["train_seconds"] = MeanOver(results, [](const AblationResult& result) { return result.cost->train_seconds; });
+    row["infer_ms"] = MeanOver(results, [](const AblationResult& result) { return result.cost->infer_ms; });
+    row["infer_threads"] = MeanOver(results, [](const AblationResult& result) { return result.cost->infer_threads; });
+  }
+  const Json more = MeanOver(results, [](const AblationResult& result) { return result.measure.more; });
+  for (const auto& [key, value] : more.items()) row[key] = value;
+  return row;
+}
+
+/// A number as a table shows it, or a dash.
+std::string Cell(const Json& row, const std::string& key, const std::string& format) {
+  const Json value = row.value(key, Json());
+  if (value.is_null()) return "-";
+  if (value.is_string()) return value.get<std::string>();
+  return fmt::format(fmt::runtime(format), value.get<double>());
+}
+
+std::string IntervalCell(const Json& row, const std::string& key, const std::string& format) {
+  if (row.value(key + "_low", Json()).is_null()) return "-";
+  return Cell(row, key + "_low", format) + " to " + Cell(row, key + "_high", format);
+}
+
+std::string DifferenceCell(const Json& row) {
+  if (row.value("difference", Json()).is_null()) return "-";
+  return fmt::format("{} ({})", Cell(row, "difference", "{:+.2f}"), IntervalCell(row, "difference", "{:+.2f}"));
+}
+
+}  // namespace
+
+Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit) {
+  Json table = Json::array();
+  std::vector<std::string> splits;
+  for (const AblationResult& result : results)
+    if (std::find(splits.begin(), splits.end(), result.split) == splits.end()) splits.push_back(result.split);
+  for (const std::string& split : splits) {
+    std::vector<Results> rows, baselines;
+    for (const AblationResult& result : results) {
+      if (result.split != split) continue;
+      std::vector<Results>& list = result.baseline ? baselines : rows;
+      const auto same =
+          std::find_if(list.begin(), list.end(), [&](const Results& row) { return row.front()->name == result.name; });
+      if (same == list.end()) {
+        list.push_back({&result});
+      } else {
+        same->push_back(&result);
+      }
+    }
+    const auto told = std::find_if(rows.begin(), rows.end(),
+                                   [](const Results& row) { return !row.front()->measure.face_errors.empty(); });
+    const Results references = told == rows.end() ? Results{} : *told;
+    for (const std::vector<Results>* list : {&baselines, &rows})
+      for (const Results& row : *list) table.push_back(RowJson(row, references, unit));
+  }
+  return table;
+}
+
+std::vector<eval::ReportTable> AblationTables(const Json& table) {
+  std::vector<eval::ReportTable> tables;
+  for (const Json& row : table) {
+    const auto split = row.at("split").get<std::string>(), unit = row.at("unit").get<std::string>();
+    const std::string title = fmt::format("Split: {}", split);
+    if (tables.empty() || tables.back().title != title) {
+      tables.push_back({title,
+                        {"row", "shape input", "paper " + unit, unit, "95 % interval", "difference", "p90", "steps",
+                         "parameters", "training s", "ms a face", "seeds"},
+                        {}});
+    }
+    tables.back().rows.push_back({row.at("name").get<std::string>(), Cell(row, "shape_input", "{}"),
+                                  Cell(row, "paper", "{:.2f}"), Cell(row, "error", "{:.3f}"),
+                                  IntervalCell(row, "error", "{:.2f}"), DifferenceCell(row), Cell(row, "p90", "{:.3f}"),
+                                  Cell(row, "steps", "{:.0f}"), Cell(row, "parameters", "{:.0f}"),
+                                  Cell(row, "train_seconds", "{:.0f}"), Cell(row, "infer_ms", "{:.2f}"),
+                                  fmt::format("{}", row.at("seeds").size())});
+  }
+  return tables;
+}
+
+std::string AblationMarkdown(const Json& table) {
+  std::string text;
+  for (const eval::ReportTable& one : AblationTables(table)) {
+    text += fmt::format("## {}\n\n| {} |\n|---|", one.title, fmt::join(one.header, " | "));
+    for (size_t column = 1; column < one.header.size(); ++column) text += "---:|";
+    text += "\n";
+    for (const auto& row : one.rows) text += fmt::format("| {} |\n", fmt::join(row, " | "));
+    text += "\n";
+  }
+  return text + AblationFootnote() + "\n";
+}
+
+std::string AblationFootnote() {
+  return "Errors are means over test faces and then over seeds. 95 % intervals come from a bootstrap over persons, "
+         "each "
+         "with all of its test faces of all seeds; seeds are not resampled, and errors of each seed stand in "
+         "table.json. The difference is to the first row whose errors are known face by face, and paired by faces. The "
+         "paper's figures are of the paper's "
+         "own data. Milliseconds are the median of single faces on the CPU.";
+}
+
+}  // namespace daumier::train
