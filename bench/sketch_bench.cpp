@@ -98,8 +98,10 @@ void TrainingStep(benchmark::State& state) {
   tensor::SetUpTorch(1);
   torch::manual_seed(1);
   constexpr int kNumVertices = 4284;
-  models::SketchNetwork network(models::PixelCnnOptions(), testing::RandomBilinear(kNumVertices, 50, 16, 1));
-  const losses::GramVertexLoss loss(network->core(), torch::ones({kNumVertices}));
+  models::SketchNetwork network(
+      models::SketchNetworkOptions(),
+      {testing::RandomBilinear(kNumVertices, 50, 16, 1), testing::RandomBilinear(200, 50, 16, 2), {}});
+  const losses::GramVertexLoss loss(network->basis(), torch::ones({kNumVertices}));
   const auto moments = loss.Moments(torch::randn({kBatch, 3 * kNumVertices}));
   torch::optim::Adam adam(network->parameters());
   const auto sketches = Sketches(true);
@@ -117,8 +119,7 @@ void TrainingStep(benchmark::State& state) {
   for (auto _ : state) {
     if (state.range(0) != 0) draw();
     adam.zero_grad();
-    const auto answer = network->forward(images);
-    loss(answer.u, answer.v, moments).backward();
+    loss(network->Linear(network->forward({images, {}, {}})), moments).backward();
     adam.step();
   }
   state.counters["sketches"] = benchmark::Counter(kBatch, benchmark::Counter::kIsIterationInvariantRate);

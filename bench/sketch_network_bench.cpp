@@ -12,10 +12,14 @@ namespace {
 
 constexpr int kNumVertices = 4284;
 
+models::FittedModels Models() {
+  return {testing::RandomBilinear(kNumVertices, 50, 16, 1), testing::RandomBilinear(200, 50, 16, 2), {}};
+}
+
 models::SketchNetwork MakeNetwork() {
   tensor::SetUpTorch();
   torch::manual_seed(1);
-  return models::SketchNetwork(models::PixelCnnOptions(), testing::RandomBilinear(kNumVertices, 50, 16, 1));
+  return models::SketchNetwork(models::SketchNetworkOptions(), Models());
 }
 
 void TrainingStep(benchmark::State& state) {
@@ -27,13 +31,12 @@ void TrainingStep(benchmark::State& state) {
   const int64_t batch = 32;
   const int64_t side = network->options().resolution;
   const auto images = (torch::rand({batch, 1, side, side}) < 0.05).to(torch::kFloat32).contiguous(format);
-  const losses::GramVertexLoss loss(network->core(), torch::ones({kNumVertices}));
+  const losses::GramVertexLoss loss(network->basis(), torch::ones({kNumVertices}));
   const auto moments = loss.Moments(torch::randn({batch, 3 * kNumVertices}));
   torch::optim::Adam adam(network->parameters());
   for (auto _ : state) {
     adam.zero_grad();
-    const auto answer = network->forward(images);
-    loss(answer.u, answer.v, moments).backward();
+    loss(network->Linear(network->forward({images, {}, {}})), moments).backward();
     adam.step();
   }
   state.counters["sketches"] = benchmark::Counter(batch, benchmark::Counter::kIsIterationInvariantRate);
@@ -45,7 +48,7 @@ void Inference(benchmark::State& state) {
   torch::NoGradGuard no_grad;
   const int64_t side = network->options().resolution;
   const auto image = torch::rand({1, 1, side, side});
-  for (auto _ : state) benchmark::DoNotOptimize(network->Decode(network->forward(image)));
+  for (auto _ : state) benchmark::DoNotOptimize(network->Decode(network->forward({image, {}, {}})));
 }
 
 BENCHMARK(TrainingStep)->ArgName("channels_last")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();

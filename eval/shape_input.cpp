@@ -1,6 +1,7 @@
 #include "eval/shape_input.h"
 
 #include "core/error.h"
+#include "datasets/read/shape_numbers.h"
 
 #include <cmath>
 
@@ -23,13 +24,7 @@ ShapeInput::ShapeInput(const faces::BilinearModel& curves, const datasets::Sketc
 
 faces::CurveCode ShapeInput::Given(const std::vector<render::Stroke>& strokes,
                                    const std::vector<std::vector<bool>>& visible) const {
-  const std::vector<float> points = datasets::PointsOf(strokes, sketches_.feature_curves());
-  std::vector<float> weights;
-  for (const int curve : sketches_.feature_curves()) {
-    for (size_t point = 0; point < strokes[size_t(curve)].points.size(); ++point)
-      weights.push_back(visible.empty() || visible[size_t(curve)][point] ? 1.0f : 0.0f);
-  }
-  return encoder_.Encode(points, weights);
+  return datasets::GivenShape(encoder_, sketches_, strokes, visible);
 }
 
 faces::CurveCode ShapeInput::Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,

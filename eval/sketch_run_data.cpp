@@ -35,9 +35,8 @@ SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory) {
     DAUMIER_CHECK(datasets::SplitToJson(faces, split) == run.manifest.details.at("split"),
                   "{} was split otherwise when it was trained: it comes from another version of this program",
                   run_directory.string());
-    const auto bilinear = ParseOptions<faces::BilinearOptions>(run.config.at("bilinear"), "bilinear model of the run");
     const auto sketch = ParseOptions<datasets::SketchVariation>(run.config.at("sketch"), "sketches of the run");
-    return {std::move(run), std::move(faces), std::move(sketches), std::move(split), bilinear, sketch};
+    return {std::move(run), std::move(faces), std::move(sketches), std::move(split), sketch};
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{} is not the folder of a sketch run: {}", run_directory.string(), error.what()));
   }

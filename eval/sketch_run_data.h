@@ -16,7 +16,6 @@ struct SketchRunData {
   faces::FaceDatabase faces;
   datasets::SketchDatabase sketches;
   datasets::Split split;
-  faces::BilinearOptions bilinear;
   datasets::SketchVariation sketch;  ///< Of the training sketches.
 
   /// "train", "validation" or "test". @throws UsageError for another word.

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/random.h"
+
 #include <torch/types.h>
 
 #include <cstdint>
@@ -8,13 +10,20 @@
 
 namespace daumier::exporting {
 
-/// A network as a function of one tensor to several, each with the batch in dimension 0.
+/// A float32 tensor with the batch in dimension 0.
+struct ExportedInput {
+  std::string name;
+  std::vector<int64_t> shape;  ///< Of one sample, without the batch.
+  /// Plausible values to compare answers with, (batch, shape...).
+  std::function<torch::Tensor(int64_t batch, Rng& rng)> sample;
+};
+
+/// A network as a function of some tensors to others, each with the batch in dimension 0.
 struct ExportedFunction {
   std::string name;
-  std::string input_name;
-  std::vector<int64_t> input_shape;  ///< Of one sample, without the batch.
+  std::vector<ExportedInput> inputs;
   std::vector<std::string> output_names;
-  std::function<std::vector<torch::Tensor>(const torch::Tensor& input)> forward;
+  std::function<std::vector<torch::Tensor>(const std::vector<torch::Tensor>& inputs)> forward;
 };
 
 }  // namespace daumier::exporting

@@ -75,6 +75,34 @@ std::string LowerBatchNorm(const Node& node, LoweringContext& context) {
                                  {{"epsilon", static_cast<float>(Constant(node.input(7)).toDouble())}});
 }
 
+// max_pool2d(input, kernel_size, stride, padding, dilation, ceil_mode)
+std::string LowerMaxPool(const Node& node, LoweringContext& context) {
+  DAUMIER_CHECK(!Constant(node.input(5)).toBool(), "max_pool2d with ceil_mode has no lowering");
+  const Value* image = node.input(0);
+  auto pads = Spatial(node.input(3), image);
+  const auto one_side = pads;
+  pads.insert(pads.end(), one_side.begin(), one_side.end());
+  return context.graph().AddNode("MaxPool", {context.Name(image)},
+                                 {{"kernel_shape", Spatial(node.input(1), image)},
+                                  {"strides", Spatial(node.input(2), image)},
+                                  {"pads", pads},
+                                  {"dilations", Spatial(node.input(4), image)}});
+}
+
+// amax(input, dim, keepdim)
+std::string LowerGreatest(const Node& node, LoweringContext& context) {
+  return context.graph().AddNode(
+      "ReduceMax", {context.Name(node.input(0))},
+      {{"axes", Integers(node.input(1))}, {"keepdims", int64_t{Constant(node.input(2)).toBool()}}});
+}
+
+// cat(tensors, dim)
+std::string LowerConcatenation(const Node& node, LoweringContext& context) {
+  std::vector<std::string> parts;
+  for (const Value* part : node.input(0)->node()->inputs()) parts.push_back(context.Name(part));
+  return context.graph().AddNode("Concat", parts, {{"axis", Integer(node.input(1))}});
+}
+
 std::string LowerRelu(const Node& node, LoweringContext& context) {
   return context.graph().AddNode("Relu", {context.Name(node.input(0))});
 }
@@ -111,6 +139,16 @@ std::string LowerAdd(const Node& node, LoweringContext& context) {
 
 std::string LowerMul(const Node& node, LoweringContext& context) {
   return context.graph().AddNode("Mul", context.Names(node, 0, 2));
+}
+
+// sub(a, b, alpha)
+std::string LowerSub(const Node& node, LoweringContext& context) {
+  DAUMIER_CHECK(Constant(node.input(2)).toScalar().toDouble() == 1.0, "sub with a factor has no lowering");
+  return context.graph().AddNode("Sub", context.Names(node, 0, 2));
+}
+
+std::string LowerDiv(const Node& node, LoweringContext& context) {
+  return context.graph().AddNode("Div", context.Names(node, 0, 2));
 }
 
 // unsqueeze(input, dim): the axis counts in the result.
@@ -160,12 +198,17 @@ const std::map<std::string, LoweringFunction>& LoweringTable() {
       {"aten::_convolution", LowerConvolution},
       {"aten::add", LowerAdd},
       {"aten::addmm", LowerAddmm},
+      {"aten::amax", LowerGreatest},
       {"aten::batch_norm", LowerBatchNorm},
+      {"aten::cat", LowerConcatenation},
+      {"aten::div", LowerDiv},
       {"aten::flatten", LowerFlatten},
+      {"aten::max_pool2d", LowerMaxPool},
       {"aten::mm", LowerMatrixProduct},
       {"aten::mul", LowerMul},
       {"aten::relu", LowerRelu},
       {"aten::reshape", LowerReshape},
+      {"aten::sub", LowerSub},
       {"aten::t", LowerTranspose},
       {"aten::unsqueeze", LowerUnsqueeze},
   };

@@ -16,20 +16,42 @@ std::string Field(const Json& entry, const char* name) {
 
 std::string InputsAndOutputs(const models::SketchRun& run) {
   const auto& network = *run.network;
-  const int side = network.options().resolution;
-  return fmt::format(
-      "## Input and outputs\n\n"
-      "| name | shape | meaning |\n|---|---|---|\n"
-      "| `sketch` | ({0}, 1, {1}, {1}) float32 | frontal line drawing; ink 1, paper 0; row 0 on top; the face upright "
-      "and centred as in "
-      "the training sketches |\n"
-      "| `u` | ({0}, {2}) float32 | identity weights of the bilinear face model |\n"
-      "| `v` | ({0}, {3}) float32 | expression weights of the bilinear face model |\n"
-      "| `vertices` | ({0}, {4}, 3) float32 | the face in centimetres: x to its own left, y up, z to the front; order "
-      "and triangles "
-      "in `template.safetensors` |\n\n"
-      "{0} is any batch size. `vertices` is the bilinear face of `u` and `v`.\n\n",
-      kBatchDimension, side, network.num_identity(), network.num_expression(), network.num_vertices());
+  const auto& options = network.options();
+  std::string text = "## Input and outputs\n\n| name | shape | meaning |\n|---|---|---|\n";
+  if (options.reads_image()) {
+    text += fmt::format(
+        "| `sketch` | ({0}, 1, {1}, {1}) float32 | frontal line drawing; ink 1, paper 0; row 0 on top; the face "
+        "upright "
+        "and centred as in the training sketches |\n",
+        kBatchDimension, options.resolution);
+  }
+  if (options.reads_points()) {
+    text += fmt::format(
+        "| `points` | ({}, 4, {}) float32 | points at equal distances along all strokes: x to the right and y down "
+        "from "
+        "-1 to 1 over the canvas, cosine and sine of twice the stroke's angle |\n",
+        kBatchDimension, options.num_points);
+  }
+  if (options.reads_shape()) {
+    text += fmt::format(
+        "| `shape` | ({}, {}) float32 | u and v of the 2-D model of feature curves (`curves.safetensors` of the run) "
+        "that "
+        "explain the drawing |\n",
+        kBatchDimension, network.num_shape());
+  }
+  text += fmt::format(
+      "| `u` | ({0}, {1}) float32 | identity weights of the bilinear face model |\n"
+      "| `v` | ({0}, {2}) float32 | expression weights of the bilinear face model |\n",
+      kBatchDimension, network.num_identity(), network.num_expression());
+  if (options.residual > 0) {
+    text += fmt::format("| `residual` | ({}, {}) float32 | what is added to the bilinear face, in the linear basis |\n",
+                        kBatchDimension, options.residual);
+  }
+  return text + fmt::format(
+                    "| `vertices` | ({0}, {1}, 3) float32 | the face in centimetres: x to its own left, y up, z to the "
+                    "front; order and triangles in `template.safetensors` |\n\n"
+                    "{0} is any batch size. `vertices` is the bilinear face of `u` and `v`{2}.\n\n",
+                    kBatchDimension, network.num_vertices(), options.residual > 0 ? ", plus the residual" : "");
 }
 
 std::string TrainingData(const Manifest& manifest) {
@@ -71,7 +93,7 @@ std::string Exactness(const ParityReport& parity) {
 std::string ModelCard(const models::SketchRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
   return fmt::format(
              "# Sketch to 3D face\n\n"
-             "A convolutional network with {} trained parameters that turns a line drawing of a face into a 3D face of "
+             "A network with {} trained parameters that turns a line drawing of a face into a 3D face of "
              "the '{}' topology, "
              "after DeepSketch2Face (Han et al., SIGGRAPH 2017), trained and exported by Daumier.\n\n",
              run.network->num_parameters(), run.face_template.source) +

@@ -18,26 +18,32 @@ namespace jit = torch::jit;
 
 struct Trace {
   std::shared_ptr<jit::Graph> graph;
-  torch::Tensor input;
-  std::vector<torch::Tensor> outputs;
+  std::vector<torch::Tensor> inputs, outputs;
 };
 
 /// Weights are inputs of the trace beside `function`'s own, in the order of `weights`: the tracer knows a tensor by its
 /// identity.
 Trace TraceAt(int64_t batch, const ExportedFunction& function, const tensor::NamedTensors& weights) {
   at::NoGradGuard no_grad;
-  std::vector<int64_t> shape = function.input_shape;
-  shape.insert(shape.begin(), batch);
-  Trace trace{nullptr, torch::zeros(shape), {}};
-  jit::Stack inputs{trace.input};
-  std::vector<std::string> names{function.input_name};
+  Trace trace;
+  jit::Stack inputs;
+  std::vector<std::string> names;
+  for (const ExportedInput& input : function.inputs) {
+    std::vector<int64_t> shape = input.shape;
+    shape.insert(shape.begin(), batch);
+    trace.inputs.push_back(torch::zeros(shape));
+    inputs.emplace_back(trace.inputs.back());
+    names.push_back(input.name);
+  }
   for (const auto& [name, weight] : weights) {
     inputs.emplace_back(weight);
     names.push_back(name);
   }
   const auto run = [&](jit::Stack stack) {
     jit::Stack outputs;
-    trace.outputs = function.forward(stack[0].toTensor());
+    std::vector<torch::Tensor> given;
+    for (size_t i = 0; i < function.inputs.size(); ++i) given.push_back(stack[i].toTensor());
+    trace.outputs = function.forward(given);
     for (const auto& output : trace.outputs) outputs.emplace_back(output);
     return outputs;
   };
@@ -53,9 +59,11 @@ onnx::ModelProto Lower(const Trace& trace, const ExportedFunction& function, con
   OnnxGraph graph(function.name);
   LoweringContext context(graph);
   const auto inputs = trace.graph->inputs();
-  graph.AddInput(function.input_name, trace.input);
-  context.SetName(inputs[0], function.input_name);
-  size_t next = 1;
+  size_t next = 0;
+  for (const ExportedInput& input : function.inputs) {
+    graph.AddInput(input.name, trace.inputs[next]);
+    context.SetName(inputs[next++], input.name);
+  }
   for (const auto& [name, weight] : weights) context.SetWeight(inputs[next++], name, weight);
   for (const jit::Node* node : trace.graph->nodes()) LowerNode(*node, context);
 

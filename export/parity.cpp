@@ -13,16 +13,6 @@ namespace daumier::exporting {
 namespace {
 
 constexpr int kFormatVersion = 1;
-constexpr double kInkShare = 0.1;
-
-torch::Tensor RandomSketches(const ExportedFunction& function, int64_t batch, Rng& rng) {
-  std::vector<int64_t> shape = function.input_shape;
-  shape.insert(shape.begin(), batch);
-  auto sketches = torch::empty(shape, torch::kFloat32);
-  float* pixels = sketches.data_ptr<float>();
-  std::generate(pixels, pixels + sketches.numel(), [&] { return rng.Uniform() < kInkShare ? 1.0f : 0.0f; });
-  return sketches;
-}
 
 /// Not a number if either is not a number somewhere.
 double MaxAbsDiff(const torch::Tensor& answer, const torch::Tensor& reference) {
@@ -44,7 +34,8 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
   Rng rng = Stream(seed, "parity");
   std::vector<tensor::NamedTensors> runs;
   for (const int64_t batch : report.batch_sizes) {
-    runs.push_back({{function.input_name, RandomSketches(function, batch, rng)}});
+    tensor::NamedTensors& run = runs.emplace_back();
+    for (const ExportedInput& input : function.inputs) run[input.name] = input.sample(batch, rng);
   }
   const auto answers = RunInOnnxRuntime(model, runs, function.output_names, scratch);
   if (!answers.has_value()) return report;
@@ -52,7 +43,9 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
   report.runtime = answers->runtime;
   report.max_abs_diffs.assign(function.output_names.size(), 0.0);
   for (size_t run = 0; run < runs.size(); ++run) {
-    const auto references = function.forward(runs[run].at(function.input_name));
+    std::vector<torch::Tensor> given;
+    for (const ExportedInput& input : function.inputs) given.push_back(runs[run].at(input.name));
+    const auto references = function.forward(given);
     for (size_t i = 0; i < references.size(); ++i) {
       const auto& name = function.output_names[i];
       const double difference = MaxAbsDiff(answers->outputs[run].at(name), references[i]);

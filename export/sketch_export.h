@@ -7,7 +7,8 @@
 
 namespace daumier::exporting {
 
-/// The network as a function: sketch (N, 1, R, R) -> u (N, Ku), v (N, Kv), vertices (N, V, 3) in cm.
+/// The network as a function of what it reads, sketch (N, 1, R, R), points (N, 4, P) and shape (N, S), to u (N, Ku),
+/// v (N, Kv), residual (N, K) of a network that has one, and vertices (N, V, 3) in cm.
 ExportedFunction SketchFunction(models::SketchNetwork network);
 
 /// Exports a finished sketch run into `out_directory`: model.onnx, parity.json, model_card.md,

@@ -46,6 +46,8 @@ class CurveEncoder {
                    const CurveCode* start = nullptr) const;
 
   int num_points() const { return model_->num_coordinates() / 2; }
+  /// Length of CurveCode::numbers().
+  int num_numbers() const { return model_->num_identity + model_->num_expression; }
 
  private:
   const BilinearModel* model_;

@@ -88,7 +88,7 @@ SketchPredictor::SketchPredictor(const fs::path& run_directory) : run_(models::L
 
 geometry::Points SketchPredictor::Predict(const torch::Tensor& sketch) {
   at::NoGradGuard no_grad;
-  const auto vertices = run_.network->Decode(run_.network->forward(sketch));
+  const auto vertices = run_.network->Decode(run_.network->forward({sketch, {}, {}}));
   return tensor::CopyToMatrix<double>(vertices.view({-1, 3}));
 }
 

@@ -3,11 +3,11 @@
 
 namespace daumier::losses {
 
-/// Weighted vertex error of a bilinear face [Han et al. 2017, eq. 2]: E = 1/V sum_i w_i ||C_i x2 u x3 v - g_i||^2, mean
-/// over the batch, in cm^2. core: (Ku * Kv, 3V), u: (B, Ku), v: (B, Kv), target: (B, 3V) in cm, weights: (V). Zero iff
-/// the faces agree wherever w_i > 0. @throws daumier::Error if the shapes disagree.
-torch::Tensor VertexLoss(const torch::Tensor& core, const torch::Tensor& u, const torch::Tensor& v,
-                         const torch::Tensor& target, const torch::Tensor& weights);
+/// Weighted vertex error [Han et al. 2017, eq. 2]: E = 1/V sum_i w_i ||(q C)_i - g_i||^2, mean over the batch, in cm^2.
+/// core: C (K, 3V), q: (B, K), target: (B, 3V) in cm, weights: (V). Of a bilinear face q = u (x) v, the products u_k
+/// v_l. Zero iff the faces agree wherever w_i > 0. @throws daumier::Error if the shapes disagree.
+torch::Tensor VertexLoss(const torch::Tensor& core, const torch::Tensor& q, const torch::Tensor& target,
+                         const torch::Tensor& weights);
 
 /// What a face adds to GramVertexLoss beside the model.
 struct VertexMoments {
@@ -16,26 +16,26 @@ struct VertexMoments {
   torch::Tensor constant;  ///< (B), r: the part of g' W g that no coefficients reach.
 };
 
-/// The same number without reading a vertex. With q = u (x) v, G = C W C', h = C W g,
+/// The same number without reading a vertex. With G = C W C', h = C W g,
 ///   E = 1/V (q' G q - 2 h' q + g' W g).
 /// It is evaluated as a sum of squares, E = 1/V (||R q - t||^2 + r), from the thin QR decomposition W^(1/2) C' = Q R: G
 /// = R' R, h = R' t, t = Q' W^(1/2) g. The expanded sum would cancel: in float32 it keeps no digit of an error of 1 mm
 /// on a head that stands 1 m from the origin, the squares keep five. Equal to VertexLoss within 1e-6 in float64, and
-/// 20 to 50 times cheaper in training (bench/vertex_loss_bench.cpp). The gradient reaches u and v only: core and
-/// weights are constants, as they are in the network.
+/// 20 to 50 times cheaper in training (bench/vertex_loss_bench.cpp). The gradient reaches q only: core and weights
+/// are constants, as they are in the network.
 class GramVertexLoss {
  public:
-  /// core: (Ku * Kv, 3V), weights: (V), not negative. @throws daumier::Error if the shapes disagree.
+  /// core: (K, 3V), weights: (V), not negative. @throws daumier::Error if the shapes disagree.
   GramVertexLoss(const torch::Tensor& core, const torch::Tensor& weights);
   /// target: (B, 3V). Computed once a face, before training. @throws daumier::Error if the shape disagrees.
   VertexMoments Moments(const torch::Tensor& target) const;
-  /// u: (B, Ku), v: (B, Kv). @throws daumier::Error if the shapes disagree.
-  torch::Tensor operator()(const torch::Tensor& u, const torch::Tensor& v, const VertexMoments& moments) const;
+  /// q: (B, K). @throws daumier::Error if the shapes disagree.
+  torch::Tensor operator()(const torch::Tensor& q, const VertexMoments& moments) const;
 
  private:
   torch::Tensor root_weights_;  ///< (3V) W^(1/2)
-  torch::Tensor basis_;         ///< (3V, K) Q, K = min(Ku * Kv, 3V)
-  torch::Tensor root_gram_;     ///< (K, Ku * Kv) R
+  torch::Tensor basis_;         ///< (3V, min(K, 3V)) Q
+  torch::Tensor root_gram_;     ///< (min(K, 3V), K) R
 };
 
 }  // namespace daumier::losses

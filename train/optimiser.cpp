@@ -17,7 +17,7 @@ double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total
   return options.learning_rate * (options.final_rate + (1 - options.final_rate) * cosine);
 }
 
-AdamW::AdamW(torch::nn::Module& module, const OptimiserOptions& options)
+Optimiser::Optimiser(torch::nn::Module& module, const OptimiserOptions& options)
     : options_(options), num_steps_(torch::zeros({1}, torch::kInt64)) {
   for (const auto& item : module.named_parameters()) {
     if (!item.value().requires_grad()) continue;
@@ -26,41 +26,64 @@ AdamW::AdamW(torch::nn::Module& module, const OptimiserOptions& options)
   DAUMIER_CHECK(!slots_.empty(), "the network has no parameter to train");
 }
 
-void AdamW::ZeroGradients() {
+void Optimiser::ZeroGradients() {
   for (Slot& slot : slots_) slot.parameter.mutable_grad() = torch::Tensor();
 }
 
-double AdamW::GradientNorm() const {
+double Optimiser::GradientNorm() const {
   torch::Tensor sum = torch::zeros({}, slots_.front().parameter.options().dtype(torch::kFloat64));
   for (const Slot& slot : slots_)
     if (slot.parameter.grad().defined()) sum += slot.parameter.grad().square().sum(torch::kFloat64);
   return std::sqrt(sum.item<double>());
 }
 
-void AdamW::ScaleGradients(double factor) {
+void Optimiser::ScaleGradients(double factor) {
   const at::NoGradGuard no_grad;
   for (Slot& slot : slots_)
     if (slot.parameter.grad().defined()) slot.parameter.mutable_grad().mul_(factor);
 }
 
-void AdamW::Step(double learning_rate) {
+void Optimiser::Step(double learning_rate) {
   const at::NoGradGuard no_grad;
   num_steps_ += 1;
-  const double t = double(num_steps_.item<int64_t>());
-  const double mean_correction = 1 - std::pow(options_.beta1, t);
-  const double square_correction = 1 - std::pow(options_.beta2, t);
   for (Slot& slot : slots_) {
-    const torch::Tensor& gradient = slot.parameter.grad();
-    if (!gradient.defined()) continue;
-    slot.mean.mul_(options_.beta1).add_(gradient, 1 - options_.beta1);
-    slot.square.mul_(options_.beta2).addcmul_(gradient, gradient, 1 - options_.beta2);
-    if (slot.parameter.dim() > 1) slot.parameter.mul_(1 - learning_rate * options_.weight_decay);
-    const torch::Tensor denominator = slot.square.sqrt().div_(std::sqrt(square_correction)).add_(1e-8);
-    slot.parameter.addcdiv_(slot.mean, denominator, -learning_rate / mean_correction);
+    if (!slot.parameter.grad().defined()) continue;
+    if (options_.kind == "sgd") {
+      StepSgd(slot, learning_rate);
+    } else {
+      StepAdamW(slot, learning_rate);
+    }
   }
 }
 
-tensor::NamedTensors AdamW::State() const {
+void Optimiser::StepAdamW(Slot& slot, double learning_rate) const {
+  const double t = double(num_steps_.item<int64_t>());
+  const double mean_correction = 1 - std::pow(options_.beta1, t);
+  const double square_correction = 1 - std::pow(options_.beta2, t);
+  const torch::Tensor& gradient = slot.parameter.grad();
+  slot.mean.mul_(options_.beta1).add_(gradient, 1 - options_.beta1);
+  slot.square.mul_(options_.beta2).addcmul_(gradient, gradient, 1 - options_.beta2);
+  if (slot.parameter.dim() > 1) slot.parameter.mul_(1 - learning_rate * options_.weight_decay);
+  const torch::Tensor denominator = slot.square.sqrt().div_(std::sqrt(square_correction)).add_(1e-8);
+  slot.parameter.addcdiv_(slot.mean, denominator, -learning_rate / mean_correction);
+}
+
+void Optimiser::StepSgd(Slot& slot, double learning_rate) const {
+  slot.mean.mul_(options_.beta1).add_(slot.parameter.grad(), learning_rate);
+  if (slot.parameter.dim() > 1) slot.mean.add_(slot.parameter, learning_rate * options_.weight_decay);
+  slot.parameter.sub_(slot.mean);
+}
+
+void Optimiser::Reset() {
+  const at::NoGradGuard no_grad;
+  num_steps_.zero_();
+  for (Slot& slot : slots_) {
+    slot.mean.zero_();
+    slot.square.zero_();
+  }
+}
+
+tensor::NamedTensors Optimiser::State() const {
   tensor::NamedTensors state{{"num_steps", num_steps_}};
   for (const Slot& slot : slots_) {
     state["mean." + slot.name] = slot.mean;
@@ -69,7 +92,7 @@ tensor::NamedTensors AdamW::State() const {
   return state;
 }
 
-void AdamW::LoadState(const tensor::NamedTensors& state, const std::string& where) {
+void Optimiser::LoadState(const tensor::NamedTensors& state, const std::string& where) {
   const at::NoGradGuard no_grad;
   for (auto& [name, target] : State()) {
     const auto found = state.find(name);

@@ -11,6 +11,7 @@
 namespace daumier::train {
 
 struct OptimiserOptions {
+  std::string kind = "adamw";
   double learning_rate = 1e-3;
   double weight_decay = 1e-4;
   double beta1 = 0.9;
@@ -21,11 +22,12 @@ struct OptimiserOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("learning_rate", learning_rate, Range{0, 10}, "Step size of AdamW at its peak, after the warm-up.");
+    visit("kind", kind, Choices{{"adamw", "sgd"}}, "AdamW, or gradient descent with momentum.");
+    visit("learning_rate", learning_rate, Range{0, 10}, "Step size at its peak, after the warm-up.");
     visit("weight_decay", weight_decay, Range{0, 10},
           "Share of a weight (not of a bias) that a step of rate 1 takes away.");
-    visit("beta1", beta1, Range{0, 0.9999}, "Memory of the mean gradient.");
-    visit("beta2", beta2, Range{0, 0.999999}, "Memory of the mean squared gradient.");
+    visit("beta1", beta1, Range{0, 0.9999}, "Memory of the mean gradient; the momentum of sgd.");
+    visit("beta2", beta2, Range{0, 0.999999}, "Memory of the mean squared gradient, of adamw alone.");
     visit("clip_norm", clip_norm, Range{0, 1e6},
           "Gradients are scaled down to this norm where they exceed it; 0: never.");
     visit("warm_up", warm_up, Range{0, 1}, "Share of all steps in which the rate climbs linearly to its peak.");
@@ -38,20 +40,25 @@ struct OptimiserOptions {
 ///   p (step + 1) / W in the first W steps, then p (f + (1 - f) (1 + cos(pi (step - W) / (total_steps - W))) / 2).
 double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps);
 
-/// AdamW [Loshchilov and Hutter 2019]: with gradient g, at its t-th step
+/// With gradient g, at its t-th step, AdamW [Loshchilov and Hutter 2019]:
 ///   m = beta1 m + (1 - beta1) g,  v = beta2 v + (1 - beta2) g^2,
 ///   p -= rate (weight_decay p + m / (1 - beta1^t) / (sqrt(v / (1 - beta2^t)) + 1e-8)),
-/// where weight_decay is 0 for parameters of one dimension (biases and norms). Our own, since the state of LibTorch's
-/// optimisers is reached differently in every release, and a checkpoint must not be.
-class AdamW {
+/// and gradient descent with momentum, as Caffe has it:
+///   m = beta1 m + rate (g + weight_decay p),  p -= m,
+/// where weight_decay is 0 for parameters of one dimension (biases and norms). A parameter without a gradient stays as
+/// it is. Our own, since the state of LibTorch's optimisers is reached differently in every release, and a checkpoint
+/// must not be.
+class Optimiser {
  public:
-  AdamW(torch::nn::Module& module, const OptimiserOptions& options);
+  Optimiser(torch::nn::Module& module, const OptimiserOptions& options);
 
   void ZeroGradients();
   /// Length of all gradients together; NaN or infinite if any of them is.
   double GradientNorm() const;
   void ScaleGradients(double factor);
   void Step(double learning_rate);
+  /// Forgets all gradients of the past.
+  void Reset();
 
   /// mean.NAME and square.NAME for every parameter, and the number of steps taken, for checkpoints; they share memory.
   tensor::NamedTensors State() const;
@@ -63,6 +70,9 @@ class AdamW {
     std::string name;
     torch::Tensor parameter, mean, square;
   };
+  void StepAdamW(Slot& slot, double learning_rate) const;
+  void StepSgd(Slot& slot, double learning_rate) const;
+
   OptimiserOptions options_;
   std::vector<Slot> slots_;
   torch::Tensor num_steps_;

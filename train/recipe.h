@@ -16,14 +16,28 @@ struct LossTerms {
   std::map<std::string, torch::Tensor> parts;
 };
 
+/// A part of a training that minimises a loss of its own, with a learning rate that rises and falls anew.
+struct Stage {
+  std::string name;  ///< Stands in the log.
+  double share = 1;  ///< Of all steps; those of a recipe add up to 1.
+  double rate = 1;   ///< Factor of the learning rate.
+};
+
 /// One kind of training, seen by the one loop: which network, which samples, which loss, which measure of success.
 class Recipe {
  public:
   virtual ~Recipe() = default;
 
+  /// All that is trained, in whatever stage.
   virtual torch::nn::Module& module() = 0;
+  /// What best/ keeps of it.
+  virtual torch::nn::Module& product() { return module(); }
   virtual torch::Device device() const = 0;
   virtual int num_samples() const = 0;
+  virtual std::vector<Stage> stages() const { return {{"", 1, 1}}; }
+  /// The losses from now on are those of this stage. Called before the first step of a stage, and on resuming within
+  /// it.
+  virtual void EnterStage(int) {}
   /// The loss of training samples, each in 0 .. num_samples - 1, as the epoch shows them, 0 the first. Deterministic
   /// but for LibTorch's own generators.
   virtual LossTerms Loss(const std::vector<int>& samples, int64_t epoch) = 0;

@@ -1,7 +1,10 @@
 #include "train/sketch_recipe.h"
 
 #include "core/error.h"
+#include "core/parallel.h"
+#include "datasets/read/training_fit.h"
 #include "eval/metrics.h"
+#include "tensor/eigen.h"
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
 
@@ -11,8 +14,12 @@
 namespace daumier::train {
 namespace {
 
+namespace nn = torch::nn;
+
 /// Faces whose vertices are in memory at once.
 constexpr int kBlock = 64;
+/// What LibTorch's cross-entropy passes over.
+constexpr int64_t kNoClass = -100;
 
 std::vector<int> Indices(int begin, int end) {
   std::vector<int> indices(size_t(end - begin));
@@ -20,11 +27,20 @@ std::vector<int> Indices(int begin, int end) {
   return indices;
 }
 
-/// The same lines, in the exact view, as they are.
-datasets::SketchVariation Exact(datasets::SketchVariation variation) {
+/// The same lines in the exact view.
+datasets::SketchVariation InExactView(datasets::SketchVariation variation) {
   variation.all_views = false;
-  variation.augmentation.strength = 0;
   return variation;
+}
+
+/// Sum over the samples that have a class, over the number of all samples.
+torch::Tensor CrossEntropy(const torch::Tensor& scores, const torch::Tensor& classes) {
+  const auto options = nn::functional::CrossEntropyFuncOptions().ignore_index(kNoClass).reduction(torch::kSum);
+  return nn::functional::cross_entropy(scores, classes, options) / double(scores.size(0));
+}
+
+torch::Tensor MeanSquaredLength(const torch::Tensor& rows) {
+  return rows.square().sum() / double(rows.size(0));
 }
 
 }  // namespace
@@ -36,20 +52,73 @@ torch::Tensor CurveVertexWeights(const faces::FaceTemplate& face_template, doubl
   return torch::tensor(weights);
 }
 
+SketchClassifierImpl::SketchClassifierImpl(models::SketchNetwork network, int num_identities, int num_expressions)
+    : network_(register_module("network", std::move(network))),
+      identity_(register_module("identity", nn::Linear(network_->num_identity_features(), num_identities))),
+      expression_(register_module("expression", nn::Linear(network_->num_expression_features(), num_expressions))) {}
+
+SketchClassifierImpl::Scores SketchClassifierImpl::forward(const models::SketchInput& input) {
+  const auto features = network_->Features(input);
+  return {identity_->forward(features.identity), expression_->forward(features.expression)};
+}
+
 SketchRecipe::SketchRecipe(const SketchTrainingOptions& options, const faces::FaceDatabase& faces,
                            const datasets::SketchDatabase& sketches, const datasets::Split& split,
-                           const faces::BilinearModel& bilinear, torch::Device device)
-    : faces_(faces),
+                           const models::FittedModels& models, torch::Device device)
+    : options_(options),
+      faces_(faces),
       device_(device),
-      training_(sketches, split.train, options.network.resolution, options.sketch, options.seed),
-      validation_(sketches, split.validation, options.network.resolution, Exact(options.sketch)),
-      network_(options.network, bilinear),
+      encoder_(models.curves),
+      training_(sketches, split.train, Reading(/*fixed=*/false), options.sketch, options.seed),
+      validation_(sketches, split.validation, Reading(/*fixed=*/true), InExactView(options.sketch), options.seed),
+      network_(options.network, models),
       vertex_weights_(CurveVertexWeights(faces.face_template(), options.curve_weight).to(device)) {
   DAUMIER_CHECK(training_.size() > 0 && validation_.size() > 0,
                 "a training needs training and validation faces, here {} and {}: see split.validation and split.test",
                 training_.size(), validation_.size());
-  network_->to(device_);
+  const SketchStageOptions& stages = options.stages;
+  if (stages.classification + stages.regression > 1) {
+    throw UsageError(fmt::format("stages.classification and stages.regression add up to {}, at most 1 can be",
+                                 stages.classification + stages.regression));
+  }
+  const std::vector<int> identities = datasets::TrainingIdentities(faces, split);
+  if (stages.classification > 0) {
+    classifier_ = SketchClassifier(network_, int(identities.size()), faces.num_expressions());
+    PrecomputeClasses(identities);
+  }
+  module().to(device_);
+  if (stages.regression > 0) PrecomputeCoefficients(identities, models.bilinear);
   if (options.loss == "gram") PrecomputeMoments();
+}
+
+torch::nn::Module& SketchRecipe::module() {
+  if (classifier_) return *classifier_;
+  return *network_;
+}
+
+std::vector<Stage> SketchRecipe::stages() const {
+  const SketchStageOptions& options = options_.stages;
+  return {{"classification", options.classification, options.classification_rate},
+          {"regression", options.regression, options.regression_rate},
+          {"tuning", 1 - options.classification - options.regression, options.tuning_rate}};
+}
+
+void SketchRecipe::EnterStage(int stage) {
+  stage_ = stages()[size_t(stage)].name;
+  network_->FreezeConvolutions(stage_ == "regression");
+}
+
+datasets::SketchReading SketchRecipe::Reading(bool fixed) const {
+  const models::SketchNetworkOptions& network = options_.network;
+  return {.resolution = network.reads_image() ? network.resolution : 0,
+          .num_points = network.reads_points() ? network.num_points : 0,
+          .encoder = network.reads_shape() ? &encoder_ : nullptr,
+          .fixed = fixed};
+}
+
+models::SketchInput SketchRecipe::InputOf(const datasets::SketchBatch& batch) const {
+  const auto moved = [&](const torch::Tensor& tensor) { return tensor.defined() ? tensor.to(device_) : tensor; };
+  return {moved(batch.images), moved(batch.points), moved(batch.shape)};
 }
 
 torch::Tensor SketchRecipe::Targets(std::span<const int> faces) const {
@@ -63,7 +132,7 @@ torch::Tensor SketchRecipe::Targets(std::span<const int> faces) const {
 }
 
 void SketchRecipe::PrecomputeMoments() {
-  gram_loss_.emplace(network_->core(), vertex_weights_);
+  gram_loss_.emplace(network_->basis(), vertex_weights_);
   std::vector<torch::Tensor> linear, constant;
   const std::span<const int> faces = training_.faces();
   for (size_t begin = 0; begin < faces.size(); begin += kBlock) {
@@ -75,18 +144,75 @@ void SketchRecipe::PrecomputeMoments() {
   moments_ = {torch::cat(linear), torch::cat(constant)};
 }
 
-losses::VertexMoments SketchRecipe::MomentsOf(const std::vector<int>& samples) const {
-  const torch::Tensor rows = torch::tensor(samples, torch::kInt64).to(device_);
-  return {moments_.linear.index_select(0, rows), moments_.constant.index_select(0, rows)};
+void SketchRecipe::PrecomputeClasses(const std::vector<int>& identities) {
+  std::vector<int64_t> identity, expression;
+  for (const int face : training_.faces()) {
+    if (face >= faces_.num_grid_faces()) {
+      identity.push_back(kNoClass);
+      expression.push_back(kNoClass);
+      continue;
+    }
+    const auto found = std::lower_bound(identities.begin(), identities.end(), face / faces_.num_expressions());
+    identity.push_back(found - identities.begin());
+    expression.push_back(face % faces_.num_expressions());
+  }
+  identity_classes_ = torch::tensor(identity).to(device_);
+  expression_classes_ = torch::tensor(expression).to(device_);
+}
+
+void SketchRecipe::PrecomputeCoefficients(const std::vector<int>& identities, const faces::BilinearModel& bilinear) {
+  const std::span<const int> faces = training_.faces();
+  tensor::RowMajorMatrix<float> u(faces.size(), bilinear.num_identity), v(faces.size(), bilinear.num_expression);
+  const faces::BilinearProjector projector(bilinear);
+  Eigen::Index row = 0;
+  ForEachInOrder(
+      int(faces.size()),
+      [&](int sample) -> faces::BilinearProjection {
+        const int face = faces[size_t(sample)];
+        if (face >= faces_.num_grid_faces()) return projector.Project(faces_.vertices(face));
+        const auto found = std::lower_bound(identities.begin(), identities.end(), face / faces_.num_expressions());
+        return {bilinear.identity_factors.row(found - identities.begin()),
+                bilinear.expression_factors.row(face % faces_.num_expressions()),
+                {}};
+      },
+      [&](const faces::BilinearProjection& face) {
+        u.row(row) = face.u.transpose();
+        v.row(row++) = face.v.transpose();
+      });
+  coefficients_ = {tensor::CopyToTensor(u).to(device_), tensor::CopyToTensor(v).to(device_), {}};
 }
 
 LossTerms SketchRecipe::Loss(const std::vector<int>& samples, int64_t epoch) {
   const datasets::SketchBatch batch = training_.Get(samples, epoch);
-  const models::FaceCoefficients coefficients = network_->forward(batch.images.to(device_));
-  if (gram_loss_) return {(*gram_loss_)(coefficients.u, coefficients.v, MomentsOf(samples)), {}};
-  std::vector<int> faces;
-  for (const int sample : samples) faces.push_back(training_.faces()[size_t(sample)]);
-  return {losses::VertexLoss(network_->core(), coefficients.u, coefficients.v, Targets(faces), vertex_weights_), {}};
+  const torch::Tensor rows = torch::tensor(samples, torch::kInt64).to(device_);
+  if (stage_ == "classification") return ClassificationLoss(batch, rows);
+  if (stage_ == "regression") return RegressionLoss(batch, rows);
+  return VertexLoss(batch, rows);
+}
+
+LossTerms SketchRecipe::ClassificationLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows) {
+  const auto scores = classifier_->forward(InputOf(batch));
+  const torch::Tensor identity = CrossEntropy(scores.identity, identity_classes_.index_select(0, rows)),
+                      expression = CrossEntropy(scores.expression, expression_classes_.index_select(0, rows));
+  return {identity + expression, {{"identity_entropy", identity}, {"expression_entropy", expression}}};
+}
+
+LossTerms SketchRecipe::RegressionLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows) {
+  const auto answer = network_->Standardised(network_->forward(InputOf(batch)));
+  const auto truth =
+      network_->Standardised({coefficients_.u.index_select(0, rows), coefficients_.v.index_select(0, rows), {}});
+  const torch::Tensor u = MeanSquaredLength(answer.u - truth.u), v = MeanSquaredLength(answer.v - truth.v);
+  return {u + v, {{"u_error", u}, {"v_error", v}}};
+}
+
+LossTerms SketchRecipe::VertexLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows) {
+  const torch::Tensor linear = network_->Linear(network_->forward(InputOf(batch)));
+  if (gram_loss_)
+    return {(*gram_loss_)(linear, {moments_.linear.index_select(0, rows), moments_.constant.index_select(0, rows)}),
+            {}};
+  const int64_t* const faces = batch.faces.data_ptr<int64_t>();
+  const std::vector<int> indices(faces, faces + batch.faces.numel());
+  return {losses::VertexLoss(network_->basis(), linear, Targets(indices), vertex_weights_), {}};
 }
 
 std::map<std::string, double> SketchRecipe::Validate() {
@@ -96,7 +222,7 @@ std::map<std::string, double> SketchRecipe::Validate() {
   for (int begin = 0; begin < validation_.size(); begin += kBlock) {
     const std::vector<int> samples = Indices(begin, std::min(begin + kBlock, validation_.size()));
     const torch::Tensor predicted =
-        network_->Decode(network_->forward(validation_.Get(samples).images.to(device_))).to(torch::kCPU).contiguous();
+        network_->Decode(network_->forward(InputOf(validation_.Get(samples)))).to(torch::kCPU).contiguous();
     const size_t num_coordinates = size_t(predicted.size(1));
     for (size_t row = 0; row < samples.size(); ++row) {
       errors.push_back(eval::MeanVertexError({predicted.data_ptr<float>() + row * num_coordinates, num_coordinates},
@@ -109,7 +235,11 @@ std::map<std::string, double> SketchRecipe::Validate() {
 
 tensor::NamedTensors SketchRecipe::BatchTensors(const std::vector<int>& samples, int64_t epoch) {
   const datasets::SketchBatch batch = training_.Get(samples, epoch);
-  return {{"images", batch.images}, {"faces", batch.faces}};
+  tensor::NamedTensors tensors{{"faces", batch.faces}};
+  if (batch.images.defined()) tensors["images"] = batch.images;
+  if (batch.points.defined()) tensors["points"] = batch.points;
+  if (batch.shape.defined()) tensors["shape"] = batch.shape;
+  return tensors;
 }
 
 }  // namespace daumier::train

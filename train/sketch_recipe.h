@@ -1,14 +1,12 @@
 #pragma once
-#include "core/options.h"
 #include "datasets/read/sketch_database.h"
 #include "datasets/read/sketch_dataset.h"
-#include "datasets/read/splits.h"
-#include "faces/bilinear_model.h"
+#include "faces/curve_encoder.h"
 #include "faces/face_database.h"
 #include "losses/vertex_loss.h"
 #include "models/sketch_network.h"
 #include "train/recipe.h"
-#include "train/trainer.h"
+#include "train/sketch_options.h"
 
 #include <filesystem>
 #include <optional>
@@ -16,64 +14,50 @@
 
 namespace daumier::train {
 
-struct SketchDataOptions {
-  std::string faces, sketches;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("faces", faces, Text{}, "Folder of the faces.");
-    visit("sketches", sketches, Text{}, "Folder of their sketches.");
-  }
-};
-
-struct SketchTrainingOptions {
-  SketchDataOptions data;
-  datasets::SplitOptions split;
-  faces::BilinearOptions bilinear;
-  datasets::SketchVariation sketch;
-  models::PixelCnnOptions network;
-  OptimiserOptions optimiser;
-  TrainerOptions trainer;
-  std::string loss = "gram";
-  double curve_weight = 2;
-  uint64_t seed = 1;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("data", data, Table{}, "What is learnt from.");
-    visit("split", split, Table{}, "Who trains, who validates, who tests.");
-    visit("bilinear", bilinear, Table{}, "The bilinear face model, fitted on training faces.");
-    visit("sketch", sketch, Table{}, "Which sketch of a face is seen in training.");
-    visit("network", network, Table{}, "The network.");
-    visit("optimiser", optimiser, Table{}, "AdamW and its schedule.");
-    trainer.Visit(visit);
-    visit("loss", loss, Choices{{"gram", "vertices"}},
-          "How the vertex loss is computed; gram reads no vertex in a step and gives the same number.");
-    visit("curve_weight", curve_weight, Range{1, 1000},
-          "Weight of the vertices of feature curves in the vertex loss; all others weigh 1.");
-    visit("seed", seed, Range{0, 9e15},
-          "Of the split, the first weights, the order of the samples and their augmentation.");
-  }
-};
-
 /// w of the vertex loss [Han et al. 2017, eq. 2], V: curve_weight on the vertices of the annotation's feature curves, 1
 /// elsewhere.
 torch::Tensor CurveVertexWeights(const faces::FaceTemplate& face_template, double curve_weight);
 
-/// A sketch network on the training faces of a split, whose sketches vary from epoch to epoch; those of
-/// validation are exact and not augmented. The validation's mean_vertex_error_mm is the one of
-/// eval/metrics.h over the region `face`. The databases have to outlive it.
+/// A sketch network with the softmax layers of the first step of training behind its branches.
+class SketchClassifierImpl : public torch::nn::Module {
+ public:
+  SketchClassifierImpl(models::SketchNetwork network, int num_identities, int num_expressions);
+
+  /// Scores before the softmax: identities (B, I), expressions (B, E).
+  struct Scores {
+    torch::Tensor identity, expression;
+  };
+  Scores forward(const models::SketchInput& input);
+
+ private:
+  models::SketchNetwork network_;
+  torch::nn::Linear identity_, expression_;
+};
+TORCH_MODULE(SketchClassifier);
+
+/// A sketch network on the training faces of a split, whose sketches vary from epoch to epoch; those of validation vary
+/// in the same way, but not with the epoch, and are seen in the exact view. Its stages [Han et al. 2017, section 4.4]:
+///   classification   cross-entropy of identity (person x level) and expression; an interpolated face has neither, and
+///                    counts as 0
+///   regression       squared distance of u and v, standardised, from those that the bilinear model was fitted with (of
+///                    an interpolated face: its projection), convolutions frozen
+///   tuning           the vertex loss; the only one of a training without shares for the others
+/// The validation's mean_vertex_error_mm is the one of eval/metrics.h over the region `face`. Databases and models have
+/// to outlive it.
 class SketchRecipe : public Recipe {
  public:
   /// Draws the first weights from LibTorch's CPU generator. @throws Error if a side of the split that training needs is
   /// empty.
   SketchRecipe(const SketchTrainingOptions& options, const faces::FaceDatabase& faces,
                const datasets::SketchDatabase& sketches, const datasets::Split& split,
-               const faces::BilinearModel& bilinear, torch::Device device);
+               const models::FittedModels& models, torch::Device device);
 
-  torch::nn::Module& module() override { return *network_; }
+  torch::nn::Module& module() override;
+  torch::nn::Module& product() override { return *network_; }
   torch::Device device() const override { return device_; }
   int num_samples() const override { return training_.size(); }
+  std::vector<Stage> stages() const override;
+  void EnterStage(int stage) override;
   LossTerms Loss(const std::vector<int>& samples, int64_t epoch) override;
   std::map<std::string, double> Validate() override;
   std::string metric() const override { return "mean_vertex_error_mm"; }
@@ -82,23 +66,39 @@ class SketchRecipe : public Recipe {
   const models::SketchNetwork& network() const { return network_; }
 
  private:
+  datasets::SketchReading Reading(bool fixed) const;
+  models::SketchInput InputOf(const datasets::SketchBatch& batch) const;
   /// Vertices of some faces, (B, 3V), on the device.
   torch::Tensor Targets(std::span<const int> faces) const;
-  losses::VertexMoments MomentsOf(const std::vector<int>& samples) const;
   void PrecomputeMoments();
+  /// Classes and coefficients of the training samples.
+  void PrecomputeClasses(const std::vector<int>& identities);
+  void PrecomputeCoefficients(const std::vector<int>& identities, const faces::BilinearModel& bilinear);
 
+  LossTerms ClassificationLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows);
+  LossTerms RegressionLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows);
+  LossTerms VertexLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows);
+
+  const SketchTrainingOptions options_;
   const faces::FaceDatabase& faces_;
   torch::Device device_;
+  faces::CurveEncoder encoder_;
   datasets::SketchDataset training_, validation_;
   models::SketchNetwork network_;
+  SketchClassifier classifier_{nullptr};  ///< Where there is a stage for it.
+  std::string stage_ = "tuning";
   torch::Tensor vertex_weights_;
   std::optional<losses::GramVertexLoss> gram_loss_;
-  losses::VertexMoments moments_;  ///< A row a training sample; of the gram loss alone.
+  // A row a training sample, each of the stage that needs it alone.
+  losses::VertexMoments moments_;
+  torch::Tensor identity_classes_, expression_classes_;  ///< (N) int64; -100 is no class.
+  models::FaceCoefficients coefficients_;
 };
 
-/// `daumier train` of a sketch network: opens the databases, splits, fits the bilinear model on training faces, trains,
-/// and leaves a run folder that models::LoadSketchRun reads. The manifest tells the split, what the bilinear model was
-/// fitted on, the hashes of the data and their licences, and holds no path. device: "cpu" or "cuda".
+/// `daumier train` of a sketch network: opens the databases, splits, fits the bilinear models of faces and of curves
+/// (and the basis of a network with a residual) on training faces, trains, and leaves a run folder that
+/// models::LoadSketchRun reads. The manifest tells the split, what the models were fitted on, the camera of the
+/// sketches, the hashes of the data and their licences, and holds no path. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and OpenRunFolder, Error as Train and the databases.
 TrainingSummary TrainSketch(const Json& config, const std::filesystem::path& run_directory, bool resume,
                             const std::string& device);

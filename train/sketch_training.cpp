@@ -4,6 +4,8 @@
 #include "core/log.h"
 #include "core/manifest.h"
 #include "datasets/read/training_fit.h"
+#include "models/sketch_run.h"
+#include "render/camera_json.h"
 #include "tensor/runtime.h"
 #include "train/run_folder.h"
 #include "train/sketch_recipe.h"
@@ -15,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kBilinearFile = "bilinear.safetensors";
 constexpr const char* kBestFile = "best/model.safetensors";
 
 SketchTrainingOptions ParseSketchOptions(const Json& config) {
@@ -37,24 +38,38 @@ Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchData
   return {{"faces", faces_hash}, {"sketches", DataHash(options.data.sketches)}};
 }
 
-/// The bilinear model of a run: fitted and written with all else that begins a run folder, or read back from it.
-faces::BilinearModel BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
-                              const faces::FaceDatabase& faces, const datasets::Split& split) {
-  log::Info("Fitting the bilinear model on {} training faces", split.train.size());
-  const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, options.bilinear);
+/// The models of a run: fitted and written with all else that begins a run folder, or read back from it.
+models::FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
+                              const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
+                              const datasets::Split& split) {
+  log::Info("Fitting the bilinear models on {} training faces", split.train.size());
+  const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear),
+                                 curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear);
+  models::FittedModels models{bilinear.model, curves.model, {}};
+  if (options.network.residual > 0) {
+    models.basis = datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed);
+  }
   // Only now does the folder hold a run: what the fit refuses can be told otherwise in the same folder.
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
-  manifest.details["bilinear"] = fitted.proof;
+  manifest.details["bilinear"] = bilinear.proof;
+  manifest.details["curves"] = curves.proof;
   manifest.checksums = faces::WriteFaceTemplate(directory, faces.face_template());
-  manifest.checksums[kBilinearFile] = faces::WriteBilinearModel(directory / kBilinearFile, fitted.model);
+  manifest.checksums.merge(models::WriteFittedModels(directory, models));
   WriteManifest(directory, manifest);
-  return fitted.model;
+  return models;
 }
 
-faces::BilinearModel TakeUpRun(const fs::path& directory, const SketchTrainingOptions& options) {
+models::FittedModels TakeUpRun(const fs::path& directory, const SketchTrainingOptions& options) {
   VerifyChecksums(directory, ReadManifest(directory, "run"));
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
-  return faces::ReadBilinearModel(directory / kBilinearFile);
+  return models::ReadFittedModels(directory);
+}
+
+/// How the sketches were seen.
+Json SketchFrame(const datasets::SketchDatabase& sketches) {
+  std::vector<std::string> names;
+  for (const int curve : sketches.feature_curves()) names.push_back(sketches.curve_names()[size_t(curve)]);
+  return {{"camera", render::CameraToJson(sketches.camera())}, {"feature_curves", names}};
 }
 
 void FinishRun(const fs::path& directory, const TrainingSummary& summary, int64_t num_parameters) {
@@ -86,14 +101,16 @@ TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, b
   manifest.counts = {{"training_faces", split.train.size()},
                      {"validation_faces", split.validation.size()},
                      {"test_faces", split.test.size()}};
-  manifest.details = {{"data", DataHashes(options, sketches)}, {"split", datasets::SplitToJson(faces, split)}};
+  manifest.details = {{"data", DataHashes(options, sketches)},
+                      {"split", datasets::SplitToJson(faces, split)},
+                      {"sketches", SketchFrame(sketches)}};
 
   const bool begun = OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
-  const faces::BilinearModel bilinear =
-      begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, split);
+  const models::FittedModels models =
+      begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
 
   torch::manual_seed(options.seed);
-  SketchRecipe recipe(options, faces, sketches, split, bilinear, torch_device);
+  SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
   log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
   const TrainingSummary summary = Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   FinishRun(run_directory, summary, recipe.network()->num_parameters());

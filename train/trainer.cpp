@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/log.h"
 #include "core/progress.h"
 #include "core/random.h"
 #include "tensor/module_state.h"
@@ -39,10 +40,19 @@ class Training {
     DAUMIER_CHECK(recipe.num_samples() > 0, "there is no training sample");
     steps_per_epoch_ = recipe.num_samples() / batch_;
     total_steps_ = steps_per_epoch_ * options.epochs;
+    double share = 0;
+    for (const Stage& stage : recipe.stages()) {
+      const auto begin = stages_.empty() ? 0 : stages_.back().end;
+      share += stage.share;
+      stages_.push_back({stage, begin, std::llround(share * double(total_steps_))});
+    }
+    DAUMIER_CHECK(!stages_.empty() && stages_.back().end == total_steps_,
+                  "the shares of the stages of a training add up to {}, expected 1", share);
   }
 
   TrainingSummary Run() {
     Restore();
+    EnterStage();
     RunLog log(run_directory_, step_);
     Progress progress("Training", total_steps_ - step_, "steps");
     recipe_.module().train();
@@ -51,6 +61,7 @@ class Training {
       const int64_t position = step_ % steps_per_epoch_;
       if (first || position == 0)
         order = Stream(seed_, "training order", uint64_t(Epoch())).Permutation(recipe_.num_samples());
+      if (step_ == stages_[size_t(stage_)].end) BeginNextStage();
       const auto begin = order.begin() + position * batch_;
       TakeStep({begin, begin + batch_});
       progress.Step(1, fmt::format("loss {:.4g}", last_loss_));
@@ -80,6 +91,31 @@ class Training {
   /// Of the step under way, 0 the first.
   int64_t Epoch() const { return step_ / steps_per_epoch_; }
 
+  struct Part {
+    Stage stage;
+    int64_t begin, end;  ///< Steps.
+  };
+
+  void EnterStage() {
+    const Part& part = stages_[size_t(stage_)];
+    recipe_.EnterStage(stage_);
+    if (stages_.size() > 1)
+      log::Info("Stage {}: steps {} to {} of {}", part.stage.name, part.begin + 1, part.end, total_steps_);
+  }
+
+  /// One without steps is passed over.
+  void BeginNextStage() {
+    while (stages_[size_t(stage_)].end <= step_) ++stage_;
+    EnterStage();
+    optimiser_.Reset();
+  }
+
+  /// Of the step under way.
+  double Rate() const {
+    const Part& part = stages_[size_t(stage_)];
+    return part.stage.rate * LearningRate(optimiser_options_, step_ - part.begin, part.end - part.begin);
+  }
+
   void TakeStep(const std::vector<int>& samples) {
     optimiser_.ZeroGradients();
     const LossTerms loss = recipe_.Loss(samples, Epoch());
@@ -91,7 +127,7 @@ class Training {
     const double norm = optimiser_.GradientNorm();
     CheckFinite(norm, "gradient", samples);
     values["gradient_norm"] = norm;
-    values["learning_rate"] = LearningRate(optimiser_options_, step_, total_steps_);
+    values["learning_rate"] = Rate();
     if (optimiser_options_.clip_norm > 0 && norm > optimiser_options_.clip_norm)
       optimiser_.ScaleGradients(optimiser_options_.clip_norm / norm);
     optimiser_.Step(values["learning_rate"]);
@@ -106,10 +142,10 @@ class Training {
     tensor::NamedTensors batch = recipe_.BatchTensors(samples, Epoch());
     batch["samples"] = torch::tensor(samples, torch::kInt32);
     tensor::SaveTensors(file, batch);
-    throw Error(fmt::format(
-        "{} is {} in step {} (epoch {}), with a learning rate of {:.3g}; its batch is in {}. Try a smaller "
-        "optimiser.learning_rate or optimiser.clip_norm=1",
-        name, value, step_ + 1, Epoch() + 1, LearningRate(optimiser_options_, step_, total_steps_), file.string()));
+    throw Error(
+        fmt::format("{} is {} in step {} (epoch {}), with a learning rate of {:.3g}; its batch is in {}. Try a smaller "
+                    "optimiser.learning_rate or optimiser.clip_norm=1",
+                    name, value, step_ + 1, Epoch() + 1, Rate(), file.string()));
   }
 
   void WriteTrainingLine(RunLog& log) {
@@ -135,9 +171,10 @@ class Training {
       best_ = value;
       best_epoch_ = epoch;
       MakeDirectory(run_directory_ / "best");
-      tensor::SaveModule(run_directory_ / "best" / "model.safetensors", recipe_.module());
+      tensor::SaveModule(run_directory_ / "best" / "model.safetensors", recipe_.product());
     }
-    stopped_early_ = options_.patience > 0 && epoch - best_epoch_ >= options_.patience;
+    const int64_t last_stage = stages_.back().begin / steps_per_epoch_;
+    stopped_early_ = options_.patience > 0 && epoch - std::max(best_epoch_, last_stage) >= options_.patience;
   }
 
   void Save() {
@@ -147,6 +184,7 @@ class Training {
     for (const torch::Device& device : RandomDevices(recipe_.device()))
       checkpoint.random[device.str()] = at::globalContext().defaultGenerator(device).get_state();
     checkpoint.state = {{"step", step_},
+                        {"stage", stage_},
                         {"best", best_},
                         {"best_epoch", best_epoch_},
                         {"stopped_early", stopped_early_},
@@ -167,6 +205,7 @@ class Training {
     }
     const Json& state = checkpoint->state;
     step_ = state.at("step").get<int64_t>();
+    stage_ = state.at("stage").get<int>();
     best_ = state.at("best").get<double>();
     best_epoch_ = state.at("best_epoch").get<int64_t>();
     stopped_early_ = state.at("stopped_early").get<bool>();
@@ -183,8 +222,10 @@ class Training {
   const std::filesystem::path run_directory_;
   const int batch_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  AdamW optimiser_;
+  Optimiser optimiser_;
   int64_t steps_per_epoch_ = 0, total_steps_ = 0;
+  std::vector<Part> stages_;
+  int stage_ = 0;
 
   int64_t step_ = 0;  ///< Finished ones.
   double best_ = 0;

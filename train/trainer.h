@@ -20,7 +20,8 @@ struct TrainerOptions {
     visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
     visit("batch", batch, Range{1, 65536},
           "Samples a step; what is left over at the end of an epoch waits for the next.");
-    visit("patience", patience, Range{0, 1e6}, "Stop after so many epochs without a better validation; 0: never.");
+    visit("patience", patience, Range{0, 1e6},
+          "Stop after so many epochs of the last stage without a better validation; 0: never.");
     visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
     visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
           "Steps between checkpoints beside the one after every epoch; 0: none.");
@@ -40,8 +41,11 @@ struct TrainingSummary {
 /// The one loop. Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and leaves
 /// there:
 ///   metrics.jsonl, TensorBoard events   training terms as means over log_every steps, learning_rate, gradient_norm;
-///   validation checkpoints/latest/                 after every epoch, see train/checkpoint.h best/model.safetensors
-///   the weights whose validation metric was least, the first of equals
+///                                        validation
+///   checkpoints/latest/                  after every epoch, see train/checkpoint.h
+///   best/model.safetensors               the weights whose validation metric was least, the first of equals
+/// The recipe's stages follow each other; the optimiser begins each anew, with the learning rate of LearningRate over
+/// the steps of the stage. Patience counts in the last stage alone.
 /// The order of the samples of an epoch depends on (seed, epoch) alone, and all else that matters is in the checkpoint:
 /// a training that was stopped anywhere and went on ends with the same bytes as one that was not, on as many threads.
 /// @throws Error if a loss or a gradient is not a number (the batch is in nan_batch.safetensors, the message says

@@ -4,22 +4,13 @@
 #include "core/safetensors.h"
 #include "datasets/build/sharded_build.h"
 #include "faces/face_database.h"
+#include "render/camera_json.h"
 #include "render/strokes.h"
 
 #include <algorithm>
 
 namespace daumier::datasets {
 namespace {
-
-Json CameraToJson(const render::Camera& camera) {
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = camera.camera_from_world;
-  return {{"camera_from_world", std::vector<double>(rotation.data(), rotation.data() + 9)},
-          {"translation", std::vector<double>(camera.translation.begin(), camera.translation.end())},
-          {"scale", camera.scale},
-          {"principal_point", std::vector<double>(camera.principal_point.begin(), camera.principal_point.end())},
-          {"width", camera.width},
-          {"height", camera.height}};
-}
 
 /// All that the sketches of a database have in common.
 struct SketchPlan {
@@ -85,7 +76,7 @@ void BuildSketches(const SketchesOptions& options, const std::filesystem::path& 
                            {"curve_points_per_sketch", plan.lines.num_curve_points()}};
   build.manifest.details = {{"faces_data_hash", DataHash(options.faces)},
                             {"canvas", render::kSketchCanvas},
-                            {"camera", CameraToJson(plan.camera)},
+                            {"camera", render::CameraToJson(plan.camera)},
                             {"kinds", SketchKinds()},
                             {"curves", plan.lines.curves()}};
   const int per_shard = database.num_levels() * database.num_expressions();

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "faces/face_database.h"
+#include "render/camera_json.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,26 +19,6 @@ void CheckOffsets(const std::filesystem::path& path, const SafetensorsFile& shar
                 "{}: {} does not rise from 0 to {} in {} steps", path.string(), name, end, count);
 }
 
-/// What datasets/build/sketches.cpp writes.
-render::Camera CameraFromJson(const Json& json) {
-  const auto numbers = [&](const char* key, size_t count) {
-    const auto values = json.at(key).get<std::vector<double>>();
-    DAUMIER_CHECK(values.size() == count, "malformed camera: {} has {} numbers, expected {}", key, values.size(),
-                  count);
-    return values;
-  };
-  const auto rotation = numbers("camera_from_world", 9), translation = numbers("translation", 3),
-             principal_point = numbers("principal_point", 2);
-  render::Camera camera;
-  camera.camera_from_world = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
-  camera.translation = Eigen::Map<const Eigen::Vector3d>(translation.data());
-  camera.principal_point = Eigen::Map<const Eigen::Vector2d>(principal_point.data());
-  camera.scale = json.at("scale");
-  camera.width = json.at("width");
-  camera.height = json.at("height");
-  return camera;
-}
-
 }  // namespace
 
 SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool verify)
@@ -49,7 +30,7 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool veri
     num_faces_ = manifest_.counts.at("faces").get<int>();
     faces_per_shard_ = manifest_.counts.at("faces_per_shard").get<int>();
     num_views_ = manifest_.counts.at("views_per_face").get<int>();
-    camera_ = CameraFromJson(manifest_.details.at("camera"));
+    camera_ = render::CameraFromJson(manifest_.details.at("camera"));
     kinds_ = manifest_.details.at("kinds").get<std::vector<std::string>>();
     for (const Json& curve : manifest_.details.at("curves")) {
       if (!IsWrinkleKind(curve.at("kind").get<std::string>())) feature_curves_.push_back(num_curves_);

@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "datasets/read/shape_numbers.h"
+#include "render/stroke_samples.h"
+#include "tensor/torch_version.h"
 
 #include <algorithm>
 
@@ -21,53 +24,95 @@ void OnAllCores(int64_t count, const Work& work) {
       num_blocks, work_on, [](int64_t) {}, static_cast<unsigned>(num_cores));
 }
 
+/// The row's first element.
+template <class T>
+T* RowOf(const torch::Tensor& tensor, int64_t row) {
+  return tensor.data_ptr<T>() + row * (tensor.numel() / tensor.size(0));
+}
+
+void WriteInk(const render::Image& image, uint8_t* ink) {
+  std::transform(image.pixels.begin(), image.pixels.end(), ink,
+                 [](uint8_t grey) { return static_cast<uint8_t>(255 - grey); });
+}
+
+/// Four rows of num_points.
+void WritePoints(const std::vector<render::StrokeSample>& samples, float* points) {
+  constexpr float kHalf = 0.5f * render::kSketchCanvas;
+  const size_t count = samples.size();
+  for (size_t i = 0; i < count; ++i) {
+    points[i] = (samples[i].x - kHalf) / kHalf;
+    points[count + i] = (samples[i].y - kHalf) / kHalf;
+    points[2 * count + i] = samples[i].cos_double;
+    points[3 * count + i] = samples[i].sin_double;
+  }
+}
+
 }  // namespace
 
-SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, int resolution,
+SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, const SketchReading& reading,
                              const SketchVariation& variation, uint64_t seed)
-    : faces_(std::move(faces)), resolution_(resolution), variation_(variation), seed_(seed), sketches_(sketches) {
+    : faces_(std::move(faces)),
+      reading_(reading),
+      variation_(variation),
+      seed_(seed),
+      sketches_(sketches),
+      varies_(!reading.fixed && variation.varies(sketches)) {
   for (const int face : faces_) {
     DAUMIER_CHECK(face >= 0 && face < sketches.num_faces(), "sketch {} of a database of {}", face,
                   sketches.num_faces());
   }
-  if (variation.varies(sketches)) return;
-  ink_ = torch::empty({size(), 1, resolution, resolution}, torch::kUInt8);
-  uint8_t* const ink = ink_.data_ptr<uint8_t>();
-  OnAllCores(size(), [&](int64_t sample) {
-    const render::Image image = Draw(faces_[sample], 0);
-    std::transform(image.pixels.begin(), image.pixels.end(), ink + sample * int64_t(image.pixels.size()),
-                   [](uint8_t grey) { return static_cast<uint8_t>(255 - grey); });
-  });
+  if (varies_ || faces_.empty()) return;
+  kept_ = EmptyRows(size());
+  OnAllCores(size(), [&](int64_t sample) { Read(faces_[size_t(sample)], 0, sample, kept_); });
+}
+
+SketchDataset::Rows SketchDataset::EmptyRows(int64_t count) const {
+  Rows rows;
+  if (reading_.resolution > 0)
+    rows.ink = torch::empty({count, 1, reading_.resolution, reading_.resolution}, torch::kUInt8);
+  if (reading_.num_points > 0) rows.points = torch::empty({count, 4, reading_.num_points});
+  if (reading_.encoder) rows.shape = torch::empty({count, reading_.encoder->num_numbers()});
+  return rows;
+}
+
+void SketchDataset::Read(int face, int64_t epoch, int64_t row, const Rows& rows) const {
+  const AugmentedSketch sketch = VariedSketch(sketches_, face, variation_, seed_, epoch);
+  if (rows.ink.defined())
+    WriteInk(render::RasteriseStrokes(sketch.strokes, reading_.resolution, sketch.style),
+             RowOf<uint8_t>(rows.ink, row));
+  if (rows.points.defined())
+    WritePoints(render::SampleStrokes(sketch.strokes, reading_.num_points), RowOf<float>(rows.points, row));
+  if (rows.shape.defined()) {
+    const Eigen::VectorXf numbers = GivenShape(*reading_.encoder, sketches_, sketch.moved, sketch.visible).numbers();
+    std::copy(numbers.begin(), numbers.end(), RowOf<float>(rows.shape, row));
+  }
 }
 
 SketchBatch SketchDataset::Get(std::span<const int> samples, int64_t epoch) const {
   const auto count = static_cast<int64_t>(samples.size());
-  SketchBatch batch{torch::empty({count, 1, resolution_, resolution_}), torch::empty({count}, torch::kInt64)};
-  const int64_t num_pixels = int64_t(resolution_) * resolution_;
-  float* const images = batch.images.data_ptr<float>();
+  SketchBatch batch;
+  batch.faces = torch::empty({count}, torch::kInt64);
   int64_t* const faces = batch.faces.data_ptr<int64_t>();
   for (int64_t row = 0; row < count; ++row) {
-    const int sample = samples[row];
+    const int sample = samples[size_t(row)];
     DAUMIER_CHECK(sample >= 0 && sample < size(), "sample {} of a dataset of {}", sample, size());
-    faces[row] = faces_[sample];
-    if (!ink_.defined()) continue;
-    const uint8_t* const ink = ink_.data_ptr<uint8_t>() + sample * num_pixels;
-    std::transform(ink, ink + num_pixels, images + row * num_pixels,
-                   [](uint8_t value) { return static_cast<float>(value) / 255.0f; });
+    faces[row] = faces_[size_t(sample)];
   }
-  if (!ink_.defined()) {
-    OnAllCores(count, [&](int64_t row) {
-      const render::Image image = Draw(static_cast<int>(faces[row]), epoch);
-      std::transform(image.pixels.begin(), image.pixels.end(), images + row * num_pixels,
-                     [](uint8_t grey) { return static_cast<float>(255 - grey) / 255.0f; });
-    });
+  Rows rows;
+  if (varies_) {
+    rows = EmptyRows(count);
+    OnAllCores(count, [&](int64_t row) { Read(static_cast<int>(faces[row]), epoch, row, rows); });
+  } else {
+    const torch::Tensor index = torch::tensor(std::vector<int>(samples.begin(), samples.end()), torch::kInt64);
+    const auto chosen = [&](const torch::Tensor& all) {
+      return all.defined() ? all.index_select(0, index) : torch::Tensor();
+    };
+    rows = {chosen(kept_.ink), chosen(kept_.points), chosen(kept_.shape)};
   }
+  if (rows.ink.defined()) batch.images = rows.ink.to(torch::kFloat32).div_(255);
+  batch.points = rows.points;
+  batch.shape = rows.shape;
   return batch;
-}
-
-render::Image SketchDataset::Draw(int face, int64_t epoch) const {
-  const AugmentedSketch sketch = VariedSketch(sketches_, face, variation_, seed_, epoch);
-  return render::RasteriseStrokes(sketch.strokes, resolution_, sketch.style);
 }
 
 }  // namespace daumier::datasets

@@ -1,7 +1,9 @@
 #include "datasets/read/training_fit.h"
 
 #include "core/error.h"
+#include "core/random.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace daumier::datasets {
@@ -15,12 +17,10 @@ FittedBilinear Fit(const faces::FaceDatabase& database, const Split& split, cons
   for (const int face : split.train) is_training.at(face) = true;
 
   FittedBilinear fitted;
+  fitted.identities = TrainingIdentities(database, split);
   std::vector<int> read;
-  for (int face = 0; face < database.num_grid_faces(); ++face) {
-    if (!is_training[face]) continue;
-    read.push_back(face);
-    const int identity = face / num_expressions;
-    if (fitted.identities.empty() || fitted.identities.back() != identity) fitted.identities.push_back(identity);
+  for (const int face : split.train) {
+    if (face < database.num_grid_faces()) read.push_back(face);
   }
   const auto reader = [&](int identity, int expression) -> std::span<const float> {
     const int face = fitted.identities[identity] * num_expressions + expression;
@@ -34,6 +34,16 @@ FittedBilinear Fit(const faces::FaceDatabase& database, const Split& split, cons
 }
 
 }  // namespace
+
+std::vector<int> TrainingIdentities(const faces::FaceDatabase& database, const Split& split) {
+  std::vector<int> identities;
+  for (const int face : split.train) {
+    const int identity = face / database.num_expressions();
+    if (face < database.num_grid_faces() && (identities.empty() || identities.back() != identity))
+      identities.push_back(identity);
+  }
+  return identities;
+}
 
 FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& split,
                              const faces::BilinearOptions& options) {
@@ -50,6 +60,39 @@ FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const Sk
   DAUMIER_CHECK(!split.train.empty(), "no face to fit the curves on");
   return Fit(database, split, options, static_cast<int>(points[split.train.front()].size()),
              [&](int face) { return std::span<const float>(points[face]); });
+}
+
+faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                    const faces::BilinearModel& bilinear, int size, uint64_t seed) {
+  const std::vector<int> identities = TrainingIdentities(database, split);
+  constexpr int kMostFaces = 1500;
+  std::vector<int> grid;
+  for (const int face : split.train) {
+    if (face < database.num_grid_faces()) grid.push_back(face);
+  }
+  std::vector<int> chosen;
+  for (const int index : Stream(seed, "faces of a basis").Permutation(static_cast<int>(grid.size()))) {
+    if (chosen.size() < kMostFaces) chosen.push_back(grid[size_t(index)]);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  faces::FaceBasis basis = faces::FitFaceBasis(
+      static_cast<int>(chosen.size()), 3 * database.num_vertices(),
+      [&](int i) { return database.vertices(chosen[size_t(i)]); }, size);
+
+  const Eigen::MatrixXf products = basis.rows * bilinear.core.transpose();  // size x Ku Kv.
+  Eigen::VectorXf squares = Eigen::VectorXf::Zero(size);
+  for (const int face : chosen) {
+    const int identity = face / database.num_expressions(), expression = face % database.num_expressions();
+    const auto row = std::lower_bound(identities.begin(), identities.end(), identity);
+    const Eigen::VectorXf u = bilinear.identity_factors.row(row - identities.begin()),
+                          v = bilinear.expression_factors.row(expression);
+    const Eigen::VectorXf uv = (v * u.transpose()).reshaped();  // v fastest.
+    const auto coordinates = database.vertices(face);
+    const Eigen::Map<const Eigen::VectorXf> truth(coordinates.data(), Eigen::Index(coordinates.size()));
+    squares += (basis.rows * truth - products * uv).cwiseAbs2();
+  }
+  basis.deviation = (squares / float(chosen.size())).cwiseSqrt();
+  return basis;
 }
 
 }  // namespace daumier::datasets

@@ -3,6 +3,7 @@
 #include "datasets/read/sketch_database.h"
 #include "datasets/read/splits.h"
 #include "faces/bilinear_model.h"
+#include "faces/face_basis.h"
 #include "faces/face_database.h"
 
 #include <span>
@@ -12,11 +13,14 @@ namespace daumier::datasets {
 
 struct FittedBilinear {
   faces::BilinearModel model;
-  /// person * num_levels + level of each row of model.identity_factors, ascending.
-  std::vector<int> identities;
+  std::vector<int> identities;  ///< TrainingIdentities.
   /// Which faces were read: {num_faces, num_persons, persons, faces_checksum} as in SplitToJson, and num_identities.
   Json proof;
 };
+
+/// person * num_levels + level of every pair that has a training face in the grid, ascending: the rows of the identity
+/// factors that are fitted below.
+std::vector<int> TrainingIdentities(const faces::FaceDatabase& database, const Split& split);
 
 /// Fits the bilinear model to all coordinates of the split's training faces of the grid; no other face is read.
 /// Identities are the pairs of person and level that have a training face; faces of theirs that are held out (split
@@ -30,5 +34,11 @@ FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& s
 /// @throws Error as FitBilinear, or if the sketches belong to other faces.
 FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const SketchDatabase& sketches,
                                    const Split& split, const faces::BilinearOptions& options);
+
+/// A linear basis of at most 1,500 training faces of the grid, drawn by a stream of the seed, and how far they stand
+/// from the faces that the bilinear model of FitOnTraining makes of their own u and v. @throws Error as
+/// faces::FitFaceBasis.
+faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                    const faces::BilinearModel& bilinear, int size, uint64_t seed);
 
 }  // namespace daumier::datasets

@@ -15,7 +15,7 @@ using SketchEvalTest = SketchRunFixture;
 
 TEST_F(SketchEvalTest, WritesTheKeysThatAreAgreedOnAndAReport) {
   const fs::path out = *folder_ / "report";
-  const Json metrics = EvaluateSketchRun(*folder_ / "run", "test", out);
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", out);
   EXPECT_EQ(Json::parse(ReadFile(out / "metrics.json")), metrics);
   for (const char* key :
        {"mean_vertex_error_mm", "p90_vertex_error_mm", "mean_face_baseline_mm", "nearest_neighbour_mm", "ridge_mm",
@@ -33,7 +33,7 @@ TEST_F(SketchEvalTest, WritesTheKeysThatAreAgreedOnAndAReport) {
 }
 
 TEST_F(SketchEvalTest, MeasuresBaselinesAsWorkedOutByHand) {
-  const Json metrics = EvaluateSketchRun(*folder_ / "run", "validation", *folder_ / "validation");
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "validation", {.split = "validation"});
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
   const SketchSamples samples{[&](int face) { return data.faces.vertices(face); },
                               [&](int face) { return data.sketches.curve_points(face); }};
@@ -49,7 +49,7 @@ TEST_F(SketchEvalTest, MeasuresBaselinesAsWorkedOutByHand) {
 }
 
 TEST_F(SketchEvalTest, ShapeInputStandsInEveryRowOfTheTable) {
-  const Json metrics = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "shape");
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "shape");
   std::map<std::string, int> rows;
   for (const Json& row : metrics.at("table")) ++rows[row.at("shape_input").get<std::string>()];
   EXPECT_EQ(rows, (std::map<std::string, int>{{"none", 5}, {"given", 1}, {"predicted", 1}, {"recovered", 1}}));
@@ -58,10 +58,40 @@ TEST_F(SketchEvalTest, ShapeInputStandsInEveryRowOfTheTable) {
   EXPECT_GT(px.at("given"), 0.0);
 }
 
+TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumbers) {
+  WriteRun(*folder_ / "shape run", {.trunk = "shape", .hidden = 16, .branch = 16});
+  const Json given = EvaluateSketchRun(*folder_ / "shape run", *folder_ / "given");
+  EXPECT_EQ(given.at("shape_input"), "given");
+  EXPECT_EQ(given.at("table").size(), 6u) << "nothing can be recovered";
+  const Json recovered =
+      EvaluateSketchRun(*folder_ / "shape run", *folder_ / "recovered", {.recover_with = (*folder_ / "run").string()});
+  EXPECT_EQ(recovered.at("shape_input"), "recovered");
+  EXPECT_EQ(recovered.at("table").size(), 9u);
+  EXPECT_EQ(recovered.at("table")[0].at("shape_input"), "given");
+  EXPECT_EQ(recovered.at("table")[0].at("error"), given.at("mean_vertex_error_mm"));
+  EXPECT_EQ(recovered.at("table")[1].at("error"), recovered.at("mean_vertex_error_mm"));
+  EXPECT_NE(recovered.at("mean_vertex_error_mm"), given.at("mean_vertex_error_mm"));
+  testing::ExpectError(
+      [&] {
+        EvaluateSketchRun(*folder_ / "run", *folder_ / "none", {.recover_with = (*folder_ / "shape run").string()});
+      },
+      "reads shape-level numbers itself");
+}
+
+TEST_F(SketchEvalTest, TellsTheErrorOfEachFaceAndRegion) {
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "each");
+  const auto errors = metrics.at("face_errors_mm").get<std::vector<double>>();
+  EXPECT_NEAR(Mean(errors), metrics.at("mean_vertex_error_mm").get<double>(), 1e-9);
+  EXPECT_EQ(metrics.at("faces").get<std::vector<int>>(), OpenSketchRunData(*folder_ / "run").split.test);
+  EXPECT_EQ(metrics.at("groups").size(), errors.size());
+  for (const char* region : {"eyes", "mouth", "nose", "elsewhere"})
+    EXPECT_GT(metrics.at("regions_mm").at(region).get<double>(), 0) << region;
+}
+
 TEST_F(SketchEvalTest, AugmentedSketchesAreOthersAndTheSameEachTime) {
-  Json plain = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "plain");
-  Json strong = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "strong", 1.5);
-  Json again = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "again", 1.5);
+  Json plain = EvaluateSketchRun(*folder_ / "run", *folder_ / "plain");
+  Json strong = EvaluateSketchRun(*folder_ / "run", *folder_ / "strong", {.split = "test", .strength = 1.5});
+  Json again = EvaluateSketchRun(*folder_ / "run", *folder_ / "again", {.split = "test", .strength = 1.5});
   EXPECT_EQ(strong.at("augmentation_strength"), 1.5);
   EXPECT_NE(strong.at("mean_vertex_error_mm"), plain.at("mean_vertex_error_mm"));
   EXPECT_NE(strong.at("ridge_mm"), plain.at("ridge_mm"));
@@ -71,13 +101,13 @@ TEST_F(SketchEvalTest, AugmentedSketchesAreOthersAndTheSameEachTime) {
 }
 
 TEST_F(SketchEvalTest, FindsATrainingFaceByItsNearestNeighbour) {
-  const Json metrics = EvaluateSketchRun(*folder_ / "run", "train", *folder_ / "train");
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "train", {.split = "train"});
   EXPECT_EQ(metrics.at("nearest_neighbour_mm"), 0.0);
 }
 
 TEST_F(SketchEvalTest, OfEqualRunsIsEqualButForItsSeconds) {
-  Json first = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "a");
-  Json second = EvaluateSketchRun(*folder_ / "run", "test", *folder_ / "b");
+  Json first = EvaluateSketchRun(*folder_ / "run", *folder_ / "a");
+  Json second = EvaluateSketchRun(*folder_ / "run", *folder_ / "b");
   first.erase("seconds");
   second.erase("seconds");
   EXPECT_EQ(first, second);
@@ -94,7 +124,8 @@ TEST_F(SketchEvalTest, ManifestProvesThatNothingWasFittedOnValidationOrTestPerso
 }
 
 TEST_F(SketchEvalTest, RefusesAnUnknownSideAndLeavesNothing) {
-  testing::ExpectError([&] { EvaluateSketchRun(*folder_ / "run", "tset", *folder_ / "none"); }, "no side of a split");
+  testing::ExpectError([&] { EvaluateSketchRun(*folder_ / "run", *folder_ / "none", {.split = "tset"}); },
+                       "no side of a split");
   EXPECT_FALSE(fs::exists(*folder_ / "none"));
 }
 

@@ -4,7 +4,8 @@
 #include "core/manifest.h"
 #include "datasets/read/sketch_variation.h"
 #include "datasets/read/training_fit.h"
-#include "models/sketch_network.h"
+#include "models/sketch_run.h"
+#include "render/camera_json.h"
 #include "tensor/module_state.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
@@ -28,15 +29,21 @@ class SketchRunFixture : public ::testing::Test {
   }
   static void TearDownTestSuite() { folder_.reset(); }
 
-  static void WriteRun(const std::filesystem::path& run) {
+  static void WriteRun(const std::filesystem::path& run,
+                       const models::SketchNetworkOptions& network_options = {
+                           .resolution = 32, .width = 4, .hidden = 16, .branch = 16}) {
     const faces::FaceDatabase faces(*folder_ / "faces");
     const datasets::SplitOptions split_options;
     const datasets::Split split = datasets::MakeSplit(faces, split_options, 7);
     const faces::BilinearOptions bilinear{.num_identity = 6, .num_expression = 4};
+    const datasets::SketchDatabase sketches(*folder_ / "sketches");
     const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, bilinear);
-    const models::PixelCnnOptions network_options{.resolution = 32, .width = 4, .hidden = 16};
+    const models::FittedModels models{
+        fitted.model, datasets::FitCurvesOnTraining(faces, sketches, split, bilinear).model, {}};
     torch::manual_seed(7);
-    models::SketchNetwork network(network_options, fitted.model);
+    models::SketchNetwork network(network_options, models);
+    std::vector<std::string> curves;
+    for (const int curve : sketches.feature_curves()) curves.push_back(sketches.curve_names()[size_t(curve)]);
     const Json config = {
         {"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
         {"split", ToJson(split_options)},
@@ -53,10 +60,11 @@ class SketchRunFixture : public ::testing::Test {
     manifest.details = {
         {"data", {{"faces", DataHash(*folder_ / "faces")}, {"sketches", DataHash(*folder_ / "sketches")}}},
         {"split", datasets::SplitToJson(faces, split)},
-        {"bilinear", fitted.proof}};
+        {"bilinear", fitted.proof},
+        {"sketches", {{"camera", render::CameraToJson(sketches.camera())}, {"feature_curves", curves}}}};
     manifest.sources = faces.manifest().sources;
     manifest.checksums = faces::WriteFaceTemplate(run, faces.face_template());
-    manifest.checksums["bilinear.safetensors"] = faces::WriteBilinearModel(run / "bilinear.safetensors", fitted.model);
+    manifest.checksums.merge(models::WriteFittedModels(run, models));
     WriteManifest(run, manifest);
     tensor::SaveModule(run / "best" / "model.safetensors", *network);
   }

@@ -41,8 +41,18 @@ std::map<std::string, Example> Examples() {
        {{{"w", torch::randn({4, 2, 3, 3})}, {"b", torch::randn({4})}}, {2, 9, 9}, convolve, "Conv"}},
       {"aten::add", {{{"w", torch::randn({4})}}, {4}, [](auto& x, auto& w) { return x + w.at("w"); }, "Add"}},
       {"aten::addmm", {{{"w", torch::randn({5, 3})}, {"b", torch::randn({5})}}, {3}, affine, "Gemm"}},
+      {"aten::amax", {{}, {4, 6}, [](auto& x, auto&) { return x.amax(2); }, "ReduceMax"}},
       {"aten::batch_norm", {of_normalise, {2, 3, 3}, normalise, "BatchNormalization"}},
+      {"aten::cat",
+       {{},
+        {4},
+        [](auto& x, auto&) {
+          return torch::cat({x, x}, 1);
+        },
+        "Concat"}},
+      {"aten::div", {{{"w", torch::rand({4}) + 0.5}}, {4}, [](auto& x, auto& w) { return x / w.at("w"); }, "Div"}},
       {"aten::flatten", {{}, {2, 3}, [](auto& x, auto&) { return x.flatten(1); }, "Flatten"}},
+      {"aten::max_pool2d", {{}, {2, 7, 7}, [](auto& x, auto&) { return torch::max_pool2d(x, 3, 2); }, "MaxPool"}},
       {"aten::mm", {{{"w", torch::randn({3, 5})}}, {3}, [](auto& x, auto& w) { return x.mm(w.at("w")); }, "MatMul"}},
       {"aten::mul", {{{"w", torch::randn({4})}}, {4}, [](auto& x, auto& w) { return x * w.at("w"); }, "Mul"}},
       {"aten::relu", {{}, {4}, [](auto& x, auto&) { return x.relu(); }, "Relu"}},
@@ -53,6 +63,7 @@ std::map<std::string, Example> Examples() {
           return x.reshape({-1, 2, 3});
         },
         "Reshape"}},
+      {"aten::sub", {{{"w", torch::randn({4})}}, {4}, [](auto& x, auto& w) { return x - w.at("w"); }, "Sub"}},
       {"aten::t",
        {{{"w", torch::randn({5, 3})}}, {3}, [](auto& x, auto& w) { return x.mm(w.at("w").t()); }, "Transpose"}},
       {"aten::unsqueeze", {{}, {4}, [](auto& x, auto&) { return x.unsqueeze(-1); }, "Unsqueeze"}},

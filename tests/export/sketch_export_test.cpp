@@ -34,8 +34,8 @@ TEST(SketchExport, FunctionIsTheNetworkAndItsDecoder) {
   const TempDir folder;
   auto network = WriteSketchRun(folder.path());
   const auto sketches = torch::rand({2, 1, 32, 32});
-  const auto outputs = SketchFunction(network).forward(sketches);
-  const auto coefficients = network->forward(sketches);
+  const auto outputs = SketchFunction(network).forward({sketches});
+  const auto coefficients = network->forward({sketches, {}, {}});
   EXPECT_TRUE(torch::equal(outputs[0], coefficients.u));
   EXPECT_TRUE(torch::equal(outputs[1], coefficients.v));
   EXPECT_TRUE(torch::equal(outputs[2].flatten(1), network->Decode(coefficients)));
@@ -80,8 +80,10 @@ TEST(SketchExport, WithoutARuntimeWritesAGraphThatHoldsTheNetwork) {
         << stored.name();
     ++num_found;
   }
-  const auto is_counter = [](const auto& item) { return item.first.find("num_batches_tracked") != std::string::npos; };
-  EXPECT_EQ(num_found, static_cast<int>(state.size()) - std::count_if(state.begin(), state.end(), is_counter));
+  const auto is_unused = [](const auto& item) {  // This network reads no shape-level numbers.
+    return item.first.find("num_batches_tracked") != std::string::npos || item.first.rfind("shape_", 0) == 0;
+  };
+  EXPECT_EQ(num_found, static_cast<int>(state.size()) - std::count_if(state.begin(), state.end(), is_unused));
 }
 
 TEST(SketchExport, AnswersAsLibTorchInOnnxRuntime) {
@@ -92,6 +94,21 @@ TEST(SketchExport, AnswersAsLibTorchInOnnxRuntime) {
   if (report["runtime"].is_null()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
   EXPECT_LT(report["max_abs_diff"].get<double>(), 1e-4);
   EXPECT_EQ(report["opset"], 13);
+}
+
+TEST(SketchExport, EveryKindOfNetworkAnswersAsLibTorchInOnnxRuntime) {
+  testing::AllowWarnings();  // There may be no runtime.
+  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    const TempDir folder;
+    WriteSketchRun(folder / "run", name);
+    const Json report = ExportSketchRun(folder / "run", folder / "out");
+    const auto model = ReadModel(folder / "out/model.onnx");
+    EXPECT_EQ(model.graph().input_size(),
+              int(options.reads_image()) + int(options.reads_points()) + int(options.reads_shape()));
+    EXPECT_EQ(model.graph().output_size(), options.residual > 0 ? 4 : 3);
+    if (!report["runtime"].is_null()) EXPECT_LT(report["max_abs_diff"].get<double>(), 1e-4);
+  }
 }
 
 TEST(SketchExport, ManifestCarriesSourcesAndChecksums) {

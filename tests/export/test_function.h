@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <torch/torch.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -26,9 +27,17 @@ struct Weights : torch::nn::Module {
 /// A function of one input "x" to one output "y".
 inline ExportedFunction TestFunction(std::vector<int64_t> shape,
                                      std::function<torch::Tensor(const torch::Tensor&)> forward) {
-  return {"test", "x", std::move(shape), {"y"}, [forward = std::move(forward)](const torch::Tensor& x) {
-            return std::vector<torch::Tensor>{forward(x)};
-          }};
+  const auto sample = [shape](int64_t batch, Rng& rng) {
+    std::vector<int64_t> whole = shape;
+    whole.insert(whole.begin(), batch);
+    auto values = torch::empty(whole);
+    std::generate_n(values.data_ptr<float>(), values.numel(), [&] { return float(rng.Uniform(-1, 1)); });
+    return values;
+  };
+  return {
+      "test", {{"x", shape, sample}}, {"y"}, [forward = std::move(forward)](const std::vector<torch::Tensor>& inputs) {
+        return std::vector<torch::Tensor>{forward(inputs[0])};
+      }};
 }
 
 /// Where a Daumier without native ONNX Runtime finds none, as on a machine without the npm package.

@@ -18,17 +18,22 @@ Problem MakeProblem(int64_t num_vertices = 9) {
           torch::randn({5, 3 * num_vertices}, type), torch::rand({num_vertices}, type)};
 }
 
+/// u (x) v.
+torch::Tensor Products(const torch::Tensor& u, const torch::Tensor& v) {
+  return (u.unsqueeze(2) * v.unsqueeze(1)).flatten(1);
+}
+
 double Value(const torch::Tensor& loss) {
   return loss.item<double>();
 }
 
 double Gram(const Problem& p) {
   const GramVertexLoss loss(p.core, p.weights);
-  return Value(loss(p.u, p.v, loss.Moments(p.target)));
+  return Value(loss(Products(p.u, p.v), loss.Moments(p.target)));
 }
 
 double Direct(const Problem& p) {
-  return Value(VertexLoss(p.core, p.u, p.v, p.target, p.weights));
+  return Value(VertexLoss(p.core, Products(p.u, p.v), p.target, p.weights));
 }
 
 TEST(VertexLoss, OfTwoVerticesWorkedOutByHand) {
@@ -66,7 +71,7 @@ TEST(VertexLoss, BothFormsAgreeWhenTheModelCanMakeEveryFace) {
 TEST(VertexLoss, GramFormIsTheExpandedSum) {
   const auto p = MakeProblem();
   const auto weights = p.weights.repeat_interleave(3);
-  const auto q = (p.u.unsqueeze(2) * p.v.unsqueeze(1)).flatten(1);
+  const auto q = Products(p.u, p.v);
   const auto gram = torch::mm(p.core * weights, p.core.t());
   const auto linear = torch::mm(p.target * weights, p.core.t());
   const auto constant = (p.target.square() * weights).sum(1);
@@ -81,7 +86,7 @@ TEST(VertexLoss, GramFormKeepsSmallErrorsOfFarAwayHeadsInFloat32) {
   p.core[0] += 100;  // The head stands 100 cm away from the origin.
   p.u.select(1, 0).fill_(1);
   p.v.select(1, 0).fill_(1);
-  p.target = torch::mm((p.u.unsqueeze(2) * p.v.unsqueeze(1)).flatten(1), p.core) + 0.1 * torch::randn_like(p.target);
+  p.target = torch::mm(Products(p.u, p.v), p.core) + 0.1 * torch::randn_like(p.target);
   const double exact = Direct(p);
   for (auto* tensor : {&p.core, &p.u, &p.v, &p.target, &p.weights}) *tensor = tensor->to(torch::kFloat32);
   EXPECT_NEAR(Gram(p), exact, 1e-3 * exact);
@@ -92,18 +97,20 @@ TEST(VertexLoss, GradientsEqualCentralDifferences) {
   const GramVertexLoss gram(p.core, p.weights);
   const auto moments = gram.Moments(p.target);
   using testing::MaxGradientError;
-  EXPECT_LT(MaxGradientError([&](const auto& u) { return VertexLoss(p.core, u, p.v, p.target, p.weights); }, p.u),
-            1e-7);
-  EXPECT_LT(MaxGradientError([&](const auto& v) { return VertexLoss(p.core, p.u, v, p.target, p.weights); }, p.v),
-            1e-7);
-  EXPECT_LT(MaxGradientError([&](const auto& u) { return gram(u, p.v, moments); }, p.u), 1e-7);
-  EXPECT_LT(MaxGradientError([&](const auto& v) { return gram(p.u, v, moments); }, p.v), 1e-7);
+  EXPECT_LT(
+      MaxGradientError([&](const auto& u) { return VertexLoss(p.core, Products(u, p.v), p.target, p.weights); }, p.u),
+      1e-7);
+  EXPECT_LT(
+      MaxGradientError([&](const auto& v) { return VertexLoss(p.core, Products(p.u, v), p.target, p.weights); }, p.v),
+      1e-7);
+  EXPECT_LT(MaxGradientError([&](const auto& u) { return gram(Products(u, p.v), moments); }, p.u), 1e-7);
+  EXPECT_LT(MaxGradientError([&](const auto& v) { return gram(Products(p.u, v), moments); }, p.v), 1e-7);
 }
 
 TEST(VertexLoss, IsZeroIffFacesAgreeWhereWeightsArePositive) {
   auto p = MakeProblem();
   p.weights[2] = 0;
-  p.target = torch::mm((p.u.unsqueeze(2) * p.v.unsqueeze(1)).flatten(1), p.core);
+  p.target = torch::mm(Products(p.u, p.v), p.core);
   p.target.slice(1, 6, 9) += 5;  // All of vertex 2, which has no weight.
   EXPECT_EQ(Direct(p), 0);
   EXPECT_NEAR(Gram(p), 0, 1e-20);
@@ -115,14 +122,15 @@ TEST(VertexLoss, IsZeroIffFacesAgreeWhereWeightsArePositive) {
 TEST(VertexLoss, RefusesShapesThatDisagree) {
   const auto p = MakeProblem();
   using testing::ExpectError;
-  ExpectError([&] { VertexLoss(p.core, p.u, p.v.slice(1, 0, 2), p.target, p.weights); }, "u x v has 4 x 2 products");
-  ExpectError([&] { VertexLoss(p.core, p.u, p.v.slice(0, 0, 2), p.target, p.weights); }, "v has shape (2, 3)");
-  ExpectError([&] { VertexLoss(p.core, p.u, p.v, p.target.slice(1, 3), p.weights); }, "target has shape (5, 24)");
-  ExpectError([&] { VertexLoss(p.core, p.u, p.v, p.target, p.weights.slice(0, 1)); }, "weights has shape (8)");
+  const auto q = Products(p.u, p.v);
+  ExpectError([&] { VertexLoss(p.core, q.slice(1, 0, 8), p.target, p.weights); },
+              "q has shape (5, 8), expected (any, 12)");
+  ExpectError([&] { VertexLoss(p.core, q, p.target.slice(1, 3), p.weights); }, "target has shape (5, 24)");
+  ExpectError([&] { VertexLoss(p.core, q, p.target, p.weights.slice(0, 1)); }, "weights has shape (8)");
   ExpectError([&] { GramVertexLoss(p.core.slice(1, 1), p.weights); }, "core has 26 columns");
   const GramVertexLoss gram(p.core, p.weights);
   ExpectError([&] { gram.Moments(p.target.slice(1, 3)); }, "target has shape (5, 24)");
-  ExpectError([&] { gram(p.u.slice(0, 1), p.v.slice(0, 1), gram.Moments(p.target)); }, "moments.linear has shape");
+  ExpectError([&] { gram(q.slice(0, 1), gram.Moments(p.target)); }, "moments.linear has shape");
 }
 
 }  // namespace

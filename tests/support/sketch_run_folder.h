@@ -3,24 +3,27 @@
 #include "core/files.h"
 #include "core/manifest.h"
 #include "faces/face_database.h"
-#include "models/sketch_network.h"
+#include "models/sketch_run.h"
+#include "render/camera_json.h"
 #include "tensor/module_state.h"
-#include "tests/support/random_bilinear.h"
+#include "tests/support/sketch_networks.h"
 #include "tests/support/synthetic_face.h"
 
 #include <torch/torch.h>
 
 namespace daumier::testing {
 
-/// Writes the run folder of a small, untrained sketch network on the synthetic face: 32 x 32 sketches, 6 identity and 3
-/// expression weights. Its batch norms have moved, so that no buffer has its starting value.
-inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directory) {
+/// Writes the run folder of a small, untrained sketch network on the synthetic face, a compact one of 32 x 32 sketches
+/// or another of SmallSketchNetworks, with 6 identity and 3 expression weights. Its batch norms have moved, so that no
+/// buffer has its starting value.
+inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directory,
+                                            const std::string& kind = "compact") {
   const auto face_template = SyntheticFace();
-  const auto bilinear = RandomBilinear(face_template.num_vertices(), 6, 3, 1);
-  const models::PixelCnnOptions options{.resolution = 32, .width = 4, .hidden = 16};
+  const models::SketchNetworkOptions options = SmallSketchNetworks().at(kind);
+  const auto models = RandomModels(face_template.num_vertices(), options.residual);
   torch::manual_seed(7);
-  models::SketchNetwork network(options, bilinear);
-  network->forward((torch::rand({16, 1, 32, 32}) < 0.1).to(torch::kFloat32));
+  models::SketchNetwork network(options, models);
+  network->forward(RandomSketchInput(options, 16));
   network->eval();
 
   MakeDirectory(directory / "best");
@@ -33,8 +36,11 @@ inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directo
   manifest.sources =
       Json::array({{{"name", "synthetic"}, {"version", "1"}, {"checksum", "0"}, {"licence", "CC0-1.0"}}});
   manifest.counts = {{"train", 16}};
+  manifest.details = {
+      {"sketches",
+       {{"camera", render::CameraToJson(render::FrontalCamera({0, 0, 0}, 12, 256))}, {"feature_curves", {"jaw"}}}}};
   manifest.checksums = faces::WriteFaceTemplate(directory, face_template);
-  manifest.checksums["bilinear.safetensors"] = faces::WriteBilinearModel(directory / "bilinear.safetensors", bilinear);
+  manifest.checksums.merge(models::WriteFittedModels(directory, models));
   WriteManifest(directory, manifest);
   tensor::SaveModule(directory / "best" / "model.safetensors", *network);
   return network;

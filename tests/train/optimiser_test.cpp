@@ -36,7 +36,7 @@ TEST(AdamW, MovesByTheRateAgainstTheSignInItsFirstStep) {
   torch::nn::Linear linear(1, 2);
   OptimiserOptions options;
   options.weight_decay = 0;
-  AdamW optimiser(*linear, options);
+  Optimiser optimiser(*linear, options);
   const torch::Tensor before = linear->bias.detach().clone();
   (linear->bias * torch::tensor({3.0f, -0.01f})).sum().backward();
   EXPECT_NEAR(optimiser.GradientNorm(), std::sqrt(9 + 0.0001), 1e-6);
@@ -48,7 +48,7 @@ TEST(AdamW, DecaysWeightsButNotBiases) {
   torch::nn::Linear linear(2, 2);
   OptimiserOptions options;
   options.weight_decay = 0.1;
-  AdamW optimiser(*linear, options);
+  Optimiser optimiser(*linear, options);
   const torch::Tensor weight = linear->weight.detach().clone(), bias = linear->bias.detach().clone();
   ((linear->weight.sum() + linear->bias.sum()) * 0).backward();
   optimiser.Step(0.5);
@@ -66,7 +66,7 @@ TEST(AdamW, AgreesWithLibTorchWhereAllParametersDecay) {
   }
   OptimiserOptions options;
   options.weight_decay = 0.05;
-  AdamW optimiser(*ours, options);
+  Optimiser optimiser(*ours, options);
   torch::optim::AdamW reference(theirs->parameters(), torch::optim::AdamWOptions(0.01).weight_decay(0.05));
   for (int step = 0; step < 20; ++step) {
     const torch::Tensor input = torch::randn({8, 4});
@@ -81,9 +81,67 @@ TEST(AdamW, AgreesWithLibTorchWhereAllParametersDecay) {
   EXPECT_TRUE(torch::allclose(ours->weight, theirs->weight, 1e-5, 1e-6));
 }
 
+TEST(Sgd, FollowsCaffesRuleWorkedOutByHand) {
+  // Weight 2, gradient 3 in both steps, rate 0.1, decay 0.5, momentum 0.9:
+  //   m1 = 0.1 (3 + 1) = 0.4, w1 = 1.6; m2 = 0.36 + 0.1 (3 + 0.8) = 0.74, w2 = 0.86. The bias does not decay:
+  //   m1 = 0.3, m2 = 0.57.
+  torch::nn::Linear linear(1, 1);
+  {
+    torch::NoGradGuard no_grad;
+    linear->weight.fill_(2);
+    linear->bias.fill_(1);
+  }
+  OptimiserOptions options;
+  options.kind = "sgd";
+  options.weight_decay = 0.5;
+  Optimiser optimiser(*linear, options);
+  for (int step = 0; step < 2; ++step) {
+    optimiser.ZeroGradients();
+    (3 * linear->weight.sum() + 3 * linear->bias.sum()).backward();
+    optimiser.Step(0.1);
+  }
+  EXPECT_NEAR(linear->weight.item<float>(), 0.86, 1e-6);
+  EXPECT_NEAR(linear->bias.item<float>(), 1 - 0.87, 1e-6);
+}
+
+TEST(Optimiser, ResetForgetsThePast) {
+  torch::manual_seed(4);
+  torch::nn::Linear linear(2, 2), fresh(2, 2);
+  for (const char* kind : {"adamw", "sgd"}) {
+    OptimiserOptions options;
+    options.kind = kind;
+    Optimiser used(*linear, options), unused(*fresh, options);
+    const auto step = [](Optimiser& optimiser, torch::nn::Linear& layer, float gradient) {
+      optimiser.ZeroGradients();
+      (gradient * layer->bias.sum()).backward();
+      optimiser.Step(0.1);
+    };
+    step(used, linear, 5);
+    used.Reset();
+    {
+      torch::NoGradGuard no_grad;
+      fresh->bias.copy_(linear->bias);
+    }
+    step(used, linear, -1);
+    step(unused, fresh, -1);
+    EXPECT_TRUE(torch::equal(linear->bias, fresh->bias)) << kind;
+  }
+}
+
+TEST(Optimiser, LeavesParametersWithoutAGradientAlone) {
+  torch::nn::Linear linear(2, 2);
+  OptimiserOptions options;
+  options.weight_decay = 0.1;
+  Optimiser optimiser(*linear, options);
+  const torch::Tensor weight = linear->weight.detach().clone();
+  linear->bias.sum().backward();
+  optimiser.Step(0.5);
+  EXPECT_TRUE(torch::equal(linear->weight, weight));
+}
+
 TEST(AdamW, ScalesAndClearsGradients) {
   torch::nn::Linear linear(1, 1);
-  AdamW optimiser(*linear, {});
+  Optimiser optimiser(*linear, {});
   (linear->bias * 4).sum().backward();
   optimiser.ScaleGradients(0.25);
   EXPECT_EQ(linear->bias.grad().item<float>(), 1.0f);
@@ -93,8 +151,8 @@ TEST(AdamW, ScalesAndClearsGradients) {
 
 TEST(AdamW, RefusesAStateOfAnotherNetwork) {
   torch::nn::Linear small(1, 1), large(2, 2);
-  AdamW optimiser(*small, {});
-  testing::ExpectError([&] { optimiser.LoadState(AdamW(*large, {}).State(), "FILE"); }, "FILE");
+  Optimiser optimiser(*small, {});
+  testing::ExpectError([&] { optimiser.LoadState(Optimiser(*large, {}).State(), "FILE"); }, "FILE");
   testing::ExpectError([&] { optimiser.LoadState({}, "FILE"); }, "has no optimiser state");
 }
 

@@ -2,11 +2,14 @@
 
 #include "datasets/read/training_fit.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/sketch_networks.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -27,13 +30,15 @@ class SketchRecipeTest : public ::testing::Test {
     options_.bilinear = {.num_identity = 5, .num_expression = 3};
     options_.network = {.resolution = 32, .width = 4, .hidden = 16};
     split_ = datasets::MakeSplit(faces_, options_.split, options_.seed);
-    bilinear_ = datasets::FitOnTraining(faces_, split_, options_.bilinear).model;
+    models_ = {datasets::FitOnTraining(faces_, split_, options_.bilinear).model,
+               datasets::FitCurvesOnTraining(faces_, sketches_, split_, options_.bilinear).model,
+               {}};
   }
 
   SketchRecipe MakeRecipe(const std::string& loss) {
     options_.loss = loss;
     torch::manual_seed(3);
-    return SketchRecipe(options_, faces_, sketches_, split_, bilinear_, torch::kCPU);
+    return SketchRecipe(options_, faces_, sketches_, split_, models_, torch::kCPU);
   }
 
   static std::unique_ptr<testing::TempDir> folder_;
@@ -41,7 +46,7 @@ class SketchRecipeTest : public ::testing::Test {
   datasets::SketchDatabase sketches_;
   SketchTrainingOptions options_;
   datasets::Split split_;
-  faces::BilinearModel bilinear_;
+  models::FittedModels models_;
 };
 
 std::unique_ptr<testing::TempDir> SketchRecipeTest::folder_;
@@ -89,11 +94,11 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
   const double error = recipe.Validate().at("mean_vertex_error_mm");
 
   // By LibTorch instead of eval/metrics.h: mean over validation faces and face region of the distances.
-  const datasets::SketchDataset validation(sketches_, split_.validation, 32);
+  const datasets::SketchDataset validation(sketches_, split_.validation, {.resolution = 32});
   std::vector<int> all(split_.validation.size());
   std::iota(all.begin(), all.end(), 0);
   models::SketchNetwork network = recipe.network();
-  torch::Tensor distances = network->Decode(network->forward(validation.Get(all).images));
+  torch::Tensor distances = network->Decode(network->forward({validation.Get(all).images, {}, {}}));
   for (size_t i = 0; i < all.size(); ++i) {
     const auto truth = faces_.vertices(split_.validation[i]);
     distances[int64_t(i)] -= torch::tensor(std::vector<float>(truth.begin(), truth.end()));
@@ -103,7 +108,7 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
   EXPECT_NEAR(error, faces::MillimetresPerCm(faces_.face_template()) * distances.mean().item<double>(), 1e-3 * error);
 }
 
-TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndNoValidationSketch) {
+TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndThoseOfValidationOnce) {
   const std::vector<int> samples = {0, 7, 11, 3};
   const auto images = [&](SketchRecipe& recipe, int64_t epoch) {
     return recipe.BatchTensors(samples, epoch).at("images");
@@ -126,10 +131,85 @@ TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndNoValidationS
   EXPECT_FALSE(torch::equal(images(augmented, 0), images(augmented, 1)));
   EXPECT_TRUE(torch::equal(images(augmented, 1), images(augmented, 1)));
   EXPECT_NE(loss(augmented, 0), loss(augmented, 1));
-  EXPECT_EQ(validation(plain), validation(augmented));
+  EXPECT_NE(validation(plain), validation(augmented));
+  EXPECT_EQ(validation(augmented), validation(augmented));
   ++options_.seed;
   SketchRecipe other_seed = MakeRecipe("gram");
   EXPECT_FALSE(torch::equal(images(other_seed, 1), images(augmented, 1)));
+}
+
+TEST_F(SketchRecipeTest, StagesAreThoseOfThePaper) {
+  EXPECT_EQ(MakeRecipe("gram").stages().back().share, 1);
+  options_.stages = {.classification = 0.25, .regression = 0.5, .regression_rate = 0.01};
+  SketchRecipe recipe = MakeRecipe("gram");
+  const auto stages = recipe.stages();
+  ASSERT_EQ(stages.size(), 3u);
+  EXPECT_EQ(stages[0].share, 0.25);
+  EXPECT_EQ(stages[1].rate, 0.01);
+  EXPECT_EQ(stages[2].share, 0.25);
+  EXPECT_EQ(&recipe.product(), recipe.network().get());
+  EXPECT_NE(&recipe.module(), &recipe.product());
+  options_.stages.regression = 0.9;
+  testing::ExpectError([&] { MakeRecipe("gram"); }, "add up to 1.15");
+}
+
+TEST_F(SketchRecipeTest, ClassificationOfAnUntrainedNetworkKnowsNothing) {
+  options_.stages.classification = 0.5;
+  SketchRecipe recipe = MakeRecipe("gram");
+  recipe.EnterStage(0);
+  // Scores of zero: each entropy is the logarithm of the number of classes.
+  const torch::NoGradGuard no_grad;
+  for (auto& item : recipe.module().named_parameters()) {
+    if (item.key().rfind("identity.", 0) == 0 || item.key().rfind("expression.", 0) == 0) item.value().zero_();
+  }
+  const LossTerms terms = recipe.Loss({0, 7, 11}, 0);
+  const auto identities = datasets::TrainingIdentities(faces_, split_);
+  EXPECT_NEAR(terms.parts.at("identity_entropy").item<double>(), std::log(double(identities.size())), 1e-5);
+  EXPECT_NEAR(terms.parts.at("expression_entropy").item<double>(), std::log(double(faces_.num_expressions())), 1e-5);
+}
+
+TEST_F(SketchRecipeTest, RegressionIsTheDistanceFromTheFactorsOfTheFace) {
+  options_.stages.regression = 0.5;
+  SketchRecipe recipe = MakeRecipe("gram");
+  recipe.EnterStage(1);
+  recipe.module().eval();
+  const torch::NoGradGuard no_grad;
+  const int sample = 11, face = split_.train[11];
+  const LossTerms terms = recipe.Loss({sample}, 0);
+  const auto answer =
+      models::SketchNetwork(recipe.network())->forward({recipe.BatchTensors({sample}, 0).at("images"), {}, {}});
+  const auto identities = datasets::TrainingIdentities(faces_, split_);
+  const auto row =
+      std::find(identities.begin(), identities.end(), face / faces_.num_expressions()) - identities.begin();
+  const auto& factors = models_.bilinear.identity_factors;
+  double expected = 0;
+  for (int k = 0; k < factors.cols(); ++k) {
+    const auto column = factors.col(k);
+    const double deviation = std::sqrt((column.array() - column.mean()).square().mean());
+    expected += std::pow((answer.u[0][k].item<double>() - factors(row, k)) / deviation, 2);
+  }
+  EXPECT_NEAR(terms.parts.at("u_error").item<double>(), expected, 1e-3 * expected);
+  EXPECT_GT(terms.parts.at("v_error").item<double>(), 0);
+}
+
+TEST_F(SketchRecipeTest, EveryKindOfNetworkTakesAStepInEachStage) {
+  options_.stages = {.classification = 0.3, .regression = 0.3};
+  options_.sketch.augmentation.strength = 1;
+  for (const auto& [name, network] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    options_.network = network;
+    models_.basis = network.residual == 0
+                        ? faces::FaceBasis()
+                        : datasets::FitBasisOnTraining(faces_, split_, models_.bilinear, network.residual, 1);
+    SketchRecipe recipe = MakeRecipe("gram");
+    for (int stage = 0; stage < 3; ++stage) {
+      recipe.EnterStage(stage);
+      recipe.module().train();
+      const LossTerms terms = recipe.Loss({0, 7, 11, 3}, 0);
+      EXPECT_TRUE(std::isfinite(terms.total.item<double>()));
+      EXPECT_NO_THROW(terms.total.backward());
+    }
+  }
 }
 
 TEST_F(SketchRecipeTest, RefusesASplitWithoutValidation) {

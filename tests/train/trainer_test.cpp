@@ -62,6 +62,8 @@ class ToyRecipe : public Recipe {
     return {{"mean_error", error.abs().mean().item<double>() + offset}};
   }
   std::string metric() const override { return "mean_error"; }
+  std::vector<Stage> stages() const override { return parts; }
+  void EnterStage(int stage) override { entered.emplace_back(stage, num_calls); }
   tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) override {
     return {{"inputs", inputs_.index_select(0, torch::tensor(samples, torch::kInt64))},
             {"epoch", torch::tensor({epoch}, torch::kInt64)}};
@@ -70,6 +72,8 @@ class ToyRecipe : public Recipe {
   std::function<void(int call)> before_loss;
   std::vector<int> seen;
   std::vector<int64_t> epochs;
+  std::vector<Stage> parts{{"", 1, 1}};
+  std::vector<std::pair<int, int>> entered;  ///< Stage, and the calls of Loss before it.
   int num_calls = 0;
   double scale = 1, offset = 0;
 
@@ -174,21 +178,25 @@ TEST(Trainer, IsDeterministicInItsSeed) {
 
 /// Kills a training in the given step, perhaps with checkpoints amid epochs, and goes on with a network of other
 /// weights.
-void ExpectResumedEqualsUninterrupted(int killed_in_step, int checkpoint_every) {
+void ExpectResumedEqualsUninterrupted(int killed_in_step, int checkpoint_every,
+                                      const std::vector<Stage>& stages = {{"", 1, 1}}) {
   TrainerOptions options = FourEpochs();
   options.checkpoint_every = checkpoint_every;
   const testing::TempDir whole, killed;
   ToyRecipe uninterrupted;
+  uninterrupted.parts = stages;
   torch::manual_seed(9);
   Train(uninterrupted, options, Fast(), 5, whole.path());
 
   ToyRecipe first;
+  first.parts = stages;
   first.before_loss = [&](int call) {
     if (call == killed_in_step) throw Stopped();
   };
   torch::manual_seed(9);
   EXPECT_THROW(Train(first, options, Fast(), 5, killed.path()), Stopped);
   ToyRecipe second;
+  second.parts = stages;
   torch::manual_seed(9);
   const TrainingSummary summary = Train(second, options, Fast(), 5, killed.path());
   EXPECT_EQ(summary.steps, 12);
@@ -208,13 +216,52 @@ TEST(Trainer, ResumedEqualsUninterruptedFromACheckpointAmidAnEpoch) {
   ExpectResumedEqualsUninterrupted(6, 1);
 }
 
+/// 12 steps in all: none in the first stage, then 6 and 6.
+const std::vector<Stage> kStages{{"none", 0, 1}, {"one", 0.5, 0.1}, {"two", 0.5, 1}};
+
+TEST(Trainer, EntersItsStagesOneAfterTheOtherEachWithItsOwnRates) {
+  const testing::TempDir run;
+  ToyRecipe recipe;
+  recipe.parts = kStages;
+  TrainerOptions options = FourEpochs();
+  options.log_every = 1;
+  Train(recipe, options, Fast(), 5, run.path());
+  EXPECT_EQ(recipe.entered, (std::vector<std::pair<int, int>>{{0, 0}, {1, 0}, {2, 6}}));
+  std::vector<double> rates;
+  std::istringstream lines(ReadFile(run / RunLog::kMetricsFile));
+  for (std::string line; std::getline(lines, line);) {
+    const Json entry = Json::parse(line);
+    if (entry.at("phase") == "train") rates.push_back(entry.at("learning_rate"));
+  }
+  ASSERT_EQ(rates.size(), 12u);
+  for (int step = 0; step < 12; ++step)
+    EXPECT_NEAR(rates[size_t(step)], (step < 6 ? 0.1 : 1) * LearningRate(Fast(), step % 6, 6), 1e-9) << step;
+}
+
+TEST(Trainer, ResumedEqualsUninterruptedWithinAndBetweenStages) {
+  for (const int killed_in_step : {4, 7, 8, 11}) {
+    SCOPED_TRACE(killed_in_step);
+    ExpectResumedEqualsUninterrupted(killed_in_step, 0, kStages);
+  }
+  ExpectResumedEqualsUninterrupted(7, 1, kStages);
+}
+
+TEST(Trainer, RefusesStagesThatAreNotTheWhole) {
+  const testing::TempDir run;
+  ToyRecipe recipe;
+  recipe.parts = {{"half", 0.5, 1}};
+  testing::ExpectError([&] { Train(recipe, FourEpochs(), Fast(), 5, run.path()); }, "add up to 0.5");
+}
+
 TEST(Trainer, SavesOnAnInterruptSaysHowToGoOnAndEndsWithTheSameBytes) {
   const testing::TempDir whole, stopped;
   ToyRecipe uninterrupted;
+  uninterrupted.parts = stages;
   torch::manual_seed(9);
   Train(uninterrupted, FourEpochs(), Fast(), 5, whole.path());
 
   ToyRecipe first;
+  first.parts = stages;
   first.before_loss = [&](int call) { SetInterrupted(call == 5); };
   torch::manual_seed(9);
   testing::ExpectError(

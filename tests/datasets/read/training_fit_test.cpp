@@ -125,5 +125,25 @@ TEST_F(CurveFitTest, AnEncodingRebuildsThePointsOfUnseenPersons) {
   EXPECT_EQ(fitted.proof.at("persons"), SplitToJson(*database_, split).at("train").at("persons"));
 }
 
+TEST_F(TrainingFitTest, BasisHoldsTrainingFacesBetterThanTheBilinearModelAndReadsNoOther) {
+  const Split split = MakeSplit(*database_, {}, 3);
+  const auto bilinear = FitOnTraining(*database_, split, kRanks).model;
+  const auto basis = FitBasisOnTraining(*database_, split, bilinear, 12, 1);
+  ASSERT_EQ(basis.size(), 12);
+  EXPECT_GT(basis.deviation.maxCoeff(), 0);
+  double bilinear_error = 0, basis_error = 0;
+  const faces::BilinearProjector projector(bilinear);
+  for (const int face : split.train) {
+    const auto vertices = database_->vertices(face);
+    const Eigen::Map<const Eigen::VectorXf> truth(vertices.data(), Eigen::Index(vertices.size()));
+    bilinear_error += (projector.Project(vertices).vertices - truth).squaredNorm();
+    basis_error += (basis.rows.transpose() * (basis.rows * truth) - truth).squaredNorm();
+  }
+  EXPECT_LT(basis_error, bilinear_error);
+  const auto ruined = FitBasisOnTraining(WithOnly(split.train), split, bilinear, 12, 1);
+  EXPECT_EQ(ruined.rows, basis.rows);
+  EXPECT_EQ(ruined.deviation, basis.deviation);
+}
+
 }  // namespace
 }  // namespace daumier::datasets

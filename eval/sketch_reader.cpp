@@ -1,0 +1,35 @@
+#include "eval/sketch_reader.h"
+
+#include "core/error.h"
+#include "datasets/read/sketch_dataset.h"
+#include "tensor/eigen.h"
+#include "tensor/torch_version.h"
+
+#include <numeric>
+
+namespace daumier::eval {
+
+datasets::AugmentedSketch SketchReader::Seen(int face) const {
+  return datasets::VariedSketch(sketches_, face, variation_, seed_, 0);
+}
+
+FaceRows SketchReader::Predict(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape) const {
+  const at::NoGradGuard no_grad;
+  const models::SketchNetworkOptions& options = network->options();
+  const datasets::SketchDataset dataset(sketches_, {faces.begin(), faces.end()},
+                                        {.resolution = options.reads_image() ? options.resolution : 0,
+                                         .num_points = options.reads_points() ? options.num_points : 0,
+                                         .fixed = true},
+                                        variation_, seed_);
+  std::vector<int> all(faces.size());
+  std::iota(all.begin(), all.end(), 0);
+  const datasets::SketchBatch batch = dataset.Get(all);
+  models::SketchInput input{batch.images, batch.points, {}};
+  if (options.reads_shape()) {
+    DAUMIER_CHECK(shape != nullptr, "the network reads shape-level numbers, but there are none");
+    input.shape = tensor::CopyToTensor(*shape);
+  }
+  return tensor::CopyToMatrix<float>(network->Decode(network->forward(input)));
+}
+
+}  // namespace daumier::eval

@@ -1,0 +1,29 @@
+#pragma once
+#include "eval/baselines.h"
+#include "eval/sketch_run_data.h"
+
+#include <optional>
+#include <span>
+
+namespace daumier::eval {
+
+/// What the networks of runs make of the sketches of a database: the same augmented sketch of a face for all of them.
+class SketchReader {
+ public:
+  /// `variation` and `seed` tell which sketch of a face is seen, as datasets::VariedSketch does. The database has to
+  /// outlive it.
+  SketchReader(const datasets::SketchDatabase& sketches, const datasets::SketchVariation& variation, uint64_t seed)
+      : sketches_(sketches), variation_(variation), seed_(seed) {}
+
+  datasets::AugmentedSketch Seen(int face) const;
+  /// num_faces x 3V, cm. shape: the shape-level numbers, a row a face, of a network that reads them.
+  /// @throws Error if such a network gets none.
+  FaceRows Predict(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape = nullptr) const;
+
+ private:
+  const datasets::SketchDatabase& sketches_;
+  const datasets::SketchVariation variation_;
+  const uint64_t seed_;
+};
+
+}  // namespace daumier::eval

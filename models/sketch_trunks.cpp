@@ -1,0 +1,120 @@
+#include "models/sketch_trunks.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <array>
+
+namespace daumier::models {
+namespace {
+
+namespace nn = torch::nn;
+
+constexpr int kLastSide = 4;
+constexpr int kMaxWidening = 16;
+
+nn::Conv2d Convolution(int from, int to, int kernel, int stride, int padding, bool bias = false) {
+  return nn::Conv2d(nn::Conv2dOptions(from, to, kernel).stride(stride).padding(padding).bias(bias));
+}
+
+void PushNormalised(nn::Sequential& layers, int from, int to, int kernel, int stride, int padding) {
+  layers->push_back(Convolution(from, to, kernel, stride, padding));
+  layers->push_back(nn::BatchNorm2d(to));
+  layers->push_back(nn::ReLU());
+}
+
+nn::Sequential Features(int from, int hidden) {
+  return nn::Sequential(nn::Flatten(), nn::Linear(from, hidden), nn::ReLU());
+}
+
+SketchTrunk Compact(const SketchNetworkOptions& options) {
+  nn::Sequential layers;
+  int side = options.resolution, from = 1, to = options.width;
+  while (side > kLastSide) {
+    PushNormalised(layers, from, to, 3, 2, 1);
+    side = (side + 1) / 2;
+    from = to;
+    to = std::min(2 * to, kMaxWidening * options.width);
+  }
+  return {layers, Features(from * side * side, options.hidden)};
+}
+
+SketchTrunk AlexNet(const SketchNetworkOptions& options) {
+  struct Layer {
+    int channels, kernel, stride, padding;
+    bool pooled;
+  };
+  constexpr std::array<Layer, 5> kLayers = {
+      {{96, 11, 4, 2, true}, {256, 5, 1, 2, true}, {384, 3, 1, 1, false}, {384, 3, 1, 1, false}, {256, 3, 1, 1, true}}};
+  nn::Sequential layers;
+  int side = options.resolution, from = 1;
+  for (const Layer& layer : kLayers) {
+    const int to = std::max(1, layer.channels * options.width / kLayers[0].channels);
+    layers->push_back(Convolution(from, to, layer.kernel, layer.stride, layer.padding, !options.batch_norm));
+    if (options.batch_norm) layers->push_back(nn::BatchNorm2d(to));
+    layers->push_back(nn::ReLU());
+    side = (side + 2 * layer.padding - layer.kernel) / layer.stride + 1;
+    if (layer.pooled) {
+      DAUMIER_CHECK(side >= 3, "network.resolution={} is too small for network.trunk=\"alexnet\": 64 is the least",
+                    options.resolution);
+      layers->push_back(nn::MaxPool2d(nn::MaxPool2dOptions(3).stride(2)));
+      side = (side - 3) / 2 + 1;
+    }
+    from = to;
+  }
+  return {layers, Features(from * side * side, options.hidden)};
+}
+
+SketchTrunk Residual(const SketchNetworkOptions& options) {
+  constexpr std::array<int, 4> kWidening = {1, 2, 4, 6};
+  nn::Sequential layers;
+  PushNormalised(layers, 1, options.width, 5, 2, 2);
+  int side = (options.resolution + 1) / 2, from = options.width;
+  for (size_t stage = 0; side > kLastSide; ++stage) {
+    const int to = kWidening[std::min(stage, kWidening.size() - 1)] * options.width;
+    layers->push_back(ResidualBlock(from, to, 2));
+    side = (side + 1) / 2;
+    from = to;
+  }
+  const int last = 2 * options.width;
+  PushNormalised(layers, from, last, 1, 1, 0);
+  return {layers, Features(last * side * side, options.hidden)};
+}
+
+SketchTrunk Points(const SketchNetworkOptions& options) {
+  nn::Sequential layers;
+  int from = 4;
+  for (const int widening : {2, 4, 16}) {
+    const int to = widening * options.width;
+    layers->push_back(nn::Conv1d(nn::Conv1dOptions(from, to, 1).bias(false)));
+    layers->push_back(nn::BatchNorm1d(to));
+    layers->push_back(nn::ReLU());
+    from = to;
+  }
+  layers->push_back(Greatest());
+  return {layers, Features(from, options.hidden)};
+}
+
+}  // namespace
+
+SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size) {
+  if (options.trunk == "alexnet") return AlexNet(options);
+  if (options.trunk == "residual") return Residual(options);
+  if (options.trunk == "points") return Points(options);
+  if (options.trunk == "shape") return {nn::Sequential(), Features(shape_size, options.hidden)};
+  return Compact(options);
+}
+
+ResidualBlockImpl::ResidualBlockImpl(int from, int to, int stride) {
+  residual_ =
+      register_module("residual", nn::Sequential(Convolution(from, to, 3, stride, 1), nn::BatchNorm2d(to), nn::ReLU(),
+                                                 Convolution(to, to, 3, 1, 1), nn::BatchNorm2d(to)));
+  if (from != to || stride != 1)
+    short_cut_ = register_module("short_cut", nn::Sequential(Convolution(from, to, 1, stride, 0), nn::BatchNorm2d(to)));
+}
+
+torch::Tensor ResidualBlockImpl::forward(const torch::Tensor& input) {
+  return torch::relu(residual_->forward(input) + (short_cut_ ? short_cut_->forward(input) : input));
+}
+
+}  // namespace daumier::models

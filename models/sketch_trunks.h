@@ -1,0 +1,48 @@
+#pragma once
+#include "models/sketch_options.h"
+
+#include <torch/nn.h>
+
+namespace daumier::models {
+
+/// The part of a sketch network that comes before its branches, in two: what is frozen in the second step of training
+/// [Han et al. 2017, section 4.4], and the fully connected layers after it, whose output has options.hidden features.
+struct SketchTrunk {
+  torch::nn::Sequential convolutions, features;
+};
+
+/// All convolutions are followed by batch norm (alexnet: if options.batch_norm) and ReLU.
+///   compact   3 x 3 convolutions of stride 2 until the side is 4 or less, channels width, 2 width, ... up to 16 width
+///   alexnet   [Krizhevsky et al. 2012] without groups, response normalisation and dropout: 11 x 11 of stride 4 and
+///             padding 2, pooling, 5 x 5, pooling, three 3 x 3, pooling; channels 96-256-384-384-256 for width 96, all
+///             in proportion; pooling is 3 x 3 of stride 2. 256 x 256 pixels give sides of 63-31-15-7, 128 x 128 give
+///             31-15-7-3
+///   residual  5 x 5 of stride 2, then residual blocks of two 3 x 3 [He et al. 2016], the first of each stage of stride
+///             2, channels width, 2 width, 4 width, 6 width, until the side is 4 or less; 1 x 1 to 2 width channels.
+///             The fully connected layer sees the whole sketch
+///   points    1 x 1 convolutions of the points, 2, 4 and 16 width channels, and their greatest values [Qi et al. 2017]
+///   shape     nothing but the layer of features
+/// shape_size: length of the shape-level numbers, for trunk shape alone.
+/// @throws Error if the picture is too small for the trunk.
+SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size);
+
+/// Two 3 x 3 convolutions with a short cut around them, which is a 1 x 1 convolution where the shape changes.
+class ResidualBlockImpl : public torch::nn::Module {
+ public:
+  ResidualBlockImpl(int from, int to, int stride);
+  /// (B, from, H, W) -> (B, to, ceil(H / stride), ceil(W / stride)).
+  torch::Tensor forward(const torch::Tensor& input);
+
+ private:
+  torch::nn::Sequential residual_{nullptr}, short_cut_{nullptr};
+};
+TORCH_MODULE(ResidualBlock);
+
+/// (B, C, P) -> (B, C): the greatest of each channel, whatever the order of the points.
+class GreatestImpl : public torch::nn::Module {
+ public:
+  torch::Tensor forward(const torch::Tensor& input) { return input.amax(2); }
+};
+TORCH_MODULE(Greatest);
+
+}  // namespace daumier::models

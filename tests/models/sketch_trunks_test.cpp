@@ -1,0 +1,73 @@
+#include "models/sketch_trunks.h"
+
+#include "tests/support/expect_error.h"
+#include "tests/support/sketch_networks.h"
+
+#include <torch/torch.h>
+
+namespace daumier::models {
+namespace {
+
+std::vector<int64_t> ConvolutionSizes(const SketchNetworkOptions& options) {
+  SketchTrunk trunk = MakeSketchTrunk(options, 6);
+  return trunk.convolutions->forward(torch::rand({2, 1, options.resolution, options.resolution})).sizes().vec();
+}
+
+TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {
+  SketchNetworkOptions options{.trunk = "alexnet", .resolution = 256, .width = 12};
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 7, 7}));
+  options.resolution = 128;
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 3, 3}));
+  options.resolution = 64;
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 1, 1}));
+  options.resolution = 48;
+  testing::ExpectError([&] { MakeSketchTrunk(options, 6); }, "network.resolution=48 is too small");
+}
+
+TEST(SketchTrunks, ResidualEndsAtSideFourOrLessWithTwiceTheWidth) {
+  for (const int resolution : {32, 50, 128}) {
+    const auto sizes = ConvolutionSizes({.trunk = "residual", .resolution = resolution, .width = 4});
+    EXPECT_EQ(sizes[1], 8);
+    EXPECT_LE(sizes[2], 4);
+  }
+}
+
+TEST(SketchTrunks, CompactTakesEveryResolution) {
+  for (const int resolution : {32, 50, 128}) {
+    SketchTrunk trunk = MakeSketchTrunk({.resolution = resolution, .width = 2, .hidden = 8}, 6);
+    const auto features =
+        trunk.features->forward(trunk.convolutions->forward(torch::rand({2, 1, resolution, resolution})));
+    EXPECT_EQ(features.sizes().vec(), (std::vector<int64_t>{2, 8}));
+  }
+}
+
+TEST(SketchTrunks, EveryTrunkEndsInHiddenFeatures) {
+  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    SketchTrunk trunk = MakeSketchTrunk(options, 6);
+    const SketchInput input = testing::RandomSketchInput(options, 3);
+    torch::Tensor features = input.shape;
+    if (options.reads_image()) features = trunk.convolutions->forward(input.images);
+    if (options.reads_points()) features = trunk.convolutions->forward(input.points);
+    EXPECT_EQ(trunk.features->forward(features).sizes().vec(), (std::vector<int64_t>{3, options.hidden}));
+  }
+}
+
+TEST(ResidualBlock, WithoutItsConvolutionsIsTheShortCut) {
+  torch::manual_seed(1);
+  ResidualBlock block(3, 3, 1);
+  block->eval();
+  torch::NoGradGuard no_grad;
+  for (auto& parameter : block->parameters()) parameter.zero_();
+  const auto input = torch::randn({2, 3, 5, 5});
+  EXPECT_TRUE(torch::equal(block->forward(input), input.relu()));
+  EXPECT_EQ(ResidualBlock(3, 4, 2)->forward(input).sizes().vec(), (std::vector<int64_t>{2, 4, 3, 3}));
+}
+
+TEST(Greatest, IsTheGreatestOfEachChannel) {
+  const auto input = torch::tensor({{{1.0f, 5.0f, 2.0f}, {-3.0f, -1.0f, -2.0f}}});
+  EXPECT_TRUE(torch::equal(Greatest()->forward(input), torch::tensor({{5.0f, -1.0f}})));
+}
+
+}  // namespace
+}  // namespace daumier::models
