@@ -6,15 +6,14 @@
 #include "fitting/curve_recovery.h"
 #include "fitting/projected_curves.h"
 
-#include <span>
 #include <vector>
 
 namespace daumier::fitting {
 
 struct ContourRefinementOptions {
-  double trust = 0.5;
+  double trust = 0.125;
   faces::CurveEncoderOptions encoder{.deviation_px = 1.0, .rounds = 4};
-  CurveRecoveryOptions snapping{.snaps = 3, .reach_px = 12};
+  CurveRecoveryOptions snapping{.snaps = 1, .reach_px = 12};
 
   template <class V>
   void Visit(V&& visit) {
@@ -25,7 +24,8 @@ struct ContourRefinementOptions {
   }
 };
 
-struct RefinedFace {
+/// What a network makes of a sketch.
+struct PredictedFace {
   Eigen::VectorXf u, v;
   std::vector<float> vertices;  ///< 3V, cm.
 };
@@ -41,10 +41,8 @@ class ContourRefiner {
   ContourRefiner(const faces::BilinearModel& model, const ProjectedCurves& curves,
                  const ContourRefinementOptions& options = {});
 
-  /// face: 3V, cm, what the network makes of its u and v. strokes: on the canvas.
-  /// @throws Error if a number of coordinates or coefficients differs.
-  RefinedFace Refine(std::span<const float> face, const Eigen::VectorXf& u, const Eigen::VectorXf& v,
-                     const std::vector<render::Stroke>& strokes) const;
+  /// strokes: on the canvas. @throws Error if a number of coordinates or coefficients differs.
+  PredictedFace Refine(const PredictedFace& face, const std::vector<render::Stroke>& strokes) const;
 
   const ProjectedCurves& curves() const { return curves_; }
 

@@ -10,8 +10,7 @@ namespace {
 
 class ContourRefinerTest : public ::testing::Test {
  protected:
-  static std::span<const float> View(const Eigen::VectorXf& face) { return {face.data(), size_t(face.size())}; }
-  static Eigen::VectorXf AsVector(const RefinedFace& face) {
+  static Eigen::VectorXf AsVector(const PredictedFace& face) {
     return Eigen::Map<const Eigen::VectorXf>(face.vertices.data(), Eigen::Index(face.vertices.size()));
   }
   /// A prediction beside identity 3, expression 2.
@@ -20,6 +19,9 @@ class ContourRefinerTest : public ::testing::Test {
   }
   Eigen::VectorXf v() const { return seen_.model.expression_factors.row(2); }
   Eigen::VectorXf Predicted() const { return faces::Reconstruct(seen_.model, u(), v()); }
+  PredictedFace Answer(const Eigen::VectorXf& face) const {
+    return {u(), v(), {face.data(), face.data() + face.size()}};
+  }
   std::vector<render::Stroke> TrueStrokes() const {
     return CurveStrokes(seen_.curves.offsets, seen_.Points(seen_.Face(3, 2)));
   }
@@ -29,7 +31,7 @@ class ContourRefinerTest : public ::testing::Test {
 
 TEST_F(ContourRefinerTest, StrokesOfAFacePullANearFaceTowardsIt) {
   const ContourRefiner refiner(seen_.model, seen_.curves, {.trust = 1, .snapping = {.snaps = 4}});
-  const RefinedFace refined = refiner.Refine(View(Predicted()), u(), v(), TrueStrokes());
+  const PredictedFace refined = refiner.Refine(Answer(Predicted()), TrueStrokes());
   const Eigen::VectorXf truth = seen_.Face(3, 2);
   EXPECT_LT(MeanDistance(AsVector(refined), truth), 0.6 * MeanDistance(Predicted(), truth));
   EXPECT_LT((faces::Reconstruct(seen_.model, refined.u, refined.v) - AsVector(refined)).cwiseAbs().maxCoeff(), 1e-4);
@@ -39,8 +41,7 @@ TEST_F(ContourRefinerTest, TheMoreThePredictionIsTrustedTheLessItMoves) {
   double last = 0;
   for (const double trust : {0.01, 0.1, 1.0}) {
     const ContourRefiner refiner(seen_.model, seen_.curves, {.trust = trust});
-    const double moved =
-        MeanDistance(AsVector(refiner.Refine(View(Predicted()), u(), v(), TrueStrokes())), Predicted());
+    const double moved = MeanDistance(AsVector(refiner.Refine(Answer(Predicted()), TrueStrokes())), Predicted());
     EXPECT_GT(moved, last) << trust;
     last = moved;
   }
@@ -50,7 +51,7 @@ TEST_F(ContourRefinerTest, WithoutAStrokeWithinReachThePredictionComesBack) {
   const ContourRefiner refiner(seen_.model, seen_.curves);
   const Eigen::VectorXf predicted = Predicted();
   for (const auto& strokes : std::vector<std::vector<render::Stroke>>{{}, {{0, {{2, 2}, {250, 2}}}}}) {
-    const RefinedFace refined = refiner.Refine(View(predicted), u(), v(), strokes);
+    const PredictedFace refined = refiner.Refine(Answer(predicted), strokes);
     EXPECT_EQ(refined.u, u());
     EXPECT_EQ(refined.v, v());
     EXPECT_EQ(AsVector(refined), predicted);
@@ -60,28 +61,31 @@ TEST_F(ContourRefinerTest, WithoutAStrokeWithinReachThePredictionComesBack) {
 TEST_F(ContourRefinerTest, AResidualStays) {
   // The network's face stands 2 cm beside its u and v; so do the strokes: nothing else changes.
   const ContourRefiner refiner(seen_.model, seen_.curves);
-  const RefinedFace plain = refiner.Refine(View(Predicted()), u(), v(), TrueStrokes());
+  const PredictedFace plain = refiner.Refine(Answer(Predicted()), TrueStrokes());
   const auto beside = [](Eigen::VectorXf face) {
     for (Eigen::Index i = 0; i < face.size(); i += 3) face[i] += 2;
     return face;
   };
   const auto strokes = CurveStrokes(seen_.curves.offsets, seen_.Points(beside(seen_.Face(3, 2))));
-  const RefinedFace moved = refiner.Refine(View(beside(Predicted())), u(), v(), strokes);
+  const PredictedFace moved = refiner.Refine(Answer(beside(Predicted())), strokes);
   EXPECT_LT((moved.u - plain.u).norm(), 1e-3 * plain.u.norm());
   EXPECT_LT(MeanDistance(AsVector(moved), beside(AsVector(plain))), 1e-3);
 }
 
 TEST_F(ContourRefinerTest, GivesTheSameAnswerAgain) {
   const ContourRefiner refiner(seen_.model, seen_.curves);
-  const RefinedFace once = refiner.Refine(View(Predicted()), u(), v(), TrueStrokes());
-  EXPECT_EQ(once.vertices, refiner.Refine(View(Predicted()), u(), v(), TrueStrokes()).vertices);
+  const PredictedFace once = refiner.Refine(Answer(Predicted()), TrueStrokes());
+  EXPECT_EQ(once.vertices, refiner.Refine(Answer(Predicted()), TrueStrokes()).vertices);
 }
 
 TEST_F(ContourRefinerTest, RefusesAFaceOfAnotherSize) {
   const ContourRefiner refiner(seen_.model, seen_.curves);
-  const Eigen::VectorXf predicted = Predicted();
-  testing::ExpectError([&] { refiner.Refine(View(predicted).first(9), u(), v(), {}); }, "a face of 9 coordinates");
-  testing::ExpectError([&] { refiner.Refine(View(predicted), u().head(2), v(), {}); }, "u and v have 2");
+  PredictedFace face = Answer(Predicted());
+  face.vertices.resize(9);
+  testing::ExpectError([&] { refiner.Refine(face, {}); }, "a face of 9 coordinates");
+  face = Answer(Predicted());
+  face.u = face.u.head(2).eval();
+  testing::ExpectError([&] { refiner.Refine(face, {}); }, "u and v have 2");
 }
 
 TEST(ContourRefinementOptions, AreParsed) {

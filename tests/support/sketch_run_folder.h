@@ -38,7 +38,7 @@ inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directo
   manifest.counts = {{"train", 16}};
   manifest.details = {
       {"sketches",
-       {{"camera", render::CameraToJson(render::FrontalCamera({0, 0, 0}, 12, 256))}, {"feature_curves", {"jaw"}}}}};
+       {{"camera", render::CameraToJson(render::FrontalCamera({0, 0, 0}, 12, 256))}, {"feature_curves", {"brow_left"}}}}};
   manifest.checksums = faces::WriteFaceTemplate(directory, face_template);
   manifest.checksums.merge(models::WriteFittedModels(directory, models));
   WriteManifest(directory, manifest);
