@@ -13,8 +13,8 @@ struct FrameSearchOptions {
   std::vector<double> shares = {1.15, 1.0, 0.87, 0.75, 0.65, 0.56, 0.48};
   int places_x = 3;
   int places_y = 5;
-  double drawn_trim = 0.3;
-  double projected_trim = 0.1;
+  double drawn_trim = 0.5;
+  double projected_trim = 0.05;
   int starts = 3;
   int halvings = 3;
 

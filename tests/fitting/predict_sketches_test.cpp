@@ -31,7 +31,8 @@ TEST(PredictSketches, WritesAMeshAndASheetForEveryPicture) {
   for (const auto* name : {"face.png", "other/face.png"}) {
     render::WriteImage(folder / name, render::RasteriseStrokes(Circles(), 240));
   }
-  PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out");
+  PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out",
+                  {.search = {.shares = {1.0}, .starts = 1, .halvings = 1}});
   const Manifest manifest = ReadManifest(folder / "out", "predictions");
   EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
   EXPECT_EQ(manifest.checksums.size(), 6u);
