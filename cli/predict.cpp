@@ -1,5 +1,5 @@
 #include "cli/verb.h"
-#include "fitting/sketch_predictor.h"
+#include "fitting/predict_sketches.h"
 
 #include <memory>
 
@@ -10,7 +10,7 @@ Verb PredictVerb() {
             struct Arguments {
               std::filesystem::path run, out;
               std::vector<std::filesystem::path> inputs;
-              bool keep_frame = false;
+              bool keep_frame = false, no_refine = false;
             };
             auto arguments = std::make_shared<Arguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
@@ -20,10 +20,14 @@ Verb PredictVerb() {
                 ->required();
             command.add_flag("--keep-frame", arguments->keep_frame,
                              "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");
+            command.add_flag("--no-refine", arguments->no_refine,
+                             "Keep the network's own face; otherwise its contours are drawn to the strokes");
             command.add_option("--out", arguments->out, "Folder to write")->required();
             return [arguments] {
-              fitting::PredictSketches(arguments->run, arguments->inputs, arguments->out,
-                                       arguments->keep_frame ? fitting::Framing::kKeep : fitting::Framing::kFit);
+              fitting::PredictOptions options;
+              options.framing = arguments->keep_frame ? fitting::Framing::kKeep : fitting::Framing::kFit;
+              options.refine = !arguments->no_refine;
+              fitting::PredictSketches(arguments->run, arguments->inputs, arguments->out, options);
             };
           }};
 }

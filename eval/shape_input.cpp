@@ -3,24 +3,24 @@
 #include "core/error.h"
 #include "datasets/read/shape_numbers.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace daumier::eval {
+namespace {
+
+std::vector<std::string> FeatureNames(const datasets::SketchDatabase& sketches) {
+  std::vector<std::string> names;
+  for (const int feature : sketches.feature_curves()) names.push_back(sketches.curve_names()[size_t(feature)]);
+  return names;
+}
+
+}  // namespace
 
 ShapeInput::ShapeInput(const faces::BilinearModel& curves, const datasets::SketchDatabase& sketches,
                        const faces::FaceTemplate& face_template, const faces::CurveEncoderOptions& options)
-    : sketches_(sketches), encoder_(curves, options), camera_(sketches.camera()) {
-  const auto& annotated = face_template.annotation.curves;
-  for (const int feature : sketches.feature_curves()) {
-    const std::string& name = sketches.curve_names()[size_t(feature)];
-    const auto curve = std::find_if(annotated.begin(), annotated.end(), [&](const auto& c) { return c.name == name; });
-    DAUMIER_CHECK(curve != annotated.end(), "the template has no curve '{}', which its sketches show", name);
-    vertices_.insert(vertices_.end(), curve->vertices.begin(), curve->vertices.end());
-    if (curve->closed) vertices_.push_back(curve->vertices.front());
-    offsets_.push_back(static_cast<int>(vertices_.size()));
-  }
-}
+    : sketches_(sketches),
+      encoder_(curves, options),
+      projected_(fitting::SeeCurves(face_template, FeatureNames(sketches), sketches.camera())) {}
 
 faces::CurveCode ShapeInput::Given(const std::vector<render::Stroke>& strokes,
                                    const std::vector<std::vector<bool>>& visible) const {
@@ -29,15 +29,8 @@ faces::CurveCode ShapeInput::Given(const std::vector<render::Stroke>& strokes,
 
 faces::CurveCode ShapeInput::Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,
                                        const fitting::CurveRecoveryOptions& options) const {
-  geometry::Points points(Eigen::Index(vertices_.size()), 3);
-  for (size_t k = 0; k < vertices_.size(); ++k) {
-    for (int axis = 0; axis < 3; ++axis)
-      points(Eigen::Index(k), axis) = predicted_face[3 * size_t(vertices_[k]) + size_t(axis)];
-  }
-  const geometry::Points projected = render::Project(camera_, points);
-  std::vector<float> predicted;
-  for (const auto& point : projected.rowwise()) predicted.insert(predicted.end(), {float(point.x()), float(point.y())});
-  return fitting::RecoverCurves(encoder_, offsets_, predicted, drawn, options);
+  return fitting::RecoverCurves(encoder_, projected_.offsets, fitting::Project(projected_, predicted_face), drawn,
+                                options);
 }
 
 double ShapeInput::ErrorPx(const faces::CurveCode& code, const std::vector<render::Stroke>& truth) const {

@@ -4,6 +4,7 @@
 #include "faces/curve_encoder.h"
 #include "faces/face_model.h"
 #include "fitting/curve_recovery.h"
+#include "fitting/projected_curves.h"
 
 #include <span>
 #include <vector>
@@ -32,9 +33,7 @@ class ShapeInput {
  private:
   const datasets::SketchDatabase& sketches_;
   faces::CurveEncoder encoder_;
-  render::Camera camera_;
-  std::vector<int> vertices_;  ///< Of each curve point.
-  fitting::CurveOffsets offsets_ = {0};
+  fitting::ProjectedCurves projected_;
 };
 
 }  // namespace daumier::eval

@@ -14,17 +14,15 @@ using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajo
 
 /// Neighbouring points of a curve say about the same: where twice as many are there, some are left out.
 constexpr int kEnoughPoints = 150;
-/// Below this share of the factors' size a standard deviation says that a factor never changed.
-constexpr float kLeastDeviation = 1e-3f;
 
-/// argmin_x |W (A^T x - points)|^2 / deviation^2 + (x - mean)^T precision (x - mean); rows of `basis` are those of A,
-/// already multiplied by the square roots W / deviation, as are the points.
+/// argmin_x |W (A^T x - points)|^2 / deviation_px^2 + |(x - mean) / deviation|^2; rows of `basis` are those of A,
+/// already multiplied by the square roots W / deviation_px, as are the points.
 Eigen::VectorXf SolveWithPrior(const Rows& basis, const Eigen::VectorXf& points, const Eigen::VectorXf& mean,
-                               const Eigen::VectorXf& precision) {
+                               const Eigen::VectorXf& deviation) {
   Eigen::MatrixXd normal = Eigen::MatrixXf(basis * basis.transpose()).cast<double>();
-  normal.diagonal() += precision.cast<double>();
-  const Eigen::VectorXd right =
-      (basis * points).cast<double>() + (precision.cast<double>().array() * mean.cast<double>().array()).matrix();
+  const Eigen::VectorXd precision = deviation.cast<double>().cwiseAbs2().cwiseInverse();
+  normal.diagonal() += precision;
+  const Eigen::VectorXd right = (basis * points).cast<double>() + precision.cwiseProduct(mean.cast<double>());
   return normal.llt().solve(right).cast<float>();
 }
 
@@ -36,22 +34,16 @@ Eigen::VectorXf CurveCode::numbers() const {
   return all;
 }
 
-CurveEncoder::Prior CurveEncoder::PriorOf(const Eigen::MatrixXf& factors) {
-  Prior prior;
-  prior.mean = factors.colwise().mean();
-  const Eigen::MatrixXf centred = factors.rowwise() - prior.mean.transpose();
-  const Eigen::VectorXf deviation = (centred.colwise().squaredNorm() / float(factors.rows()))
-                                        .cwiseSqrt()
-                                        .cwiseMax(kLeastDeviation * prior.mean.norm());
-  prior.precision = deviation.cwiseAbs2().cwiseInverse();
-  return prior;
-}
-
 CurveEncoder::CurveEncoder(const BilinearModel& model, const CurveEncoderOptions& options)
-    : model_(&model),
-      options_(options),
-      identity_(PriorOf(model.identity_factors)),
-      expression_(PriorOf(model.expression_factors)) {}
+    : CurveEncoder(model, PriorOf(model), options) {}
+
+CurveEncoder::CurveEncoder(const BilinearModel& model, const CoefficientPrior& prior,
+                           const CurveEncoderOptions& options)
+    : model_(&model), options_(options), prior_(prior) {
+  DAUMIER_CHECK(prior.u_mean.size() == model.num_identity && prior.v_mean.size() == model.num_expression,
+                "a prior of {} and {} numbers for a model of {} and {}", prior.u_mean.size(), prior.v_mean.size(),
+                model.num_identity, model.num_expression);
+}
 
 CurveCode CurveEncoder::Encode(std::span<const float> points, std::span<const float> weights,
                                const CurveCode* start) const {
@@ -75,17 +67,17 @@ CurveCode CurveEncoder::Encode(std::span<const float> points, std::span<const fl
   const Rows core = model_->core(Eigen::all, kept).array().rowwise() * scale.transpose().array();
 
   CurveCode code;
-  code.u = start ? start->u : identity_.mean;
-  code.v = start ? start->v : expression_.mean;
+  code.u = start ? start->u : prior_.u_mean;
+  code.v = start ? start->v : prior_.v_mean;
   Rows basis;
   for (int round = 0; round < options_.rounds; ++round) {
     basis.setZero(num_identity, core.cols());
     for (int k = 0; k < num_identity; ++k)
       basis.row(k) = code.v.transpose() * core.middleRows(k * num_expression, num_expression);
-    code.u = SolveWithPrior(basis, target, identity_.mean, identity_.precision);
+    code.u = SolveWithPrior(basis, target, prior_.u_mean, prior_.u_deviation);
     basis.setZero(num_expression, core.cols());
     for (int k = 0; k < num_identity; ++k) basis += code.u[k] * core.middleRows(k * num_expression, num_expression);
-    code.v = SolveWithPrior(basis, target, expression_.mean, expression_.precision);
+    code.v = SolveWithPrior(basis, target, prior_.v_mean, prior_.v_deviation);
   }
   code.points = Reconstruct(*model_, code.u, code.v);
   return code;

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 #include "faces/bilinear_model.h"
+#include "faces/coefficient_prior.h"
 
 #include <span>
 #include <vector>
@@ -30,16 +31,18 @@ struct CurveCode {
 /// The shape-level input [Han et al. 2017, section 4.3]: u and v of the bilinear model of 2-D curve points that explain
 /// drawn points best, some of which may be missing:
 ///   min  sum_k w_k |C_k x2 u x3 v - p_k|^2 / deviation^2 + sum_i ((u_i - mean) / sigma)_i^2 + the same of v,
-/// with means and standard deviations over the fitted identities and expressions, and w in [0, 1]. Alternating least
-/// squares; the prior says what the points do not, and settles the free scale between u and v.
+/// with the means and standard deviations of a prior, and w in [0, 1]. Alternating least squares; the prior says what
+/// the points do not, and settles the free scale between u and v.
 class CurveEncoder {
  public:
-  /// Starts from the mean expression. Keeps a reference to the model.
+  /// With the prior of the fitted identities and expressions, PriorOf. Keeps a reference to the model.
   explicit CurveEncoder(const BilinearModel& model, const CurveEncoderOptions& options = {});
+  /// With another prior. @throws Error if it has other lengths.
+  CurveEncoder(const BilinearModel& model, const CoefficientPrior& prior, const CurveEncoderOptions& options = {});
 
   /// points: 2K (x0 y0 x1 ...); weights: K. A point of weight 0 is not looked at; where 300 and more count, only every
-  /// second, third, ... of them is looked at, and stands for the others. Starts from `start` where one is given.
-  /// @throws Error if a number of points differs.
+  /// second, third, ... of them is looked at, and stands for the others. Starts from `start` where one is given,
+  /// otherwise from the prior's means. @throws Error if a number of points differs.
   CurveCode Encode(std::span<const float> points, std::span<const float> weights,
                    const CurveCode* start = nullptr) const;
 
@@ -48,14 +51,9 @@ class CurveEncoder {
   int num_numbers() const { return model_->num_identity + model_->num_expression; }
 
  private:
-  struct Prior {
-    Eigen::VectorXf mean, precision;  ///< precision = 1 / sigma^2.
-  };
-  static Prior PriorOf(const Eigen::MatrixXf& factors);
-
   const BilinearModel* model_;
   CurveEncoderOptions options_;
-  Prior identity_, expression_;
+  CoefficientPrior prior_;
 };
 
 }  // namespace daumier::faces

@@ -1,8 +1,7 @@
 #include "fitting/curve_recovery.h"
 
 #include "core/error.h"
-
-#include <Eigen/Core>
+#include "fitting/stroke_segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,113 +12,69 @@ namespace {
 
 using Eigen::Vector2f;
 
-/// A straight piece of a drawn stroke.
-struct Segment {
-  Vector2f from, to, direction;
-
-  Vector2f Nearest(const Vector2f& point) const {
-    const Vector2f along = to - from;
-    const float length2 = along.squaredNorm();
-    const float share = length2 > 0 ? std::clamp((point - from).dot(along) / length2, 0.0f, 1.0f) : 0.0f;
-    return from + share * along;
-  }
+/// Where curve points are drawn to, and how strongly.
+struct Pull {
+  std::vector<float> points;   ///< 2K, on the canvas.
+  std::vector<float> weights;  ///< K; 0: nothing is within reach.
 };
 
-Vector2f Unit(const Vector2f& vector) {
-  const float length = vector.norm();
-  return length > 0 ? Vector2f(vector / length) : Vector2f::Zero();
+Pull PullOf(const SegmentGrid& strokes, const CurveOffsets& offsets, const Eigen::VectorXf& curves, float reach,
+            float least_cosine) {
+  Pull pull{{curves.data(), curves.data() + curves.size()}, std::vector<float>(size_t(offsets.back()), 0.0f)};
+  for (size_t curve = 0; curve + 1 < offsets.size(); ++curve) {
+    const int first = offsets[curve], last = offsets[curve + 1] - 1;
+    for (int k = first; k <= last; ++k) {
+      const Vector2f point = curves.segment<2>(2 * k);
+      const Vector2f direction =
+          Unit(curves.segment<2>(2 * std::min(k + 1, last)) - curves.segment<2>(2 * std::max(k - 1, first)));
+      const auto snapped = strokes.Nearest(point, direction, reach, least_cosine);
+      if (!snapped) continue;
+      const float share = (*snapped - point).squaredNorm() / (reach * reach);
+      pull.weights[size_t(k)] = (1 - share) * (1 - share);
+      pull.points[2 * size_t(k)] = snapped->x(), pull.points[2 * size_t(k) + 1] = snapped->y();
+    }
+  }
+  return pull;
 }
 
-/// Drawn segments by the cells of a grid over the canvas, so that those within reach are found at once.
-class SegmentGrid {
- public:
-  SegmentGrid(const std::vector<render::Stroke>& strokes, float reach) : cell_(std::max(reach, 2.0f)) {
-    side_ = static_cast<int>(std::ceil(render::kSketchCanvas / cell_)) + 2;
-    cells_.resize(size_t(side_) * size_t(side_));
-    for (const render::Stroke& stroke : strokes) {
-      for (size_t i = 1; i < stroke.points.size(); ++i) {
-        const Vector2f from(stroke.points[i - 1][0], stroke.points[i - 1][1]),
-            to(stroke.points[i][0], stroke.points[i][1]);
-        const int index = static_cast<int>(segments_.size());
-        segments_.push_back({from, to, Unit(to - from)});
-        const auto [left, right] = std::minmax({Cell(from.x()), Cell(to.x())});
-        const auto [top, bottom] = std::minmax({Cell(from.y()), Cell(to.y())});
-        for (int row = top; row <= bottom; ++row) {
-          for (int column = left; column <= right; ++column) At(row, column).push_back(index);
-        }
-      }
-    }
-  }
-
-  /// The nearest point within reach on a segment whose direction is within the cosine's angle; nothing else changes.
-  bool Snap(const Vector2f& point, const Vector2f& direction, float reach, float least_cosine,
-            Vector2f& snapped) const {
-    float best = reach;
-    for (int row = Cell(point.y()) - 1; row <= Cell(point.y()) + 1; ++row) {
-      for (int column = Cell(point.x()) - 1; column <= Cell(point.x()) + 1; ++column) {
-        if (row < 0 || column < 0 || row >= side_ || column >= side_) continue;
-        for (const int index : cells_[size_t(row * side_ + column)]) {
-          const Segment& segment = segments_[size_t(index)];
-          if (std::abs(segment.direction.dot(direction)) < least_cosine) continue;
-          const Vector2f nearest = segment.Nearest(point);
-          const float distance = (nearest - point).norm();
-          if (distance < best) best = distance, snapped = nearest;
-        }
-      }
-    }
-    return best < reach;
-  }
-
- private:
-  /// One cell of margin on each side takes all that lies outside.
-  int Cell(float coordinate) const {
-    return std::clamp(static_cast<int>(std::floor(coordinate / cell_)) + 1, 0, side_ - 1);
-  }
-  std::vector<int>& At(int row, int column) { return cells_[size_t(row * side_ + column)]; }
-
-  float cell_;
-  int side_ = 0;
-  std::vector<Segment> segments_;
-  std::vector<std::vector<int>> cells_;
-};
-
-Vector2f PointAt(std::span<const float> points, int k) {
-  return {points[2 * size_t(k)], points[2 * size_t(k) + 1]};
+void CheckOffsets(const CurveOffsets& offsets, const faces::CurveEncoder& encoder) {
+  DAUMIER_CHECK(!offsets.empty() && offsets.front() == 0 && offsets.back() == encoder.num_points(),
+                "curves of {} points for a model of {}", offsets.empty() ? 0 : offsets.back(), encoder.num_points());
 }
 
 }  // namespace
 
+faces::CurveCode FollowStrokes(const faces::CurveEncoder& encoder, const CurveOffsets& offsets,
+                               const faces::CurveCode& start, const std::vector<render::Stroke>& strokes,
+                               const CurveRecoveryOptions& options, const Eigen::VectorXf& constant) {
+  CheckOffsets(offsets, encoder);
+  DAUMIER_CHECK(
+      start.points.size() == 2 * offsets.back() && (constant.size() == 0 || constant.size() == 2 * offsets.back()),
+      "curves of {} coordinates start from {}, moved by {}", 2 * offsets.back(), start.points.size(), constant.size());
+  const Eigen::VectorXf moved = constant.size() ? constant : Eigen::VectorXf::Zero(start.points.size());
+  const float least_cosine = float(std::cos(options.max_angle * std::numbers::pi / 180));
+  const SegmentGrid grid(SegmentsOf(strokes), float(options.reach_px));
+  faces::CurveCode code = start;
+  float reach = float(options.reach_px);
+  for (int snap = 0; snap < options.snaps; ++snap, reach *= 0.5f) {
+    Pull pull = PullOf(grid, offsets, code.points + moved, reach, least_cosine);
+    if (std::none_of(pull.weights.begin(), pull.weights.end(), [](float weight) { return weight > 0; })) break;
+    Eigen::Map<Eigen::VectorXf>(pull.points.data(), moved.size()) -= moved;
+    code = encoder.Encode(pull.points, pull.weights, &code);
+  }
+  return code;
+}
+
 faces::CurveCode RecoverCurves(const faces::CurveEncoder& encoder, const CurveOffsets& offsets,
                                std::span<const float> predicted, const std::vector<render::Stroke>& strokes,
                                const CurveRecoveryOptions& options) {
-  DAUMIER_CHECK(!offsets.empty() && offsets.front() == 0 && offsets.back() == encoder.num_points(),
-                "curves of {} points for a model of {}", offsets.empty() ? 0 : offsets.back(), encoder.num_points());
-  std::vector<float> weights(size_t(encoder.num_points()), 1.0f);
-  faces::CurveCode code = encoder.Encode(predicted, weights);
-  std::vector<float> target(predicted.begin(), predicted.end());
-  std::vector<float> current = target;
-  const float least_cosine = float(std::cos(options.max_angle * std::numbers::pi / 180));
-  const SegmentGrid grid(strokes, float(options.reach_px));
-  float reach = float(options.reach_px);
-  for (int snap = 0; snap < options.snaps; ++snap, reach *= 0.5f) {
-    for (size_t curve = 0; curve + 1 < offsets.size(); ++curve) {
-      for (int k = offsets[curve]; k < offsets[curve + 1]; ++k) {
-        const Vector2f point = PointAt(current, k);
-        const Vector2f direction = Unit(PointAt(current, std::min(k + 1, offsets[curve + 1] - 1)) -
-                                        PointAt(current, std::max(k - 1, offsets[curve])));
-        Vector2f snapped = point;
-        float& weight = weights[size_t(k)];
-        weight = 0;
-        if (!grid.Snap(point, direction, reach, least_cosine, snapped)) continue;
-        const float share = (snapped - point).squaredNorm() / (reach * reach);
-        weight = (1 - share) * (1 - share);
-        target[2 * size_t(k)] = snapped.x(), target[2 * size_t(k) + 1] = snapped.y();
-      }
-    }
-    code = encoder.Encode(target, weights, &code);
-    std::copy(code.points.begin(), code.points.end(), current.begin());
-  }
-  return code;
+  CheckOffsets(offsets, encoder);
+  const faces::CurveCode encoded = encoder.Encode(predicted, std::vector<float>(size_t(encoder.num_points()), 1.0f));
+  if (options.snaps == 0) return encoded;
+  faces::CurveCode start = encoded;
+  start.points = Eigen::Map<const Eigen::VectorXf>(predicted.data(), Eigen::Index(predicted.size()));
+  const faces::CurveCode code = FollowStrokes(encoder, offsets, start, strokes, options);
+  return code.points == start.points ? encoded : code;
 }
 
 }  // namespace daumier::fitting

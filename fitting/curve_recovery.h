@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 #include "faces/curve_encoder.h"
+#include "fitting/projected_curves.h"
 #include "render/strokes.h"
 
 #include <span>
@@ -22,14 +23,19 @@ struct CurveRecoveryOptions {
   }
 };
 
-/// A template's curves as a list of points: curve c has the points offsets[c] .. offsets[c + 1] - 1.
-using CurveOffsets = std::vector<int>;
+/// Fits a bilinear model of curve points to strokes without labels, from a start: every curve point moves to the
+/// nearest point of a drawn stroke that runs in about its direction, with the weight (1 - (d / reach)^2)^2 of Tukey's
+/// biweight and 0 beyond reach; the encoder finds u and v for these points, and its curves snap again. `start.points` +
+/// constant are where the curves are at first, on the canvas; `constant` (2K, or empty for 0) is what the model leaves
+/// out of its points. Once no point is within reach of a stroke, the last answer (at first the start) stands.
+/// @throws Error if a number of points differs.
+faces::CurveCode FollowStrokes(const faces::CurveEncoder& encoder, const CurveOffsets& offsets,
+                               const faces::CurveCode& start, const std::vector<render::Stroke>& strokes,
+                               const CurveRecoveryOptions& options = {}, const Eigen::VectorXf& constant = {});
 
-/// The shape-level numbers of a drawing whose strokes carry no labels: starting from projected curves that a network
-/// predicts, every curve point moves to the nearest point of a drawn stroke that runs in about its direction, with the
-/// weight (1 - (d / reach)^2)^2 of Tukey's biweight and 0 beyond reach; the 2-D bilinear model is fitted to these
-/// points (faces::CurveEncoder), and its curves snap again. predicted: 2K coordinates on the canvas. With snaps = 0 the
-/// prediction itself is encoded.
+/// The shape-level numbers of a drawing whose strokes carry no labels: projected curves that a network predicts follow
+/// the strokes (FollowStrokes), by the 2-D bilinear model of curves. predicted: 2K coordinates on the canvas. With
+/// snaps = 0 the prediction itself is encoded.
 /// @throws Error if a number of points differs.
 faces::CurveCode RecoverCurves(const faces::CurveEncoder& encoder, const CurveOffsets& offsets,
                                std::span<const float> predicted, const std::vector<render::Stroke>& strokes,

@@ -1,119 +1,95 @@
 #include "fitting/sketch_predictor.h"
 
-#include "core/error.h"
-#include "core/files.h"
-#include "core/manifest.h"
-#include "fitting/face_surface.h"
-#include "geometry/obj.h"
-#include "render/camera.h"
+#include "fitting/curve_recovery.h"
 #include "render/draw.h"
-#include "render/framing.h"
-#include "render/read_drawing.h"
-#include "render/shading.h"
-#include "render/sheet.h"
-#include "render/svg.h"
+#include "render/stroke_samples.h"
 #include "tensor/eigen.h"
 #include "tensor/torch_version.h"
 
 #include <algorithm>
-#include <set>
 
 namespace daumier::fitting {
 namespace {
 
-namespace fs = std::filesystem;
-using render::Image;
+constexpr int kShapeRounds = 2;
 
-constexpr int kPictureSide = 360;
-
-Image SheetOf(const faces::FaceTemplate& face_template, const std::vector<render::Stroke>& strokes,
-              const geometry::Points& face) {
-  const render::RenderInput input = SurfaceOf(face_template, face);
-  const auto frame = render::FrameOf(face);
-  return render::MakeSheet(
-      {{render::ToRgb(render::RasteriseStrokes(strokes, kPictureSide)), "sketch"},
-       {RenderMesh(input, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)), "front"},
-       {RenderMesh(input, render::SideCamera(frame.centre, frame.half_height, kPictureSide)), "side"}},
-      3);
+/// (1, 4, P), as datasets::SketchBatch has them.
+torch::Tensor PointTensor(const std::vector<render::Stroke>& strokes, int num_points) {
+  const auto samples = render::SampleStrokes(strokes, num_points);
+  constexpr float kHalf = 0.5f * render::kSketchCanvas;
+  std::vector<float> rows;
+  for (const auto& sample : samples) rows.push_back((sample.x - kHalf) / kHalf);
+  for (const auto& sample : samples) rows.push_back((sample.y - kHalf) / kHalf);
+  for (const auto& sample : samples) rows.push_back(sample.cos_double);
+  for (const auto& sample : samples) rows.push_back(sample.sin_double);
+  return torch::tensor(rows).view({1, 4, num_points});
 }
 
-/// A drawing of a file, on the canvas.
-struct NamedStrokes {
-  std::string name;
-  std::vector<render::Stroke> strokes;
-};
-
-std::vector<NamedStrokes> ReadAll(const std::vector<fs::path>& files, Framing framing) {
-  std::set<std::string> taken;
-  std::vector<NamedStrokes> all;
-  for (const fs::path& file : files) {
-    for (const render::Drawing& drawing : render::ReadDrawings(file)) {
-      const std::string stem = file.stem().string();
-      std::string name = stem;
-      for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("{}-{}", stem, copy);
-      try {
-        all.push_back({name, OnCanvas(drawing, framing)});
-      } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", file.string(), error.what()));
-      }
-    }
-  }
-  return all;
+Eigen::VectorXf MeanShape(const faces::BilinearModel& curves) {
+  const faces::CoefficientPrior prior = faces::PriorOf(curves);
+  return faces::CurveCode{.u = prior.u_mean, .v = prior.v_mean, .points = {}}.numbers();
 }
 
 }  // namespace
 
 torch::Tensor SketchTensor(const std::vector<render::Stroke>& strokes, int resolution) {
-  const Image image = render::RasteriseStrokes(strokes, resolution);
+  const render::Image image = render::RasteriseStrokes(strokes, resolution);
   std::vector<float> ink(image.pixels.size());
   std::transform(image.pixels.begin(), image.pixels.end(), ink.begin(),
                  [](uint8_t grey) { return static_cast<float>(255 - grey) / 255.0f; });
   return torch::tensor(ink).view({1, 1, resolution, resolution});
 }
 
-std::vector<render::Stroke> OnCanvas(const render::Drawing& drawing, Framing framing) {
-  if (framing == Framing::kFit) return render::FrameStrokes(drawing);
-  const double side = std::max(drawing.width, drawing.height), scale = render::kSketchCanvas / side;
-  std::vector<render::Stroke> strokes = drawing.strokes;
-  for (render::Stroke& stroke : strokes) {
-    for (auto& [x, y] : stroke.points) {
-      x = static_cast<float>((x + 0.5 * (side - drawing.width)) * scale);
-      y = static_cast<float>((y + 0.5 * (side - drawing.height)) * scale);
+SketchPredictor::SketchPredictor(const std::filesystem::path& run_directory)
+    : run_(models::LoadSketchRun(run_directory)),
+      curves_(SeeCurves(run_.face_template, run_.feature_curves, run_.camera)) {}
+
+std::vector<PredictedFace> SketchPredictor::Predict(const std::vector<std::vector<render::Stroke>>& sketches) {
+  if (sketches.empty()) return {};
+  const models::SketchNetworkOptions& options = run_.network->options();
+  std::vector<torch::Tensor> images, points;
+  for (const auto& strokes : sketches) {
+    if (options.reads_image()) images.push_back(SketchTensor(strokes, options.resolution));
+    if (options.reads_points()) points.push_back(PointTensor(strokes, options.num_points));
+  }
+  models::SketchInput input;
+  if (!images.empty()) input.images = torch::cat(images);
+  if (!points.empty()) input.points = torch::cat(points);
+  if (!options.reads_shape()) return Answer(input);
+
+  const faces::CurveEncoder encoder(run_.models.curves);
+  Eigen::MatrixXf shape = MeanShape(run_.models.curves).transpose().replicate(Eigen::Index(sketches.size()), 1);
+  input.shape = tensor::CopyToTensor(shape);
+  std::vector<PredictedFace> faces = Answer(input);
+  for (int round = 0; round < kShapeRounds; ++round) {
+    for (size_t i = 0; i < sketches.size(); ++i) {
+      const auto projected = Project(curves_, faces[i].vertices);
+      shape.row(Eigen::Index(i)) =
+          RecoverCurves(encoder, curves_.offsets, projected, sketches[i]).numbers().transpose();
     }
+    input.shape = tensor::CopyToTensor(shape);
+    faces = Answer(input);
   }
-  return strokes;
+  return faces;
 }
 
-SketchPredictor::SketchPredictor(const fs::path& run_directory) : run_(models::LoadSketchRun(run_directory)) {}
-
-geometry::Points SketchPredictor::Predict(const torch::Tensor& sketch) {
-  at::NoGradGuard no_grad;
-  const auto vertices = run_.network->Decode(run_.network->forward({sketch, {}, {}}));
-  return tensor::CopyToMatrix<double>(vertices.view({-1, 3}));
+std::vector<PredictedFace> SketchPredictor::Answer(const models::SketchInput& input) {
+  const at::NoGradGuard no_grad;
+  const models::FaceCoefficients coefficients = run_.network->forward(input);
+  const Eigen::MatrixXf u = tensor::CopyToMatrix<float>(coefficients.u),
+                        v = tensor::CopyToMatrix<float>(coefficients.v);
+  const Eigen::MatrixXf vertices = tensor::CopyToMatrix<float>(run_.network->Decode(coefficients));
+  std::vector<PredictedFace> faces;
+  for (Eigen::Index row = 0; row < u.rows(); ++row) {
+    PredictedFace& face = faces.emplace_back(PredictedFace{u.row(row), v.row(row), {}});
+    face.vertices.resize(size_t(vertices.cols()));
+    Eigen::Map<Eigen::RowVectorXf>(face.vertices.data(), vertices.cols()) = vertices.row(row);
+  }
+  return faces;
 }
 
-void PredictSketches(const fs::path& run_directory, const std::vector<fs::path>& files, const fs::path& out_directory,
-                     Framing framing) {
-  SketchPredictor predictor(run_directory);
-  const std::vector<NamedStrokes> drawings = ReadAll(files, framing);
-  const auto& run = predictor.run();
-  Manifest manifest;
-  manifest.kind = "predictions";
-  manifest.verb = "predict";
-  manifest.seed = run.manifest.seed;
-  manifest.sources = run.manifest.sources;
-  manifest.counts = {{"drawings", drawings.size()}};
-  manifest.details = {{"run_data_hash", DataHash(run_directory)}};
-  MakeDirectory(out_directory);
-  for (const auto& [name, strokes] : drawings) {
-    const geometry::Points face = predictor.Predict(SketchTensor(strokes, predictor.resolution()));
-    const std::string mesh = name + ".obj", lines = name + ".svg", sheet = name + ".png";
-    geometry::WriteObj(out_directory / mesh, {face, run.face_template.triangles});
-    render::WriteSvg(out_directory / lines, strokes, {"line"});
-    render::WriteImage(out_directory / sheet, SheetOf(run.face_template, strokes, face));
-    for (const auto& file : {mesh, lines, sheet}) manifest.checksums[file] = Sha256OfFile(out_directory / file);
-  }
-  WriteManifest(out_directory, manifest);
+std::vector<render::Stroke> SketchPredictor::CurvesOf(const PredictedFace& face) const {
+  return CurveStrokes(curves_.offsets, Project(curves_, face.vertices));
 }
 
 }  // namespace daumier::fitting

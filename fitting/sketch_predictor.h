@@ -1,7 +1,8 @@
 #pragma once
-#include "geometry/mesh.h"
+#include "fitting/contour_refinement.h"
+#include "fitting/projected_curves.h"
 #include "models/sketch_run.h"
-#include "render/drawing.h"
+#include "render/strokes.h"
 
 #include <torch/types.h>
 
@@ -14,35 +15,27 @@ namespace daumier::fitting {
 /// ink 1, paper 0.
 torch::Tensor SketchTensor(const std::vector<render::Stroke>& strokes, int resolution);
 
-/// Where a drawing stands on the canvas.
-enum class Framing {
-  kFit,   ///< Its bounding box is brought to where the training's heads stand (render::FrameStrokes).
-  kKeep,  ///< The sheet is the canvas: for drawings that were made in the training's frame.
-};
-/// @throws Error as render::FrameStrokes.
-std::vector<render::Stroke> OnCanvas(const render::Drawing& drawing, Framing framing);
-
-/// A trained run, ready to turn drawings into faces.
+/// A trained run, ready to turn drawings into faces. A network that reads shape-level numbers gets those of the mean
+/// face first; then they are recovered from the strokes twice (RecoverCurves), from the face that it predicts.
 class SketchPredictor {
  public:
-  /// @throws Error as models::LoadSketchRun.
+  /// @throws Error as models::LoadSketchRun and SeeCurves.
   explicit SketchPredictor(const std::filesystem::path& run_directory);
 
-  /// sketch: (1, 1, R, R). V x 3, in cm.
-  geometry::Points Predict(const torch::Tensor& sketch);
+  /// One face a sketch, whose strokes are on the canvas. @throws Error if a network that reads points is given a sketch
+  /// without any length.
+  std::vector<PredictedFace> Predict(const std::vector<std::vector<render::Stroke>>& sketches);
+  /// The feature curves of a face as the camera of the training sketches sees them, on the canvas.
+  std::vector<render::Stroke> CurvesOf(const PredictedFace& face) const;
 
-  int resolution() const { return run_.network->options().resolution; }
   const models::SketchRun& run() const { return run_; }
+  const ProjectedCurves& curves() const { return curves_; }
 
  private:
-  models::SketchRun run_;
-};
+  std::vector<PredictedFace> Answer(const models::SketchInput& input);
 
-/// `daumier predict`: for every drawing of the files (render::ReadDrawings) a mesh NAME.obj, the strokes as the network
-/// sees them NAME.svg, a sheet NAME.png of sketch, front and side, and a manifest (kind "predictions"). NAME is the
-/// file's; drawings of the same name are told apart by -2, -3, ... Nothing is written unless every file can be read.
-/// @throws Error as SketchPredictor, render::ReadDrawings and OnCanvas, naming the file.
-void PredictSketches(const std::filesystem::path& run_directory, const std::vector<std::filesystem::path>& files,
-                     const std::filesystem::path& out_directory, Framing framing = Framing::kFit);
+  models::SketchRun run_;
+  ProjectedCurves curves_;
+};
 
 }  // namespace daumier::fitting

@@ -2,8 +2,6 @@
 
 #include "core/error.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,7 +69,7 @@ AlignedBox2d CoreBox(const std::vector<Stroke>& strokes, double step) {
 
 }  // namespace
 
-std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& options) {
+FramedDrawing FrameDrawing(const Drawing& drawing, const FrameOptions& options) {
   AlignedBox2d whole;
   for (const auto& stroke : drawing.strokes) whole.extend(BoxOf(stroke));
   DAUMIER_CHECK(!whole.isEmpty() && whole.sizes().maxCoeff() > 0.0, "the drawing has no extent");
@@ -81,24 +79,33 @@ std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& opt
   const double margin = kReach * reach.sizes().maxCoeff();
   reach = AlignedBox2d(reach.min().array() - margin, reach.max().array() + margin);
 
-  std::vector<Stroke> framed;
-  AlignedBox2d box;
+  FramedDrawing framed;
   for (const auto& stroke : drawing.strokes) {
     const AlignedBox2d own = BoxOf(stroke);
     if (stroke.points.empty() || !reach.intersects(own)) continue;
-    box.extend(own);
-    framed.push_back(stroke);
+    framed.box.extend(own);
+    framed.strokes.push_back(stroke);
   }
-  const Vector2d size = box.sizes().cwiseMax(1e-9 * whole.sizes().maxCoeff());
-  const double scale = kSketchCanvas * std::min(options.curve_height / size.y(), options.max_width / size.x());
-  const Vector2d shift = Vector2d::Constant(0.5 * kSketchCanvas) - scale * box.center();
-  for (auto& stroke : framed) {
+  const Vector2d size = framed.box.sizes().cwiseMax(1e-9 * whole.sizes().maxCoeff());
+  framed.placement.scale = kSketchCanvas * std::min(options.curve_height / size.y(), options.max_width / size.x());
+  framed.placement.shift = Vector2d::Constant(0.5 * kSketchCanvas) - framed.placement.scale * framed.box.center();
+  return framed;
+}
+
+std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& options) {
+  const FramedDrawing framed = FrameDrawing(drawing, options);
+  return Place(framed.strokes, framed.placement);
+}
+
+std::vector<Stroke> Place(const std::vector<Stroke>& strokes, const Placement& placement) {
+  std::vector<Stroke> placed = strokes;
+  for (auto& stroke : placed) {
     for (auto& [x, y] : stroke.points) {
-      x = static_cast<float>(scale * x + shift.x());
-      y = static_cast<float>(scale * y + shift.y());
+      x = static_cast<float>(placement.scale * x + placement.shift.x());
+      y = static_cast<float>(placement.scale * y + placement.shift.y());
     }
   }
-  return framed;
+  return placed;
 }
 
 }  // namespace daumier::render

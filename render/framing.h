@@ -2,6 +2,11 @@
 #include "core/options.h"
 #include "render/drawing.h"
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <vector>
+
 namespace daumier::render {
 
 struct FrameOptions {
@@ -17,10 +22,27 @@ struct FrameOptions {
   }
 };
 
+/// Where a sheet stands on the canvas: p_canvas = scale * p_sheet + shift.
+struct Placement {
+  double scale = 1.0;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+};
+
+std::vector<Stroke> Place(const std::vector<Stroke>& strokes, const Placement& placement);
+
+/// A drawing without what does not belong to it, and where it stands.
+struct FramedDrawing {
+  std::vector<Stroke> strokes;  ///< In the sheet's own pixels.
+  Eigen::AlignedBox2d box;      ///< Of these strokes, on the sheet.
+  Placement placement;
+};
+
 /// The drawing on the canvas of kSketchCanvas by one scale and a shift: the centre of its bounding box comes to the
 /// centre of the canvas, its height to curve_height of the canvas, or its width to max_width if it would be wider.
 /// Strokes far outside all others (dirt, a signature) are left out and do not count for the box.
 /// @throws Error if there are no points, all are one point, or a coordinate is not finite.
+FramedDrawing FrameDrawing(const Drawing& drawing, const FrameOptions& options = {});
+/// The strokes of FrameDrawing in their place on the canvas.
 std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& options = {});
 
 }  // namespace daumier::render

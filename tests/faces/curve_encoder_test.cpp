@@ -60,6 +60,16 @@ TEST_F(CurveEncoderTest, WithoutAnyPointTheAnswerIsThePriorsMean) {
   EXPECT_LT((code.v - model_.expression_factors.colwise().mean().transpose()).norm(), 1e-5);
 }
 
+TEST_F(CurveEncoderTest, ATightPriorKeepsItsOwnMeans) {
+  const Eigen::VectorXf u = model_.identity_factors.row(4), v = model_.expression_factors.row(2);
+  const CurveEncoder told(model_, CentredPrior(PriorOf(model_), u, v, 1e-4), {.deviation_px = 1});
+  const CurveCode code = told.Encode(View(PointsOf(0, 0)), ones_);
+  EXPECT_LT((code.u - u).norm(), 1e-3);
+  EXPECT_LT((code.v - v).norm(), 1e-3);
+  const CoefficientPrior other = PriorOf(testing::RandomBilinear(2, 5, 3, 1));
+  testing::ExpectError([&] { CurveEncoder(model_, other); }, "a prior of 5 and 3 numbers for a model of 4 and 3");
+}
+
 /// The objective of the header, written out.
 double Objective(const BilinearModel& model, const Eigen::VectorXf& u, const Eigen::VectorXf& v,
                  const Eigen::VectorXf& points, double deviation) {

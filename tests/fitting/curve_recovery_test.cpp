@@ -83,6 +83,40 @@ TEST(RecoverCurves, AMissingStrokeIsFilledInByTheOthers) {
   EXPECT_LT(MeanError(RecoverCurves(encoder, kOffsets, predicted, strokes, {.snaps = 4, .reach_px = 16}), truth), 1.5);
 }
 
+TEST(RecoverCurves, WithoutAnyStrokeThePredictionItselfIsEncoded) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
+  const auto predicted = CurvesAt(model, 2, -3);
+  const auto code = RecoverCurves(encoder, kOffsets, predicted, {});
+  EXPECT_EQ(code.numbers(), RecoverCurves(encoder, kOffsets, predicted, {}, {.snaps = 0}).numbers());
+  EXPECT_EQ(code.points, faces::Reconstruct(model, code.u, code.v));
+}
+
+TEST(FollowStrokes, WhatTheModelLeavesOutOfItsPointsMovesThemOnTheCanvas) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
+  faces::CurveCode start{Eigen::Vector2f(1, 0), Eigen::Vector2f(1, 0), {}};
+  start.points = faces::Reconstruct(model, start.u, start.v);
+  auto drawn = CurvesAt(model, 0, -4);
+  const auto expected = FollowStrokes(encoder, kOffsets, start, Strokes(drawn));
+  for (float& coordinate : drawn) coordinate += 8;
+  const auto moved =
+      FollowStrokes(encoder, kOffsets, start, Strokes(drawn), {}, Eigen::VectorXf::Constant(2 * kPoints, 8));
+  EXPECT_LT((moved.points - expected.points).cwiseAbs().maxCoeff(), 1e-2);
+  testing::ExpectError([&] { FollowStrokes(encoder, kOffsets, start, {}, {}, Eigen::VectorXf::Zero(3)); },
+                       "moved by 3");
+}
+
+TEST(FollowStrokes, TheStartStandsWhereNoStrokeIsWithinReach) {
+  const faces::BilinearModel model = WaveAndLine();
+  const faces::CurveEncoder encoder(model);
+  faces::CurveCode start{Eigen::Vector2f(1, 3), Eigen::Vector2f(1, -2), {}};
+  start.points = faces::Reconstruct(model, start.u, start.v);
+  const auto code = FollowStrokes(encoder, kOffsets, start, {{0, {{60, 240}, {200, 240}}}});
+  EXPECT_EQ(code.numbers(), start.numbers());
+  EXPECT_EQ(code.points, start.points);
+}
+
 TEST(RecoverCurves, StrokesOutsideOfTheCanvasAreNoTrouble) {
   const faces::BilinearModel model = WaveAndLine();
   const faces::CurveEncoder encoder(model);

@@ -19,7 +19,7 @@ TEST(SketchRun, LoadedNetworkAnswersAsTheSavedOne) {
   EXPECT_EQ(run.models.bilinear.num_coordinates(), 3 * run.face_template.num_vertices());
   EXPECT_EQ(run.manifest.seed, 7u);
   EXPECT_TRUE(run.config.contains("network"));
-  EXPECT_EQ(run.feature_curves, std::vector<std::string>{"jaw"});
+  EXPECT_EQ(run.feature_curves, std::vector<std::string>{"upper_mouth"});
   EXPECT_EQ(run.camera.width, 256);
   const SketchInput input{torch::rand({2, 1, 32, 32}), {}, {}};
   EXPECT_TRUE(torch::equal(run.network->Decode(run.network->forward(input)), saved->Decode(saved->forward(input))));

@@ -101,6 +101,23 @@ TEST(FrameStrokes, OptionsAreParsedAndUsed) {
   EXPECT_THROW(ParseOptions<FrameOptions>(Json{{"curve_height", 3.0}}), Error);
 }
 
+TEST(FrameDrawing, TellsWhereTheStrokesStand) {
+  const Stroke face = Circle(500, 500, 100, 150);
+  const FramedDrawing framed = FrameDrawing({1000, 1000, {face, {0, {{10, 990}}}}});
+  ASSERT_EQ(framed.strokes.size(), 1U);
+  EXPECT_EQ(framed.strokes[0].points, face.points) << "as the sheet has them";
+  EXPECT_NEAR(framed.box.sizes().y(), 300, 1e-3);
+  EXPECT_NEAR(framed.placement.scale, 0.62 * 256 / 300, 1e-6);
+  EXPECT_NEAR((framed.placement.scale * framed.box.center() + framed.placement.shift).x(), 128, 1e-6);
+}
+
+TEST(Place, ScalesThenShifts) {
+  const auto placed = Place({{3, {{10, 20}, {-1, 0}}}}, {2, {5, -7}});
+  EXPECT_EQ(placed[0].kind, 3);
+  EXPECT_EQ(placed[0].points[0], (std::array<float, 2>{25, 33}));
+  EXPECT_EQ(placed[0].points[1], (std::array<float, 2>{3, -7}));
+}
+
 TEST(FrameStrokes, DotsAndStraightLinesHaveAFrameToo) {
   const auto line = FrameStrokes({100, 100, {{0, {{20, 50}, {80, 50}}}}});
   EXPECT_NEAR(line[0].points[1][0] - line[0].points[0][0], 0.8 * 256, 0.1);

@@ -7,9 +7,9 @@
 
 namespace daumier::testing {
 
-/// Models of random numbers for faces of so many vertices: 6 identity and 3 expression weights; curves of 5 points.
+/// Models of random numbers for faces of so many vertices: 6 identity and 3 expression weights; curves of 9 points.
 inline models::FittedModels RandomModels(int num_vertices, int residual = 0, uint64_t seed = 1) {
-  models::FittedModels models{RandomBilinear(num_vertices, 6, 3, seed), RandomBilinear(5, 4, 2, seed + 1), {}};
+  models::FittedModels models{RandomBilinear(num_vertices, 6, 3, seed), RandomBilinear(6, 4, 2, seed + 1), {}};
   if (residual > 0) {
     Rng rng(seed + 2);
     const auto draw = [&] { return static_cast<float>(rng.Normal()); };

@@ -36,9 +36,9 @@ inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directo
   manifest.sources =
       Json::array({{{"name", "synthetic"}, {"version", "1"}, {"checksum", "0"}, {"licence", "CC0-1.0"}}});
   manifest.counts = {{"train", 16}};
-  manifest.details = {
-      {"sketches",
-       {{"camera", render::CameraToJson(render::FrontalCamera({0, 0, 0}, 12, 256))}, {"feature_curves", {"jaw"}}}}};
+  manifest.details = {{"sketches",
+                       {{"camera", render::CameraToJson(render::FrontalCamera({0, 0, 0}, 12, 256))},
+                        {"feature_curves", {"upper_mouth"}}}}};
   manifest.checksums = faces::WriteFaceTemplate(directory, face_template);
   manifest.checksums.merge(models::WriteFittedModels(directory, models));
   WriteManifest(directory, manifest);

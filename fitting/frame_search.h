@@ -1,0 +1,53 @@
+#pragma once
+#include "core/options.h"
+#include "fitting/stroke_distance.h"
+#include "render/framing.h"
+#include "render/strokes.h"
+
+#include <functional>
+#include <vector>
+
+namespace daumier::fitting {
+
+struct FrameSearchOptions {
+  std::vector<double> shares = {1.15, 1.0, 0.87, 0.75, 0.65, 0.56, 0.48};
+  int places_x = 3;
+  int places_y = 5;
+  double drawn_trim = 0.5;
+  double projected_trim = 0.05;
+  int starts = 3;
+  int halvings = 3;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("shares", shares, Range{0.1, 2},
+          "Shares of the drawing's height that its face may have; the rest is hair, neck and shoulders.");
+    visit("places_x", places_x, Range{1, 99}, "Places of the face from the drawing's left to its right.");
+    visit("places_y", places_y, Range{1, 99}, "Places of the face from the drawing's top to its bottom.");
+    visit("drawn_trim", drawn_trim, Range{0, 0.99},
+          "Share of the drawn lines, the farthest from the face's, that does not count.");
+    visit("projected_trim", projected_trim, Range{0, 0.99}, "The same of the face's lines.");
+    visit("starts", starts, Range{1, 99}, "How many of the best frames are improved.");
+    visit("halvings", halvings, Range{0, 20}, "How often the steps of that are halved.");
+  }
+};
+
+/// Sketches on the canvas -> the feature curves of the face that is predicted from each, on the canvas.
+using CurvesOfSketches =
+    std::function<std::vector<std::vector<render::Stroke>>(const std::vector<std::vector<render::Stroke>>& sketches)>;
+
+struct FoundFrame {
+  render::Placement placement;
+  double distance_px = 0.0;        ///< Trimmed and two-way, where the drawing stands now.
+  double start_distance_px = 0.0;  ///< The same of the frame of the bounding box.
+};
+
+/// Where a drawing has to stand on the canvas for a network that knows faces of one size and place: of the frames that
+/// are tried, the one whose predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Tried are
+/// the frame of the bounding box; faces that take a share of the drawing's height, at some places of its box; and
+/// around the best of these, steps of scale and shift that are halved whenever none is better.
+/// @throws Error as DistanceBetween and what `predict` throws.
+FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketches& predict,
+                     const FrameSearchOptions& options = {});
+
+}  // namespace daumier::fitting

@@ -1,0 +1,84 @@
+#include "fitting/frame_search.h"
+
+#include "tests/fitting/seen_face.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace daumier::fitting {
+namespace {
+
+using Strokes = std::vector<render::Stroke>;
+
+/// A network that knows one face alone.
+class FrameSearchTest : public ::testing::Test {
+ protected:
+  FrameSearchTest() : curves_(CurveStrokes(seen_.curves.offsets, seen_.Points(seen_.Face(1, 1)))) {}
+
+  CurvesOfSketches Always() {
+    return [this](const std::vector<Strokes>& sketches) {
+      num_tried_ += int(sketches.size());
+      return std::vector<Strokes>(sketches.size(), curves_);
+    };
+  }
+  /// The face on another sheet, with lines around it that belong to no face.
+  render::Drawing OnASheet(const Strokes& more) const {
+    Strokes strokes = curves_;
+    strokes.insert(strokes.end(), more.begin(), more.end());
+    return {1000, 1000, render::Place(strokes, {2.0, {70, -30}})};
+  }
+  static double Error(const FoundFrame& found) {
+    // The sheet's frame undone: scale 1/2 and back.
+    const Eigen::Vector2d shift = found.placement.scale * Eigen::Vector2d(70, -30) + found.placement.shift;
+    return 128 * std::abs(2 * found.placement.scale - 1) +
+           (shift - (1 - 2 * found.placement.scale) * Eigen::Vector2d(128, 128)).norm();
+  }
+
+  SeenFace seen_;
+  Strokes curves_;
+  int num_tried_ = 0;
+};
+
+TEST_F(FrameSearchTest, BringsTheDrawingOntoTheFacesCurves) {
+  const auto framed = render::FrameDrawing(OnASheet({}));
+  const FoundFrame found = FindFrame(framed, Always());
+  EXPECT_LT(found.distance_px, 1.0);
+  EXPECT_LT(Error(found), 6) << "pixels of the canvas";
+  EXPECT_LT(num_tried_, 400);
+}
+
+TEST_F(FrameSearchTest, IsNotMisledByHairAndShoulders) {
+  // Hair above, and shoulders that make the drawing half as high again.
+  const Strokes more = {{0, {{60, 100}, {70, 30}, {128, 5}, {186, 30}, {196, 100}}},
+                        {0, {{100, 235}, {95, 260}, {20, 290}}},
+                        {0, {{156, 235}, {161, 260}, {236, 290}}}};
+  const auto framed = render::FrameDrawing(OnASheet(more));
+  const FoundFrame found = FindFrame(framed, Always());
+  EXPECT_LT(Error(found), 8);
+  EXPECT_LT(found.distance_px, 0.5 * found.start_distance_px);
+}
+
+TEST_F(FrameSearchTest, IsNeverWorseThanTheFrameOfTheBoundingBox) {
+  const auto framed = render::FrameDrawing({100, 100, {{0, {{10, 10}, {80, 50}, {30, 90}}}}});
+  const FoundFrame found = FindFrame(framed, Always(), {.shares = {0.5}, .starts = 1, .halvings = 0});
+  EXPECT_LE(found.distance_px, found.start_distance_px);
+}
+
+TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxStands) {
+  const auto framed = render::FrameDrawing(OnASheet({}));
+  const FoundFrame found = FindFrame(framed, Always(), {.shares = {}, .halvings = 0});
+  EXPECT_EQ(found.placement.scale, framed.placement.scale);
+  EXPECT_EQ(found.placement.shift, framed.placement.shift);
+  EXPECT_EQ(found.distance_px, found.start_distance_px);
+  EXPECT_EQ(num_tried_, 1);
+}
+
+TEST(FrameSearchOptions, AreParsed) {
+  const auto options = ParseOptions<FrameSearchOptions>(Json{{"shares", {1.0, 0.5}}, {"starts", 2}});
+  EXPECT_EQ(options.shares, (std::vector<double>{1.0, 0.5}));
+  EXPECT_EQ(options.starts, 2);
+}
+
+}  // namespace
+}  // namespace daumier::fitting
