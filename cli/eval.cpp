@@ -27,6 +27,9 @@ Verb EvalVerb() {
                 ->capture_default_str();
             command.add_option("--recover-with", arguments->options.recover_with,
                                "Run whose faces shape-level numbers are recovered with, for a network that reads them");
+            command.add_flag("--fit", arguments->options.fit, "Also fit the bilinear model to the labelled strokes");
+            command.add_flag("--refine", arguments->options.refine,
+                             "Also match the contours of the network's faces with the strokes");
             command.add_option("--out", arguments->out, "Report folder; RUN/report by default");
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             return [arguments] {

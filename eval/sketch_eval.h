@@ -11,6 +11,7 @@ struct SketchEvalOptions {
   std::string split = "test";
   double strength = 0;
   std::string recover_with;
+  bool fit = false, refine = false;
 
   template <class V>
   void Visit(V&& visit) {
@@ -19,6 +20,8 @@ struct SketchEvalOptions {
     visit("recover_with", recover_with, Text{},
           "Folder of another run on the same data, whose network reads no shape-level numbers: its faces are where a "
           "network that does read them gets recovered ones from. Empty: such a network is given them alone.");
+    visit("fit", fit, Flag{}, "Also fit the bilinear model to the labelled strokes, with and without its prior.");
+    visit("refine", refine, Flag{}, "Also match the contours of the network's faces with the strokes.");
   }
 };
 
@@ -29,7 +32,8 @@ struct SketchEvalOptions {
 /// "predicted" are those of the network's own face, without a snap). A network that reads these numbers stands there
 /// with given and, if recover_with is told, with recovered ones, which then are the run's result. With `strength` > 0
 /// sketches are augmented, each once; baselines then read the curve points that the shape-level numbers rebuild, since
-/// strokes are missing. Writes into `out_directory` metrics.json (returned), table.md, a report with pictures
+/// strokes are missing. `fit` adds rows of morphable-model fitting (eval/sketch_fits.h), `refine` one of the result
+/// after contour matching. Writes into `out_directory` metrics.json (returned), table.md, a report with pictures
 /// (eval/report.h) and a manifest. metrics.json: num_faces, num_persons, split, shape_input, mean_vertex_error_mm,
 /// p90_vertex_error_mm, mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm; also interval_mm,
 /// interocular_share, augmentation_strength, shape_error_px (given, predicted, recovered), ridge_lambda, regions_mm

@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "eval/baselines.h"
 #include "eval/metrics.h"
+#include "eval/sketch_fits.h"
 
 #include <algorithm>
 #include <limits>
@@ -88,6 +89,7 @@ void SketchMeasurement::OpenRecoveringRun() {
 void SketchMeasurement::Measure() {
   Encode();
   MeasureNetwork();
+  MeasureFits();
   MeasureBaselines();
 }
 
@@ -128,11 +130,28 @@ void SketchMeasurement::MeasureNetwork() {
   AddRow("network", !reads_shape ? "none" : can_recover() ? "recovered" : "given", result_errors_mm_);
 }
 
-FaceRows SketchMeasurement::PredictResult(std::span<const int> faces) const {
+SketchAnswers SketchMeasurement::AskResult(std::span<const int> faces) const {
   const models::SketchNetwork& network = data_.run.network;
-  if (!network->options().reads_shape()) return reader_.Predict(network, faces);
+  if (!network->options().reads_shape()) return reader_.Ask(network, faces);
   const FaceRows numbers = can_recover() ? RecoveredNumbers(faces) : GivenNumbers(faces);
-  return reader_.Predict(network, faces, &numbers);
+  return reader_.Ask(network, faces, &numbers);
+}
+
+void SketchMeasurement::MeasureFits() {
+  if (options_.refine) {
+    log::Info("Matching contours of {} faces", test_.size());
+    const RefinedRow refined(data_, reader_);
+    AddRow("network, refined", result().shape_input,
+           Errors([&](auto faces) { return refined.Refine(faces, AskResult(faces)); }));
+  }
+  if (!options_.fit) return;
+  log::Info("Fitting the bilinear model to the strokes of {} faces", test_.size());
+  const MorphableRow fit(data_, reader_);
+  const auto with_prior = fit.ChooseOptions(data_.split.validation, region_);
+  log::Info("Labelled points are taken to stray by {} pixels", with_prior.deviation_px);
+  AddRow("morphable model fit", "given", Errors([&](auto faces) { return fit.Predict(faces, with_prior); }));
+  AddRow("morphable model fit without prior", "given",
+         Errors([&](auto faces) { return fit.Predict(faces, {.prior = false}); }));
 }
 
 FaceRows SketchMeasurement::PredictWithoutShape(std::span<const int> faces) const {

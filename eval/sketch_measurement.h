@@ -38,7 +38,7 @@ class SketchMeasurement {
   std::map<std::string, double> region_errors_mm() const;
 
   /// A face as the result predicts it, 3V cm, beside the truth, and what was seen; without Measure too.
-  FaceRows PredictResult(std::span<const int> faces) const;
+  FaceRows PredictResult(std::span<const int> faces) const { return AskResult(faces).faces; }
   datasets::AugmentedSketch Seen(int face) const { return reader_.Seen(face); }
   /// Distance of each vertex in mm, NaN outside of the region `face`.
   Eigen::VectorXd ErrorMap(const FaceRows& prediction, int face) const;
@@ -50,7 +50,9 @@ class SketchMeasurement {
   void OpenRecoveringRun();
   void Encode();
   faces::CurveCode GivenCode(int face) const;
+  SketchAnswers AskResult(std::span<const int> faces) const;
   void MeasureNetwork();
+  void MeasureFits();
   void MeasureShapeInput();
   void MeasureBaselines();
   /// Whose faces recovered numbers start from: a network that reads none.

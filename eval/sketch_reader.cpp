@@ -13,7 +13,8 @@ datasets::AugmentedSketch SketchReader::Seen(int face) const {
   return datasets::VariedSketch(sketches_, face, variation_, seed_, 0);
 }
 
-FaceRows SketchReader::Predict(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape) const {
+SketchAnswers SketchReader::Ask(models::SketchNetwork network, std::span<const int> faces,
+                                const FaceRows* shape) const {
   const at::NoGradGuard no_grad;
   const models::SketchNetworkOptions& options = network->options();
   const datasets::SketchDataset dataset(sketches_, {faces.begin(), faces.end()},
@@ -29,7 +30,9 @@ FaceRows SketchReader::Predict(models::SketchNetwork network, std::span<const in
     DAUMIER_CHECK(shape != nullptr, "the network reads shape-level numbers, but there are none");
     input.shape = tensor::CopyToTensor(*shape);
   }
-  return tensor::CopyToMatrix<float>(network->Decode(network->forward(input)));
+  const models::FaceCoefficients answer = network->forward(input);
+  return {tensor::CopyToMatrix<float>(answer.u), tensor::CopyToMatrix<float>(answer.v),
+          tensor::CopyToMatrix<float>(network->Decode(answer))};
 }
 
 }  // namespace daumier::eval

@@ -7,6 +7,12 @@
 
 namespace daumier::eval {
 
+/// What a network says of some sketches, a row a face.
+struct SketchAnswers {
+  FaceRows u, v;
+  FaceRows faces;  ///< 3V, cm.
+};
+
 /// What the networks of runs make of the sketches of a database: the same augmented sketch of a face for all of them.
 class SketchReader {
  public:
@@ -16,9 +22,13 @@ class SketchReader {
       : sketches_(sketches), variation_(variation), seed_(seed) {}
 
   datasets::AugmentedSketch Seen(int face) const;
-  /// num_faces x 3V, cm. shape: the shape-level numbers, a row a face, of a network that reads them.
-  /// @throws Error if such a network gets none.
-  FaceRows Predict(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape = nullptr) const;
+  /// shape: the shape-level numbers, a row a face, of a network that reads them. @throws Error if such a network gets
+  /// none.
+  SketchAnswers Ask(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape = nullptr) const;
+  /// The faces of Ask.
+  FaceRows Predict(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape = nullptr) const {
+    return Ask(network, faces, shape).faces;
+  }
 
  private:
   const datasets::SketchDatabase& sketches_;

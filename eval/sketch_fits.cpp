@@ -1,0 +1,78 @@
+#include "eval/sketch_fits.h"
+
+#include "core/parallel.h"
+#include "datasets/read/shape_numbers.h"
+#include "eval/metrics.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace daumier::eval {
+namespace {
+
+fitting::ProjectedCurves CurvesOf(const SketchRunData& data) {
+  return fitting::SeeCurves(data.run.face_template, data.run.feature_curves, data.run.camera);
+}
+
+}  // namespace
+
+MorphableRow::MorphableRow(const SketchRunData& data, const SketchReader& reader)
+    : data_(data), reader_(reader), model_(fitting::ProjectModel(CurvesOf(data), data.run.models.bilinear)) {}
+
+FaceRows MorphableRow::Predict(std::span<const int> faces, const fitting::MorphableFitOptions& options) const {
+  FaceRows rows(Eigen::Index(faces.size()), 3 * Eigen::Index(data_.faces.num_vertices()));
+  Eigen::Index next = 0;
+  ForEachInOrder(
+      int(faces.size()),
+      [&](int i) {
+        const datasets::AugmentedSketch sketch = reader_.Seen(faces[size_t(i)]);
+        const auto fit =
+            fitting::FitMorphable(model_, datasets::PointsOf(sketch.moved, data_.sketches.feature_curves()),
+                                  datasets::PointWeights(data_.sketches, sketch.moved, sketch.visible), options);
+        return faces::Reconstruct(data_.run.models.bilinear, fit.u, fit.v);
+      },
+      [&](const Eigen::VectorXf& face) { rows.row(next++) = face.transpose(); });
+  return rows;
+}
+
+fitting::MorphableFitOptions MorphableRow::ChooseOptions(std::span<const int> validation, std::span<const int> region,
+                                                         size_t most_faces) const {
+  const size_t step = std::max<size_t>(1, validation.size() / most_faces);
+  std::vector<int> faces;
+  for (size_t i = 0; i < validation.size(); i += step) faces.push_back(validation[i]);
+  fitting::MorphableFitOptions best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double deviation_px : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+    const fitting::MorphableFitOptions options{.prior = true, .deviation_px = deviation_px};
+    const FaceRows fitted = Predict(faces, options);
+    double error = 0;
+    for (size_t i = 0; i < faces.size(); ++i) {
+      const auto row = fitted.row(Eigen::Index(i));
+      error += MeanVertexError({row.data(), size_t(row.size())}, data_.faces.vertices(faces[i]), region, 1);
+    }
+    if (error < least) least = error, best = options;
+  }
+  return best;
+}
+
+RefinedRow::RefinedRow(const SketchRunData& data, const SketchReader& reader)
+    : reader_(reader), refiner_(data.run.models.bilinear, CurvesOf(data)) {}
+
+FaceRows RefinedRow::Refine(std::span<const int> faces, const SketchAnswers& answers) const {
+  FaceRows rows(answers.faces.rows(), answers.faces.cols());
+  Eigen::Index next = 0;
+  ForEachInOrder(
+      int(faces.size()),
+      [&](int i) {
+        const auto face = answers.faces.row(i);
+        return refiner_.Refine({answers.u.row(i), answers.v.row(i), {face.data(), face.data() + face.size()}},
+                               reader_.Seen(faces[size_t(i)]).strokes);
+      },
+      [&](const fitting::PredictedFace& refined) {
+        rows.row(next++) = Eigen::Map<const Eigen::RowVectorXf>(refined.vertices.data(), rows.cols());
+      });
+  return rows;
+}
+
+}  // namespace daumier::eval
