@@ -66,10 +66,10 @@ SketchTrunk AlexNet(const SketchNetworkOptions& options) {
 }
 
 SketchTrunk Residual(const SketchNetworkOptions& options) {
-  constexpr std::array<int, 4> kWidening = {1, 2, 4, 6};
+  constexpr std::array<int, 3> kWidening = {2, 4, 6};
   nn::Sequential layers;
-  PushNormalised(layers, 1, options.width, 5, 2, 2);
-  int side = (options.resolution + 1) / 2, from = options.width;
+  PushNormalised(layers, 1, options.width, 7, 4, 3);
+  int side = (options.resolution + 3) / 4, from = options.width;
   for (size_t stage = 0; side > kLastSide; ++stage) {
     const int to = kWidening[std::min(stage, kWidening.size() - 1)] * options.width;
     layers->push_back(ResidualBlock(from, to, 2));

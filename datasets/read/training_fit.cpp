@@ -65,7 +65,7 @@ FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const Sk
 faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
                                     const faces::BilinearModel& bilinear, int size, uint64_t seed) {
   const std::vector<int> identities = TrainingIdentities(database, split);
-  constexpr int kMostFaces = 1500;
+  constexpr int kMostFaces = 600;
   std::vector<int> grid;
   for (const int face : split.train) {
     if (face < database.num_grid_faces()) grid.push_back(face);

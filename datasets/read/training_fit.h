@@ -35,7 +35,7 @@ FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& s
 FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const SketchDatabase& sketches,
                                    const Split& split, const faces::BilinearOptions& options);
 
-/// A linear basis of at most 1,500 training faces of the grid, drawn by a stream of the seed, and how far they stand
+/// A linear basis of at most 600 training faces of the grid, drawn by a stream of the seed, and how far they stand
 /// from the faces that the bilinear model of FitOnTraining makes of their own u and v. @throws Error as
 /// faces::FitFaceBasis.
 faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,

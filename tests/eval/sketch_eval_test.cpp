@@ -78,6 +78,16 @@ TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumb
       "reads shape-level numbers itself");
 }
 
+TEST_F(SketchEvalTest, FitsAndRefinesWhereItIsAskedTo) {
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "fits", {.fit = true, .refine = true});
+  std::map<std::string, std::string> input;
+  for (const Json& row : metrics.at("table")) input[row.at("name")] = row.at("shape_input");
+  EXPECT_EQ(input.at("network, refined"), "none");
+  EXPECT_EQ(input.at("morphable model fit"), "given");
+  EXPECT_EQ(input.at("morphable model fit without prior"), "given");
+  EXPECT_EQ(metrics.at("table").size(), 11u);
+}
+
 TEST_F(SketchEvalTest, TellsTheErrorOfEachFaceAndRegion) {
   const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "each");
   const auto errors = metrics.at("face_errors_mm").get<std::vector<double>>();

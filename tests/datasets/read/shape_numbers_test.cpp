@@ -49,5 +49,17 @@ TEST_F(GivenShapeTest, DoesNotLookAtWhatTheSketchDoesNotShow) {
   EXPECT_NE(GivenShape(*encoder_, *sketches_, strokes).numbers(), hidden.numbers());
 }
 
+TEST_F(GivenShapeTest, PointWeightsAreOneForWhatIsShown) {
+  const auto strokes = sketches_->strokes(3);
+  std::vector<std::vector<bool>> visible;
+  for (const auto& stroke : strokes) visible.emplace_back(stroke.points.size(), true);
+  const auto curve = size_t(sketches_->feature_curves()[0]);
+  visible[curve][1] = false;
+  const auto weights = PointWeights(*sketches_, strokes, visible);
+  EXPECT_EQ(2 * weights.size(), PointsOf(strokes, sketches_->feature_curves()).size());
+  for (size_t k = 0; k < weights.size(); ++k) EXPECT_EQ(weights[k], k == 1 ? 0.0f : 1.0f);
+  EXPECT_EQ(PointWeights(*sketches_, strokes, {})[1], 1.0f);
+}
+
 }  // namespace
 }  // namespace daumier::datasets
