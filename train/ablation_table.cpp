@@ -182,6 +182,8 @@ std::vector<eval::ReportTable> AblationTables(const Json& table) {
                          "parameters", "training s", "ms a face", "seeds"},
                         {}});
     }
+    if (const Json to = row.value("difference_to", Json()); to.is_string())
+      tables.back().header[5] = fmt::format("against {}", to.get<std::string>());
     tables.back().rows.push_back({row.at("name").get<std::string>(), Cell(row, "shape_input", "{}"),
                                   Cell(row, "paper", "{:.2f}"), Cell(row, "error", "{:.3f}"),
                                   IntervalCell(row, "error", "{:.2f}"), DifferenceCell(row), Cell(row, "p90", "{:.3f}"),
