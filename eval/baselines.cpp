@@ -2,9 +2,13 @@
 
 #include "core/error.h"
 #include "eval/metrics.h"
+#include "tensor/eigen.h"
+#include "tensor/torch_version.h"
 
-#include <Eigen/Eigenvalues>
+#include <ATen/ops/linalg_eigh.h>
+#include <torch/types.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace daumier::eval {
@@ -29,12 +33,23 @@ Eigen::Map<const Eigen::RowVectorXf> AsRow(std::span<const float> face) {
   return {face.data(), Eigen::Index(face.size())};
 }
 
-/// The coordinates of a region's vertices, picked from rows of whole faces.
-Eigen::MatrixXd PickRegion(const Eigen::MatrixXd& coordinates, std::span<const int> region) {
-  Eigen::MatrixXd picked(coordinates.rows(), 3 * Eigen::Index(region.size()));
-  for (size_t i = 0; i < region.size(); ++i)
-    picked.middleCols(3 * Eigen::Index(i), 3) = coordinates.middleCols(3 * Eigen::Index(region[i]), 3);
-  return picked;
+/// Coordinates of faces, a row a face.
+torch::Tensor FaceTensor(const SketchSamples& samples, std::span<const int> faces, torch::ScalarType type) {
+  const auto num_coordinates = int64_t(samples.vertices(faces[0]).size());
+  torch::Tensor rows = torch::empty({int64_t(faces.size()), num_coordinates}, torch::kFloat32);
+  for (size_t row = 0; row < faces.size(); ++row) {
+    const std::span<const float> face = samples.vertices(faces[row]);
+    std::copy(face.begin(), face.end(), rows.data_ptr<float>() + int64_t(row) * num_coordinates);
+  }
+  return rows.to(type);
+}
+
+/// Of the coordinates of a region's vertices.
+torch::Tensor CoordinateIndex(std::span<const int> region) {
+  std::vector<int64_t> index;
+  for (const int vertex : region)
+    for (int axis = 0; axis < 3; ++axis) index.push_back(3 * int64_t(vertex) + axis);
+  return torch::tensor(index);
 }
 
 }  // namespace
@@ -68,7 +83,8 @@ FaceRows RidgeRegression::Predict(const FaceRows& curve_points) const {
                 curve_points.cols(), point_mean.size());
   const FaceRows standardised =
       ((curve_points.rowwise() - point_mean).array().rowwise() * point_scale.array()).matrix();
-  return (standardised * weights).rowwise() + mean_face;
+  const torch::Tensor product = torch::mm(tensor::CopyToTensor(standardised), tensor::CopyToTensor(weights));
+  return tensor::ViewAsMatrix<float>(product).rowwise() + mean_face;
 }
 
 RidgeFit FitRidge(const SketchSamples& samples, std::span<const int> train, std::span<const int> validation,
@@ -79,7 +95,6 @@ RidgeFit FitRidge(const SketchSamples& samples, std::span<const int> train, std:
   RidgeRegression& model = fit.model;
   const double num_train = double(train.size());
   model.mean_face = MeanFace(samples, train).transpose();
-  const Eigen::Index num_coordinates = model.mean_face.size();
 
   const FaceRows points = PointRows(samples, train);
   const Eigen::RowVectorXd point_mean = points.cast<double>().colwise().mean();
@@ -87,51 +102,40 @@ RidgeFit FitRidge(const SketchSamples& samples, std::span<const int> train, std:
       ((points.cast<double>().rowwise() - point_mean).array().square().colwise().sum() / num_train).sqrt();
   model.point_mean = point_mean.cast<float>();
   model.point_scale = deviation.unaryExpr([](double d) { return d > 1e-6 ? 1 / d : 0.0; }).cast<float>();
-  const auto standardise = [&](const FaceRows& rows) -> Eigen::MatrixXd {
-    return ((rows.rowwise() - model.point_mean).array().rowwise() * model.point_scale.array()).matrix().cast<double>();
+  const auto standardise = [&](const FaceRows& rows) {
+    return tensor::CopyToTensor(((rows.rowwise() - model.point_mean).array().rowwise() * model.point_scale.array()))
+        .to(torch::kFloat64);
   };
 
-  // Z^T Z / N and Z^T Y / N, block by block.
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(points.cols(), points.cols());
-  Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(points.cols(), num_coordinates);
-  for (Eigen::Index begin = 0; begin < points.rows(); begin += kBlock) {
-    const Eigen::Index count = std::min<Eigen::Index>(kBlock, points.rows() - begin);
-    const Eigen::MatrixXd block = standardise(points.middleRows(begin, count));
-    Eigen::MatrixXd faces(count, num_coordinates);
-    for (Eigen::Index row = 0; row < count; ++row)
-      faces.row(row) = (AsRow(samples.vertices(train[size_t(begin + row)])) - model.mean_face).cast<double>();
-    gram.noalias() += block.transpose() * block;
-    cross.noalias() += block.transpose() * faces;
+  // Z^T Z / N and Z^T Y / N, the latter block by block.
+  const at::NoGradGuard no_grad;
+  const torch::Tensor z = standardise(points), mean_face = tensor::CopyToTensor(model.mean_face).to(torch::kFloat64);
+  const torch::Tensor gram = torch::mm(z.t(), z) / num_train;
+  torch::Tensor cross = torch::zeros({z.size(1), model.mean_face.size()}, torch::kFloat64);
+  for (size_t begin = 0; begin < train.size(); begin += kBlock) {
+    const std::span<const int> block = train.subspan(begin, std::min<size_t>(kBlock, train.size() - begin));
+    const torch::Tensor y = FaceTensor(samples, block, torch::kFloat64) - mean_face;
+    cross.addmm_(z.slice(0, int64_t(begin), int64_t(begin + block.size())).t(), y, 1, 1 / num_train);
   }
-  gram /= num_train;
-  cross /= num_train;
 
   // (G + lambda)^-1 = Q (L + lambda)^-1 Q^T for every lambda at once.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  const Eigen::ArrayXd eigenvalues = eigen.eigenvalues().array().max(0);
-  const Eigen::MatrixXd rotated_cross = eigen.eigenvectors().transpose() * cross;
-
-  const Eigen::MatrixXd validation_points = standardise(PointRows(samples, validation)) * eigen.eigenvectors();
-  const Eigen::MatrixXd region_cross = PickRegion(rotated_cross, region);
-  const Eigen::RowVectorXd region_mean = PickRegion(model.mean_face.cast<double>(), region);
+  const auto [values, vectors] = at::linalg_eigh(gram, "L");
+  const torch::Tensor eigenvalues = values.clamp_min(0), rotated_cross = torch::mm(vectors.t(), cross);
+  const torch::Tensor index = CoordinateIndex(region);
+  const torch::Tensor region_cross = rotated_cross.index_select(1, index).to(torch::kFloat32),
+                      truth = (FaceTensor(samples, validation, torch::kFloat32) - mean_face.to(torch::kFloat32))
+                                  .index_select(1, index),
+                      validation_points = torch::mm(standardise(PointRows(samples, validation)), vectors);
   size_t best = 0;
   for (size_t i = 0; i < lambdas.size(); ++i) {
-    const Eigen::MatrixXd scaled = ((eigenvalues + lambdas[i]).inverse().matrix().asDiagonal() * region_cross).eval();
-    const FaceRows predicted = ((validation_points * scaled).rowwise() + region_mean).cast<float>();
-    double sum = 0;
-    for (size_t row = 0; row < validation.size(); ++row) {
-      const std::span<const float> face = samples.vertices(validation[row]);
-      for (size_t k = 0; k < region.size(); ++k) {
-        const Eigen::Map<const Eigen::RowVector3f> truth(face.data() + 3 * region[k]);
-        sum += double((predicted.block<1, 3>(Eigen::Index(row), 3 * Eigen::Index(k)) - truth).norm());
-      }
-    }
-    fit.validation_errors.push_back(sum / double(validation.size() * region.size()));
+    const torch::Tensor scaled = (validation_points / (eigenvalues + lambdas[i])).to(torch::kFloat32);
+    const torch::Tensor difference = torch::mm(scaled, region_cross) - truth;
+    fit.validation_errors.push_back(
+        difference.view({difference.size(0), -1, 3}).norm(2, 2).mean(torch::kFloat64).item<double>());
     if (fit.validation_errors[i] < fit.validation_errors[best]) best = i;
   }
   fit.lambda = lambdas[best];
-  model.weights = (eigen.eigenvectors() * ((eigenvalues + fit.lambda).inverse().matrix().asDiagonal() * rotated_cross))
-                      .cast<float>();
+  model.weights = tensor::CopyToMatrix<float>(torch::mm(vectors / (eigenvalues + fit.lambda), rotated_cross));
   return fit;
 }
 

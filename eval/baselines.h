@@ -52,7 +52,8 @@ struct RidgeFit {
   std::vector<double> validation_errors;  ///< Mean distance over `region` in cm on the validation faces, one a lambda.
 };
 
-/// Normal equations in float64, summed over blocks of training faces; one eigendecomposition serves every lambda.
+/// Normal equations in float64, summed over blocks of training faces; one eigendecomposition serves every lambda. All
+/// large products are LibTorch's.
 /// Lambda is the one with the least mean vertex distance over `region` on the validation faces. @throws Error if a list
 /// is empty.
 RidgeFit FitRidge(const SketchSamples& samples, std::span<const int> train, std::span<const int> validation,

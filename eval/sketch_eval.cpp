@@ -17,6 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Null where it was not measured.
+Json BaselineError(const SketchMeasurement& measured, const std::string& name) {
+  const std::optional<double> error = measured.error_of(name);
+  return error ? Json(*error) : Json();
+}
+
 Json MetricsOf(const SketchMeasurement& measured, double seconds) {
   const ErrorRow& result = measured.result();
   return {{"num_faces", measured.faces().size()},
@@ -30,11 +36,11 @@ Json MetricsOf(const SketchMeasurement& measured, double seconds) {
           {"p90_vertex_error_mm", result.p90_mm},
           {"interocular_share", result.interocular_share},
           {"regions_mm", measured.region_errors_mm()},
-          {"mean_face_baseline_mm", measured.row("mean face").error_mm},
-          {"nearest_neighbour_mm", measured.row("nearest neighbour").error_mm},
-          {"ridge_mm", measured.row("ridge regression").error_mm},
-          {"ridge_lambda", measured.ridge_lambda()},
-          {"model_limit_mm", measured.row("limit of the model").error_mm},
+          {"mean_face_baseline_mm", BaselineError(measured, "mean face")},
+          {"nearest_neighbour_mm", BaselineError(measured, "nearest neighbour")},
+          {"ridge_mm", BaselineError(measured, "ridge regression")},
+          {"ridge_lambda", measured.options().baselines ? Json(measured.ridge_lambda()) : Json()},
+          {"model_limit_mm", BaselineError(measured, "limit of the model")},
           {"table", TableJson(measured.rows())},
           {"data_hash", measured.data().run.manifest.details.at("data")},
           {"seconds", seconds},
@@ -95,8 +101,10 @@ ReportData ReportOf(const SketchMeasurement& measured, double seconds) {
                   {"seed", fmt::format("{}", run.manifest.seed)},
                   {"split", fmt::format("{} ({} training faces)", run.config.at("split").at("kind").get<std::string>(),
                                         measured.data().split.train.size())},
-                  {"ridge's lambda, chosen on validation faces", fmt::format("{:g}", measured.ridge_lambda())},
                   {"seconds", fmt::format("{:.1f}", seconds)}};
+  if (measured.options().baselines)
+    report.facts.push_back(
+        {"ridge's lambda, chosen on validation faces", fmt::format("{:g}", measured.ridge_lambda())});
   return report;
 }
 

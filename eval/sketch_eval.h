@@ -11,7 +11,7 @@ struct SketchEvalOptions {
   std::string split = "test";
   double strength = 0;
   std::string recover_with;
-  bool fit = false, refine = false;
+  bool baselines = true, fit = false, refine = false;
 
   template <class V>
   void Visit(V&& visit) {
@@ -20,6 +20,9 @@ struct SketchEvalOptions {
     visit("recover_with", recover_with, Text{},
           "Folder of another run on the same data, whose network reads no shape-level numbers: its faces are where a "
           "network that does read them gets recovered ones from. Empty: such a network is given them alone.");
+    visit("baselines", baselines, Flag{},
+          "Measure the free baselines and the limit of the model beside the network; they depend on data, split and "
+          "strength alone.");
     visit("fit", fit, Flag{}, "Also fit the bilinear model to the labelled strokes, with and without its prior.");
     visit("refine", refine, Flag{}, "Also match the contours of the network's faces with the strokes.");
   }

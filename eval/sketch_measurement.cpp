@@ -90,18 +90,21 @@ void SketchMeasurement::Measure() {
   Encode();
   MeasureNetwork();
   MeasureFits();
-  MeasureBaselines();
+  if (options_.baselines) MeasureBaselines();
 }
 
-const ErrorRow& SketchMeasurement::row(const std::string& name) const {
-  return *std::find_if(rows_.begin(), rows_.end(), [&](const ErrorRow& row) { return row.name == name; });
+std::optional<double> SketchMeasurement::error_of(const std::string& name) const {
+  const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const ErrorRow& row) { return row.name == name; });
+  return found == rows_.end() ? std::nullopt : std::optional(found->error_mm);
 }
 
 void SketchMeasurement::Encode() {
   codes_.resize(size_t(data_.faces.num_faces()));
-  std::set<int> faces(data_.split.train.begin(), data_.split.train.end());
-  faces.insert(data_.split.validation.begin(), data_.split.validation.end());
-  faces.insert(test_.begin(), test_.end());
+  std::set<int> faces(test_.begin(), test_.end());
+  if (options_.baselines) {
+    faces.insert(data_.split.train.begin(), data_.split.train.end());
+    faces.insert(data_.split.validation.begin(), data_.split.validation.end());
+  }
   log::Info("Encoding the curves of {} faces", faces.size());
   const std::vector<int> order(faces.begin(), faces.end());
   auto next = order.begin();

@@ -29,7 +29,8 @@ class SketchMeasurement {
   const std::vector<ErrorRow>& rows() const { return rows_; }
   /// The network's own row: with recovered shape-level numbers if it reads them and they are there.
   const ErrorRow& result() const { return rows_[result_]; }
-  const ErrorRow& row(const std::string& name) const;
+  /// Mean of the row of that name, if it was measured.
+  std::optional<double> error_of(const std::string& name) const;
   double ridge_lambda() const { return ridge_lambda_; }
   const Json& shape_error_px() const { return shape_error_px_; }
   /// Of the result: one a face; one a vertex, mean over faces, NaN outside of the region `face`; one a region.

@@ -88,6 +88,14 @@ TEST_F(SketchEvalTest, FitsAndRefinesWhereItIsAskedTo) {
   EXPECT_EQ(metrics.at("table").size(), 11u);
 }
 
+TEST_F(SketchEvalTest, WithoutBaselinesTheNetworkAloneIsMeasured) {
+  const Json all = EvaluateSketchRun(*folder_ / "run", *folder_ / "all"),
+             alone = EvaluateSketchRun(*folder_ / "run", *folder_ / "alone", {.baselines = false});
+  EXPECT_EQ(alone.at("table").size(), 1u);
+  EXPECT_TRUE(alone.at("ridge_mm").is_null());
+  EXPECT_EQ(alone.at("mean_vertex_error_mm"), all.at("mean_vertex_error_mm"));
+}
+
 TEST_F(SketchEvalTest, TellsTheErrorOfEachFaceAndRegion) {
   const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "each");
   const auto errors = metrics.at("face_errors_mm").get<std::vector<double>>();
