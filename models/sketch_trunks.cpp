@@ -76,7 +76,7 @@ SketchTrunk Residual(const SketchNetworkOptions& options) {
     side = (side + 1) / 2;
     from = to;
   }
-  const int last = 2 * options.width;
+  const int last = options.width;
   PushNormalised(layers, from, last, 1, 1, 0);
   return {layers, Features(last * side * side, options.hidden)};
 }

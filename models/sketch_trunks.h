@@ -19,7 +19,7 @@ struct SketchTrunk {
 ///             31-15-7-3
 ///   residual  7 x 7 of stride 4, then residual blocks of two 3 x 3 [He et al. 2016], each of stride 2, channels 2
 ///   width,
-///             4 width, 6 width, ... 6 width, until the side is 4 or less; 1 x 1 to 2 width channels. The fully
+///             4 width, 6 width, ... 6 width, until the side is 4 or less; 1 x 1 to width channels. The fully
 ///             connected layer sees the whole sketch
 ///   points    1 x 1 convolutions of the points, 2, 4 and 16 width channels, and their greatest values [Qi et al. 2017]
 ///   shape     nothing but the layer of features
