@@ -1,0 +1,231 @@
+#include "eval/other_faces.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/manifest.h"
+#include "core/parallel.h"
+#include "datasets/read/sketch_variation.h"
+#include "eval/face_pictures.h"
+#include "eval/metrics.h"
+#include "faces/face_database.h"
+#include "fitting/contour_refinement.h"
+#include "fitting/sketch_predictor.h"
+#include "fitting/stroke_distance.h"
+#include "render/draw.h"
+#include "render/sheet.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace daumier::eval {
+namespace {
+
+namespace fs = std::filesystem;
+using fitting::PredictedFace;
+using Strokes = std::vector<render::Stroke>;
+
+/// Faces that are predicted at once.
+constexpr size_t kBlock = 64;
+
+struct Row {
+  std::string name;
+  std::vector<double> errors_mm;  ///< One a face; empty for another topology.
+  std::vector<double> errors_px;
+};
+
+class OtherFaces {
+ public:
+  OtherFaces(const fs::path& run, const OtherFacesOptions& options)
+      : predictor_(run),
+        faces_(options.faces),
+        sketches_(options.sketches),
+        seed_(predictor_.run().manifest.seed),
+        refiner_(predictor_.run().models.bilinear, predictor_.curves()) {
+    DAUMIER_CHECK(sketches_.manifest().details.value("faces_data_hash", "") == DataHash(options.faces),
+                  "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
+                  options.sketches, options.faces);
+    variation_.augmentation.strength = options.strength;
+    const auto& own = predictor_.run().face_template.triangles;
+    const auto& other = faces_.face_template().triangles;
+    same_topology_ = own.rows() == other.rows() && own == other;
+    for (int face = 0; face < faces_.num_faces(); ++face) groups_.push_back(faces_.group(face));
+  }
+
+  void Measure() {
+    const faces::BilinearModel& bilinear = predictor_.run().models.bilinear;
+    const Eigen::VectorXf u = bilinear.identity_factors.colwise().mean(), v = bilinear.expression_factors.colwise().mean();
+    const Eigen::VectorXf mean = faces::Reconstruct(bilinear, u, v);
+    const PredictedFace mean_face{u, v, {mean.begin(), mean.end()}};
+    AddRow("mean face", [&](int) { return mean_face; });
+    log::Info("Predicting {} faces by the network", faces_.num_faces());
+    Predict();
+    AddRow("network", [&](int face) { return predicted_[size_t(face)]; });
+    AddRow("network, refined", [&](int face) { return Refined(face); });
+    if (!same_topology_) return;
+    Eigen::VectorXf weights = Eigen::VectorXf::Zero(bilinear.num_coordinates());
+    for (const int vertex : region()) weights.segment<3>(3 * vertex).setOnes();
+    const faces::BilinearProjector projector(bilinear, weights);
+    AddRow("limit of the model", [&](int face) {
+      const auto projection = projector.Project(faces_.vertices(face));
+      return PredictedFace{projection.u, projection.v, {projection.vertices.begin(), projection.vertices.end()}};
+    });
+  }
+
+  Json Table() const {
+    Json table = Json::array();
+    for (const Row& row : rows_) {
+      Json line{{"name", row.name}, {"curve_error_px", Mean(row.errors_px)}};
+      const bool measured = !row.errors_mm.empty();
+      const Interval interval = measured ? PersonBootstrap(row.errors_mm, groups_, seed_) : Interval{0, 0};
+      line["error"] = measured ? Json(Mean(row.errors_mm)) : Json();
+      line["error_low"] = measured ? Json(interval.low) : Json();
+      line["error_high"] = measured ? Json(interval.high) : Json();
+      line["p90"] = measured ? Json(Percentile(row.errors_mm, 90)) : Json();
+      table.push_back(line);
+    }
+    return table;
+  }
+
+  /// The median, the worst 5 % (where they begin, and the worst) and the first by index.
+  render::Image Sheet() const {
+    const Row& network = rows_[1];
+    const std::vector<double>& errors = same_topology_ ? network.errors_mm : network.errors_px;
+    std::vector<int> order(errors.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[size_t(a)] < errors[size_t(b)]; });
+    const size_t last = order.size() - 1;
+    const std::vector<std::pair<std::string, int>> chosen{{"median", order[last / 2]},
+                                                          {"95th percentile", order[size_t(std::ceil(0.95 * double(last)))]},
+                                                          {"worst", order[last]},
+                                                          {"first", 0}};
+    render::SheetStyle style{.column_titles = {"sketch, curves of the refined face", "true face", "network", "network"}};
+    std::vector<render::SheetCell> cells;
+    for (const auto& [what, face] : chosen) {
+      style.row_titles.push_back(fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
+      const auto& vertices = predicted_[size_t(face)].vertices;
+      const geometry::Points points = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+                                          vertices.data(), Eigen::Index(vertices.size() / 3), 3)
+                                          .cast<double>();
+      const faces::FaceTemplate& own = predictor_.run().face_template;
+      cells.push_back({render::DrawnWithCurves(Seen(face).strokes, predictor_.CurvesOf(Refined(face)), kCell)});
+      cells.push_back({FrontView(faces_.face_template(), faces_.points(face), render::FrameOf(faces_.points(face)))});
+      cells.push_back({FrontView(own, points, render::FrameOf(points))});
+      cells.push_back({SideView(own, points, render::FrameOf(points))});
+    }
+    return render::MakeSheet(cells, 4, style);
+  }
+
+  bool same_topology() const { return same_topology_; }
+  const faces::FaceDatabase& faces() const { return faces_; }
+  const models::SketchRun& run() const { return predictor_.run(); }
+
+ private:
+  const std::vector<int>& region() const { return faces_.face_template().annotation.regions.at("face"); }
+
+  datasets::AugmentedSketch Seen(int face) const {
+    return datasets::VariedSketch(sketches_, face, variation_, seed_, 0);
+  }
+
+  /// The silhouette and feature lines as they are drawn: of strokes that came in, the pieces that are shown.
+  Strokes DrawnFeatures(int face) const {
+    Strokes features;
+    for (const render::Stroke& stroke : Seen(face).strokes) {
+      if (!datasets::IsWrinkleKind(sketches_.kinds()[size_t(stroke.kind)])) features.push_back(stroke);
+    }
+    return features;
+  }
+
+  PredictedFace Refined(int face) const { return refiner_.Refine(predicted_[size_t(face)], Seen(face).strokes); }
+
+  void Predict() {
+    for (int begin = 0; begin < faces_.num_faces(); begin += int(kBlock)) {
+      std::vector<Strokes> block;
+      for (int face = begin; face < std::min(begin + int(kBlock), faces_.num_faces()); ++face)
+        block.push_back(Seen(face).strokes);
+      for (PredictedFace& face : predictor_.Predict(block)) predicted_.push_back(std::move(face));
+    }
+  }
+
+  void AddRow(const std::string& name, const std::function<PredictedFace(int face)>& answer) {
+    struct Errors {
+      double mm, px;
+    };
+    Row row{name, {}, {}};
+    const double mm_per_cm = faces::MillimetresPerCm(faces_.face_template());
+    ForEachInOrder(
+        faces_.num_faces(),
+        [&](int face) {
+          const PredictedFace answered = answer(face);
+          const double mm =
+              same_topology_ ? MeanVertexError(answered.vertices, faces_.vertices(face), region(), mm_per_cm) : 0;
+          return Errors{mm, fitting::DistanceBetween(DrawnFeatures(face), predictor_.CurvesOf(answered)).two_way()};
+        },
+        [&](const Errors& errors) {
+          if (same_topology_) row.errors_mm.push_back(errors.mm);
+          row.errors_px.push_back(errors.px);
+        });
+    rows_.push_back(std::move(row));
+  }
+
+  fitting::SketchPredictor predictor_;
+  const faces::FaceDatabase faces_;
+  const datasets::SketchDatabase sketches_;
+  const uint64_t seed_;
+  const fitting::ContourRefiner refiner_;
+  datasets::SketchVariation variation_;
+  bool same_topology_ = false;
+  std::vector<int> groups_;
+  std::vector<PredictedFace> predicted_;
+  std::vector<Row> rows_;
+};
+
+std::string TableText(const Json& table) {
+  std::string text = "| predictor | mm | 95 % interval | p90 | curves, px |\n|---|---:|---:|---:|---:|\n";
+  for (const Json& row : table) {
+    const auto number = [&](const char* key) {
+      return row.at(key).is_null() ? "-" : fmt::format("{:.3f}", row.at(key).get<double>());
+    };
+    text += fmt::format("| {} | {} | {} to {} | {} | {} |\n", row.at("name").get<std::string>(), number("error"),
+                        number("error_low"), number("error_high"), number("p90"), number("curve_error_px"));
+  }
+  return text;
+}
+
+}  // namespace
+
+Json EvaluateOnOtherFaces(const fs::path& run_directory, const fs::path& out_directory,
+                          const OtherFacesOptions& options) {
+  OtherFaces other(run_directory, options);
+  other.Measure();
+  const Json hashes = {{"faces", DataHash(options.faces)}, {"sketches", DataHash(options.sketches)}};
+  const Json metrics = {{"num_faces", other.faces().num_faces()},
+                        {"same_topology", other.same_topology()},
+                        {"augmentation_strength", options.strength},
+                        {"table", other.Table()},
+                        {"data_hash", hashes},
+                        {"run_data_hash", DataHash(run_directory)}};
+  MakeDirectory(out_directory);
+  WriteFileAtomically(out_directory / "metrics.json", metrics.dump(2) + "\n");
+  WriteFileAtomically(out_directory / "table.md", TableText(metrics.at("table")));
+  render::WriteImage(out_directory / "sheet.png", other.Sheet());
+  Manifest manifest;
+  manifest.kind = "report";
+  manifest.verb = "eval";
+  manifest.config = {{"strength", options.strength}};
+  manifest.seed = other.run().manifest.seed;
+  manifest.sources = other.run().manifest.sources;
+  for (const Json& source : other.faces().manifest().sources) manifest.sources.push_back(source);
+  manifest.counts = {{"faces", other.faces().num_faces()}};
+  manifest.details = {{"data", hashes}, {"run_data_hash", DataHash(run_directory)}};
+  for (const char* name : {"metrics.json", "table.md", "sheet.png"})
+    manifest.checksums[name] = Sha256OfFile(out_directory / name);
+  WriteManifest(out_directory, manifest);
+  return metrics;
+}
+
+}  // namespace daumier::eval
