@@ -93,7 +93,9 @@ class DrawingPrediction {
     render::Placement placement = framed.placement;
     if (fit) placement = FindFrame(framed, Curves(), options_.search).placement;
 
-    Prediction result{.name = named.name, .strokes = render::Place(framed.strokes, placement)};
+    Prediction result;
+    result.name = named.name;
+    result.strokes = render::Place(framed.strokes, placement);
     const Strokes before = render::Place(framed.strokes, framed.placement);
     const std::vector<PredictedFace> faces = predictor_.Predict({before, result.strokes});
     const PredictedFace face = options_.refine ? refiner_.Refine(faces[1], result.strokes) : faces[1];

@@ -20,8 +20,8 @@ render::Placement SheetPlacement(const render::Drawing& drawing);
 struct PredictOptions {
   Framing framing = Framing::kFit;
   bool refine = true;  ///< Whether contours are matched after the network (ContourRefiner).
-  FrameSearchOptions search;
-  ContourRefinementOptions refinement;
+  FrameSearchOptions search = {};
+  ContourRefinementOptions refinement = {};
 };
 
 /// `daumier predict`: for every drawing of the files (render::ReadDrawings) a mesh NAME.obj, the strokes as the network
