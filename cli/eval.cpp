@@ -1,5 +1,6 @@
 #include "cli/verb.h"
 #include "core/files.h"
+#include "eval/other_faces.h"
 #include "eval/sketch_eval.h"
 
 #include <fmt/core.h>
@@ -13,6 +14,7 @@ Verb EvalVerb() {
             struct Arguments {
               std::filesystem::path run, out;
               eval::SketchEvalOptions options;
+              eval::OtherFacesOptions other;
               bool as_json = false;
             };
             auto arguments = std::make_shared<Arguments>();
@@ -30,15 +32,24 @@ Verb EvalVerb() {
             command.add_flag("--fit", arguments->options.fit, "Also fit the bilinear model to the labelled strokes");
             command.add_flag("--refine", arguments->options.refine,
                              "Also match the contours of the network's faces with the strokes");
-            command.add_option("--out", arguments->out, "Report folder; RUN/report by default");
+            auto* faces = command.add_option("--faces", arguments->other.faces,
+                                             "Measure on all of these faces instead, which the run was not trained on");
+            auto* sketches = command.add_option("--sketches", arguments->other.sketches, "The sketches of these faces");
+            faces->needs(sketches);
+            sketches->needs(faces);
+            command.add_option("--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             return [arguments] {
-              const auto out = arguments->out.empty() ? arguments->run / "report" : arguments->out;
-              const Json metrics = eval::EvaluateSketchRun(arguments->run, out, arguments->options);
+              const bool other = !arguments->other.faces.empty();
+              arguments->other.strength = arguments->options.strength;
+              const auto out = !arguments->out.empty() ? arguments->out : arguments->run / (other ? "other" : "report");
+              const Json metrics = other ? eval::EvaluateOnOtherFaces(arguments->run, out, arguments->other)
+                                         : eval::EvaluateSketchRun(arguments->run, out, arguments->options);
               if (arguments->as_json) {
                 PrintResult(metrics, true);
               } else {
-                fmt::print("{}\npictures: {}\n", ReadFile(out / "table.md"), (out / "index.html").string());
+                fmt::print("{}\npictures: {}\n", ReadFile(out / "table.md"),
+                           (out / (other ? "sheet.png" : "index.html")).string());
               }
             };
           }};

@@ -4,13 +4,6 @@
 #include "render/shading.h"
 
 namespace daumier::eval {
-namespace {
-
-render::Image Rendered(const faces::FaceDatabase& database, int face, const render::Camera& camera) {
-  return render::RenderMesh(fitting::SurfaceOf(database.face_template(), database.points(face)), camera);
-}
-
-}  // namespace
 
 render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices) {
   const auto num_vertices = Eigen::Index(database.num_vertices());
@@ -20,12 +13,24 @@ render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vecto
   return render::FrameOf(all);
 }
 
+render::Image FrontView(const faces::FaceTemplate& face_template, const geometry::Points& face,
+                        const render::Frame& frame) {
+  return render::RenderMesh(fitting::SurfaceOf(face_template, face),
+                            render::FrontalCamera(frame.centre, frame.half_height, kCell));
+}
+
+render::Image SideView(const faces::FaceTemplate& face_template, const geometry::Points& face,
+                       const render::Frame& frame) {
+  return render::RenderMesh(fitting::SurfaceOf(face_template, face),
+                            render::SideCamera(frame.centre, frame.half_height, kCell));
+}
+
 render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {
-  return Rendered(database, face, render::FrontalCamera(frame.centre, frame.half_height, kCell));
+  return FrontView(database.face_template(), database.points(face), frame);
 }
 
 render::Image SideView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {
-  return Rendered(database, face, render::SideCamera(frame.centre, frame.half_height, kCell));
+  return SideView(database.face_template(), database.points(face), frame);
 }
 
 }  // namespace daumier::eval

@@ -13,8 +13,15 @@ inline constexpr int kCell = 190;  ///< Pixels a side of a picture in a sheet.
 /// One frame for all pictures of a sheet, so that sizes can be compared.
 render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices);
 
-render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
+/// face: V x 3, cm.
+render::Image FrontView(const faces::FaceTemplate& face_template, const geometry::Points& face,
+                        const render::Frame& frame);
 /// The face's own right side.
+render::Image SideView(const faces::FaceTemplate& face_template, const geometry::Points& face,
+                       const render::Frame& frame);
+
+/// Of a face of a database.
+render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
 render::Image SideView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
 
 }  // namespace daumier::eval

@@ -12,10 +12,8 @@
 #include "fitting/contour_refinement.h"
 #include "fitting/sketch_predictor.h"
 #include "fitting/stroke_distance.h"
-#include "render/draw.h"
 #include "render/sheet.h"
-
-#include <fmt/ranges.h>
+#include "render/stroke_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +56,8 @@ class OtherFaces {
 
   void Measure() {
     const faces::BilinearModel& bilinear = predictor_.run().models.bilinear;
-    const Eigen::VectorXf u = bilinear.identity_factors.colwise().mean(), v = bilinear.expression_factors.colwise().mean();
+    const Eigen::VectorXf u = bilinear.identity_factors.colwise().mean(),
+                          v = bilinear.expression_factors.colwise().mean();
     const Eigen::VectorXf mean = faces::Reconstruct(bilinear, u, v);
     const PredictedFace mean_face{u, v, {mean.begin(), mean.end()}};
     AddRow("mean face", [&](int) { return mean_face; });
@@ -99,14 +98,17 @@ class OtherFaces {
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[size_t(a)] < errors[size_t(b)]; });
     const size_t last = order.size() - 1;
-    const std::vector<std::pair<std::string, int>> chosen{{"median", order[last / 2]},
-                                                          {"95th percentile", order[size_t(std::ceil(0.95 * double(last)))]},
-                                                          {"worst", order[last]},
-                                                          {"first", 0}};
-    render::SheetStyle style{.column_titles = {"sketch, curves of the refined face", "true face", "network", "network"}};
+    const std::vector<std::pair<std::string, int>> chosen{
+        {"median", order[last / 2]},
+        {"95th percentile", order[size_t(std::ceil(0.95 * double(last)))]},
+        {"worst", order[last]},
+        {"first", 0}};
+    render::SheetStyle style{
+        .column_titles = {"sketch, curves of the refined face", "true face", "network", "network"}};
     std::vector<render::SheetCell> cells;
     for (const auto& [what, face] : chosen) {
-      style.row_titles.push_back(fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
+      style.row_titles.push_back(
+          fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
       const auto& vertices = predicted_[size_t(face)].vertices;
       const geometry::Points points = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
                                           vertices.data(), Eigen::Index(vertices.size() / 3), 3)

@@ -8,10 +8,10 @@
 #include "fitting/sketch_predictor.h"
 #include "geometry/obj.h"
 #include "render/camera.h"
-#include "render/draw.h"
 #include "render/read_drawing.h"
 #include "render/shading.h"
 #include "render/sheet.h"
+#include "render/stroke_overlay.h"
 #include "render/svg.h"
 
 #include <set>
@@ -53,26 +53,11 @@ std::vector<NamedDrawing> ReadAll(const std::vector<fs::path>& files) {
   return all;
 }
 
-/// The drawing in black, the face's curves above it in red.
-Image SketchWithCurves(const Strokes& strokes, const Strokes& curves) {
-  Image picture = render::ToRgb(render::RasteriseStrokes(strokes, kPictureSide));
-  const Image above = render::RasteriseStrokes(curves, kPictureSide, {.width = 1.0});
-  constexpr std::array<int, 3> kRed = {220, 50, 47};
-  for (size_t i = 0; i < above.pixels.size(); ++i) {
-    const int ink = 255 - above.pixels[i];
-    for (size_t channel = 0; channel < 3; ++channel) {
-      uint8_t& value = picture.pixels[3 * i + channel];
-      value = static_cast<uint8_t>((value * (255 - ink) + kRed[channel] * ink) / 255);
-    }
-  }
-  return picture;
-}
-
 Image SheetOf(const faces::FaceTemplate& face_template, const Prediction& prediction) {
   const render::RenderInput input = SurfaceOf(face_template, prediction.face);
   const auto frame = render::FrameOf(prediction.face);
   return render::MakeSheet(
-      {{SketchWithCurves(prediction.strokes, prediction.curves), "sketch, and the face's curves"},
+      {{render::DrawnWithCurves(prediction.strokes, prediction.curves, kPictureSide), "sketch, and the face's curves"},
        {RenderMesh(input, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)), "front"},
        {RenderMesh(input, render::SideCamera(frame.centre, frame.half_height, kPictureSide)), "side"}},
       3);

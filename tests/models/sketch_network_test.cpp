@@ -83,7 +83,7 @@ TEST(SketchNetwork, AsPrintedHasThePrintedLayers) {
                                .identity_layers = 3,
                                .expression_layers = 1};
   EXPECT_EQ(Parameters(printed, models), pixel + 1025 * 50 + 1025 * 16);
-  EXPECT_EQ(Parameters(printed, models), 65668738);
+  EXPECT_EQ(Parameters(printed, models), 65665794);
   printed.shape_input = "late";
   EXPECT_EQ(Parameters(printed, models), pixel + 2 * 67 * 512 + 1537 * 50 + 1537 * 16);
   printed.shape_input = "early";
