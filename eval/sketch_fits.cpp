@@ -43,7 +43,7 @@ fitting::MorphableFitOptions MorphableRow::ChooseOptions(std::span<const int> va
   for (size_t i = 0; i < validation.size(); i += step) faces.push_back(validation[i]);
   fitting::MorphableFitOptions best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double deviation_px : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+  for (const double deviation_px : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
     const fitting::MorphableFitOptions options{.prior = true, .deviation_px = deviation_px};
     const FaceRows fitted = Predict(faces, options);
     double error = 0;

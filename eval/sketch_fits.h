@@ -17,7 +17,7 @@ class MorphableRow {
 
   /// num_faces x 3V, cm.
   FaceRows Predict(std::span<const int> faces, const fitting::MorphableFitOptions& options) const;
-  /// The fit with a prior whose deviation_px, of 0.25, 0.5, 1, 2, 4, 8, has the least error over `region` on some
+  /// The fit with a prior whose deviation_px, of 0.25, 0.5, 1, ... 32, has the least error over `region` on some
   /// validation faces, at most `most_faces` evenly chosen ones.
   fitting::MorphableFitOptions ChooseOptions(std::span<const int> validation, std::span<const int> region,
                                              size_t most_faces = 100) const;
