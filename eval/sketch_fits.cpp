@@ -15,6 +15,13 @@ fitting::ProjectedCurves CurvesOf(const SketchRunData& data) {
   return fitting::SeeCurves(data.run.face_template, data.run.feature_curves, data.run.camera);
 }
 
+/// Neighbouring points of a curve say about the same: every fourth stands for four.
+std::vector<float> EveryFourth(std::vector<float> weights) {
+  constexpr size_t kEvery = 4;
+  for (size_t k = 0; k < weights.size(); ++k) weights[k] = k % kEvery == 0 ? kEvery * weights[k] : 0;
+  return weights;
+}
+
 }  // namespace
 
 MorphableRow::MorphableRow(const SketchRunData& data, const SketchReader& reader)
@@ -27,9 +34,9 @@ FaceRows MorphableRow::Predict(std::span<const int> faces, const fitting::Morpha
       int(faces.size()),
       [&](int i) {
         const datasets::AugmentedSketch sketch = reader_.Seen(faces[size_t(i)]);
-        const auto fit =
-            fitting::FitMorphable(model_, datasets::PointsOf(sketch.moved, data_.sketches.feature_curves()),
-                                  datasets::PointWeights(data_.sketches, sketch.moved, sketch.visible), options);
+        const auto fit = fitting::FitMorphable(
+            model_, datasets::PointsOf(sketch.moved, data_.sketches.feature_curves()),
+            EveryFourth(datasets::PointWeights(data_.sketches, sketch.moved, sketch.visible)), options);
         return faces::Reconstruct(data_.run.models.bilinear, fit.u, fit.v);
       },
       [&](const Eigen::VectorXf& face) { rows.row(next++) = face.transpose(); });

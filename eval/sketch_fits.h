@@ -9,7 +9,7 @@
 namespace daumier::eval {
 
 /// Morphable-model fitting to the labelled strokes of sketches, row MMfitting of [Han et al. 2017, Table 2]: the camera
-/// is known, points that a sketch does not show are not looked at.
+/// is known, points that a sketch does not show are not looked at, and every fourth of the others stands for four.
 class MorphableRow {
  public:
   /// All arguments have to outlive it.

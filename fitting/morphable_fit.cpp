@@ -99,7 +99,7 @@ MorphableFit FitMorphable(const ProjectedModel& model, std::span<const float> po
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = options.iterations;
-  solver.function_tolerance = 1e-9;
+  solver.function_tolerance = 1e-7;
   solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
