@@ -97,7 +97,8 @@ MorphableFit FitMorphable(const ProjectedModel& model, std::span<const float> po
     problem.AddResidualBlock(PriorCost(prior.v_mean, prior.v_deviation).release(), nullptr, v.data());
   }
   ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  // Without a prior the normal equations are all but singular.
+  solver.linear_solver_type = options.prior ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   solver.max_num_iterations = options.iterations;
   solver.function_tolerance = 1e-7;
   solver.logging_type = ceres::SILENT;

@@ -87,7 +87,11 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
       CheckSameTest(places, runs, task);
       for (const Place& place : places)
         if (place.row.trains()) trained.push_back(place);
-      for (AblationResult& baseline : runs.Baselines(places.front())) results.push_back(std::move(baseline));
+      for (const Place& place : places) {
+        const std::vector<AblationResult> baselines = runs.Baselines(place);
+        results.insert(results.end(), baselines.begin(), baselines.end());
+        if (!baselines.empty()) break;  // They are the same for all rows.
+      }
       for (const Place& place : places) results.push_back(runs.Result(place));
     }
   }

@@ -154,12 +154,14 @@ AblationResult AblationRuns::Result(const Place& place) const {
 std::vector<AblationResult> AblationRuns::Baselines(const Place& place) const {
   const Json metrics = Metrics(place);
   std::vector<AblationResult> results;
-  for (const std::string& line : task_.baselines())
+  for (const std::string& line : task_.baselines()) {
+    if (!task_.HasLine(metrics, line)) continue;
     results.push_back({.name = line,
                        .split = place.split,
                        .seed = place.seed,
                        .baseline = true,
                        .measure = task_.Measure(metrics, line, "")});
+  }
   return results;
 }
 

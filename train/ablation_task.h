@@ -62,6 +62,8 @@ class AblationTask {
   virtual std::string validation_metric() const = 0;
   /// The lines of a report that need no training, as a table shows them on top.
   virtual std::vector<std::string> baselines() const = 0;
+  /// Whether a report has that line; it may have been made without free baselines.
+  virtual bool HasLine(const Json& metrics, const std::string& line) const = 0;
   /// A line of a report's table, by default the result of the run. @throws Error if the report has no such line.
   virtual AblationMeasure Measure(const Json& metrics, const std::string& line,
                                   const std::string& shape_input) const = 0;

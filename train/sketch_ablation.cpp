@@ -81,6 +81,11 @@ std::vector<std::string> SketchAblation::baselines() const {
   return {"mean face", "nearest neighbour", "ridge regression", "limit of the model"};
 }
 
+bool SketchAblation::HasLine(const Json& metrics, const std::string& line) const {
+  const Json& table = metrics.at("table");
+  return std::any_of(table.begin(), table.end(), [&](const Json& entry) { return entry.at("name") == line; });
+}
+
 AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& line,
                                         const std::string& shape_input) const {
   try {

@@ -24,6 +24,7 @@ class SketchAblation : public AblationTask {
   std::string unit() const override { return "mm"; }
   std::string validation_metric() const override { return "mean_vertex_error_mm"; }
   std::vector<std::string> baselines() const override;
+  bool HasLine(const Json& metrics, const std::string& line) const override;
   /// By default the report's own result: the network with the shape input that metrics.json tells. Its face errors
   /// alone are known.
   AblationMeasure Measure(const Json& metrics, const std::string& line, const std::string& shape_input) const override;

@@ -100,6 +100,10 @@ class FakeAblation : public AblationTask {
   std::string validation_metric() const override { return "error"; }
   std::vector<std::string> baselines() const override { return {"mean face"}; }
 
+  bool HasLine(const Json& metrics, const std::string& line) const override {
+    return metrics.at("errors").contains(line);
+  }
+
   /// Faces of two persons, whose errors lie 0.1 below and above the mean.
   AblationMeasure Measure(const Json& metrics, const std::string& line, const std::string&) const override {
     const std::string name = line.empty() ? "network" : line;
