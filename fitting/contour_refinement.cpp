@@ -22,7 +22,8 @@ PredictedFace ContourRefiner::Refine(const PredictedFace& face, const std::vecto
   const std::vector<float> predicted = Project(curves_, vertices);
   const Eigen::VectorXf constant =
       Eigen::Map<const Eigen::VectorXf>(predicted.data(), Eigen::Index(predicted.size())) - start.points;
-  const faces::CurveCode code = FollowStrokes(encoder, curves_.offsets, start, strokes, options_.snapping, constant);
+  const auto placed = PlaceOnCurves(strokes, curves_.offsets, predicted, options_.snapping, options_.placement_rounds);
+  const faces::CurveCode code = FollowStrokes(encoder, curves_.offsets, start, placed, options_.snapping, constant);
 
   if (code.u == u && code.v == v) return face;
   PredictedFace refined{.u = code.u, .v = code.v, .vertices = vertices};

@@ -12,6 +12,7 @@ namespace daumier::fitting {
 
 struct ContourRefinementOptions {
   double trust = 0.125;
+  int placement_rounds = 3;
   faces::CurveEncoderOptions encoder{.deviation_px = 1.0, .rounds = 4};
   CurveRecoveryOptions snapping{.snaps = 1, .reach_px = 12};
 
@@ -19,6 +20,8 @@ struct ContourRefinementOptions {
   void Visit(V&& visit) {
     visit("trust", trust, Range{1e-3, 100},
           "Deviation of u and v from the prediction, as a share of theirs over the training faces.");
+    visit("placement_rounds", placement_rounds, Range{0, 20},
+          "How often the drawing is first turned, scaled and shifted onto the predicted curves; 0: it is where it is.");
     visit("encoder", encoder, Table{}, "How curve points are fitted.");
     visit("snapping", snapping, Table{}, "How curves are drawn to strokes.");
   }
@@ -30,9 +33,10 @@ struct PredictedFace {
   std::vector<float> vertices;  ///< 3V, cm.
 };
 
-/// Contour matching after a network: the feature curves of the predicted face, as the camera sees them, snap to drawn
-/// strokes without labels (FollowStrokes), and u and v are fitted to them with a normal prior about the network's own
-/// answer. The predicted face may stray from the bilinear model by a residual, which stays what it is:
+/// Contour matching after a network: the drawing is placed on the feature curves of the predicted face, as the camera
+/// sees them (PlaceOnCurves), since hands do not draw in a camera's frame; the curves snap to its strokes, which have
+/// no labels (FollowStrokes), and u and v are fitted to them with a normal prior about the network's own answer. The
+/// predicted face may stray from the bilinear model by a residual, which stays what it is:
 ///   face(u', v') = predicted face + C x2 u' x3 v' - C x2 u x3 v.
 /// Where no stroke is within reach, the prediction comes back as it is.
 class ContourRefiner {

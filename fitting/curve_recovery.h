@@ -33,6 +33,14 @@ faces::CurveCode FollowStrokes(const faces::CurveEncoder& encoder, const CurveOf
                                const faces::CurveCode& start, const std::vector<render::Stroke>& strokes,
                                const CurveRecoveryOptions& options = {}, const Eigen::VectorXf& constant = {});
 
+/// The strokes turned, scaled and shifted as one [Umeyama 1991, in the plane], so that where curves snap to them
+/// (FollowStrokes) they lie on the curves in the least-squares sense; the curves snap again `rounds` times. curves: 2K
+/// coordinates on the canvas. With too few points within reach to tell a similarity the strokes stay.
+/// @throws Error if a number of points differs.
+std::vector<render::Stroke> PlaceOnCurves(const std::vector<render::Stroke>& strokes, const CurveOffsets& offsets,
+                                          std::span<const float> curves, const CurveRecoveryOptions& options,
+                                          int rounds);
+
 /// The shape-level numbers of a drawing whose strokes carry no labels: projected curves that a network predicts follow
 /// the strokes (FollowStrokes), by the 2-D bilinear model of curves. predicted: 2K coordinates on the canvas. With
 /// snaps = 0 the prediction itself is encoded.

@@ -135,5 +135,43 @@ TEST(RecoverCurves, CurvesOfAnotherModelAreRefused) {
       "curves of 7 points for a model of 40");
 }
 
+TEST(PlaceOnCurves, UndoesATurnAScaleAndAShiftAndLeavesADrawingThatIsFarAway) {
+  // Two arcs of 40 points, drawn once more as another hand places them.
+  std::vector<float> curves;
+  for (int arc = 0; arc < 2; ++arc) {
+    for (int i = 0; i < 40; ++i) {
+      const double angle = 0.07 * i + 2.5 * arc;
+      curves.push_back(float(128 + (40 + 20 * arc) * std::cos(angle)));
+      curves.push_back(float(128 + (60 - 10 * arc) * std::sin(angle)));
+    }
+  }
+  const CurveOffsets offsets{0, 40, 80};
+  auto drawn = CurveStrokes(offsets, curves);
+  for (auto& stroke : drawn) {
+    for (auto& [x, y] : stroke.points) {
+      const float dx = x - 128, dy = y - 128;
+      x = 131 + 1.04f * (dx * std::cos(0.03f) - dy * std::sin(0.03f));
+      y = 126 + 1.04f * (dx * std::sin(0.03f) + dy * std::cos(0.03f));
+    }
+  }
+  const auto distance = [&](const std::vector<render::Stroke>& strokes) {
+    double most = 0;
+    for (size_t arc = 0; arc < 2; ++arc) {
+      for (size_t i = 0; i < 40; ++i) {
+        const auto& [x, y] = strokes[arc].points[i];
+        most =
+            std::max(most, std::hypot(double(x) - curves[80 * arc + 2 * i], double(y) - curves[80 * arc + 2 * i + 1]));
+      }
+    }
+    return most;
+  };
+  EXPECT_GT(distance(drawn), 3);
+  EXPECT_LT(distance(PlaceOnCurves(drawn, offsets, curves, {}, 20)), 0.5);
+  EXPECT_EQ(distance(PlaceOnCurves(drawn, offsets, curves, {}, 0)), distance(drawn));
+  for (auto& stroke : drawn)
+    for (auto& point : stroke.points) point[0] += 500;
+  EXPECT_EQ(distance(PlaceOnCurves(drawn, offsets, curves, {}, 20)), distance(drawn));
+}
+
 }  // namespace
 }  // namespace daumier::fitting
