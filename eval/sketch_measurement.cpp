@@ -260,8 +260,9 @@ std::vector<double> SketchMeasurement::Errors(const Predictor& predict, std::vec
 
 void SketchMeasurement::AddRow(const std::string& name, const std::string& shape_input,
                                const std::vector<double>& errors_mm) {
-  rows_.push_back(MakeErrorRow(name, errors_mm, interocular_mm_, groups_, data_.run.manifest.seed));
-  rows_.back().shape_input = shape_input;
+  ErrorRow row = MakeErrorRow(name, errors_mm, interocular_mm_, groups_, data_.run.manifest.seed);
+  row.shape_input = shape_input;  // May be that of a row that moves as the list grows.
+  rows_.push_back(std::move(row));
 }
 
 Eigen::VectorXd SketchMeasurement::InFaceOnly(const std::vector<double>& errors) const {

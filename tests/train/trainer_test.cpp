@@ -252,11 +252,13 @@ TEST(Trainer, RefusesStagesThatAreNotTheWhole) {
   recipe.parts = {{"half", 0.5, 1}};
   testing::ExpectError([&] { Train(recipe, FourEpochs(), Fast(), 5, run.path()); }, "add up to 0.5");
 }
+
 TEST(Trainer, SavesOnAnInterruptSaysHowToGoOnAndEndsWithTheSameBytes) {
   const testing::TempDir whole, stopped;
   ToyRecipe uninterrupted;
   torch::manual_seed(9);
   Train(uninterrupted, FourEpochs(), Fast(), 5, whole.path());
+
   ToyRecipe first;
   first.before_loss = [&](int call) { SetInterrupted(call == 5); };
   torch::manual_seed(9);
