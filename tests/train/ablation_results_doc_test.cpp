@@ -28,8 +28,7 @@ TEST(ResultsDocument, ShowsTheAblationsOfItsRecords) {
   for (const auto& file : std::filesystem::directory_iterator(testing::SourceRoot() / "docs/results/ablations")) {
     ++num_records;
     const Json record = Json::parse(ReadFile(file.path()));
-    for (const char* key : {"command", "commit", "seeds", "seconds", "table"})
-      EXPECT_TRUE(record.contains(key)) << key;
+    for (const char* key : {"command", "commit", "seeds", "seconds", "table"}) EXPECT_TRUE(record.contains(key)) << key;
     EXPECT_NE(document.find(record.at("command").get<std::string>()), std::string::npos) << file.path();
     for (const std::string& line : TableLines(AblationMarkdown(record.at("table"))))
       EXPECT_NE(document.find(line), std::string::npos) << file.path() << " and docs/results.md do not agree: " << line;
