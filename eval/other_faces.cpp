@@ -192,8 +192,10 @@ std::string TableText(const Json& table) {
     const auto number = [&](const char* key) {
       return row.at(key).is_null() ? "-" : fmt::format("{:.3f}", row.at(key).get<double>());
     };
-    text += fmt::format("| {} | {} | {} to {} | {} | {} |\n", row.at("name").get<std::string>(), number("error"),
-                        number("error_low"), number("error_high"), number("p90"), number("curve_error_px"));
+    const std::string interval =
+        row.at("error").is_null() ? "-" : fmt::format("{} to {}", number("error_low"), number("error_high"));
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", row.at("name").get<std::string>(), number("error"), interval,
+                        number("p90"), number("curve_error_px"));
   }
   return text;
 }
