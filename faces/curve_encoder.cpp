@@ -19,7 +19,10 @@ constexpr int kEnoughPoints = 150;
 /// already multiplied by the square roots W / deviation_px, as are the points.
 Eigen::VectorXf SolveWithPrior(const Rows& basis, const Eigen::VectorXf& points, const Eigen::VectorXf& mean,
                                const Eigen::VectorXf& deviation) {
-  Eigen::MatrixXd normal = Eigen::MatrixXf(basis * basis.transpose()).cast<double>();
+  // A rank update stays on its thread, where Eigen would share out a product; every core encodes a sketch of its own.
+  Eigen::MatrixXf gram = Eigen::MatrixXf::Zero(basis.rows(), basis.rows());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(basis);
+  Eigen::MatrixXd normal = gram.cast<double>();
   const Eigen::VectorXd precision = deviation.cast<double>().cwiseAbs2().cwiseInverse();
   normal.diagonal() += precision;
   const Eigen::VectorXd right = (basis * points).cast<double>() + precision.cwiseProduct(mean.cast<double>());
