@@ -98,9 +98,9 @@ void TrainingStep(benchmark::State& state) {
   tensor::SetUpTorch(1);
   torch::manual_seed(1);
   constexpr int kNumVertices = 4284;
-  models::SketchNetwork network(
-      models::SketchNetworkOptions(),
-      {testing::RandomBilinear(kNumVertices, 50, 16, 1), testing::RandomBilinear(200, 50, 16, 2), {}});
+  const models::FittedModels models{
+      testing::RandomBilinear(kNumVertices, 50, 16, 1), testing::RandomBilinear(200, 50, 16, 2), {}};
+  models::SketchNetwork network(models::SketchNetworkOptions(), models);
   const losses::GramVertexLoss loss(network->basis(), torch::ones({kNumVertices}));
   const auto moments = loss.Moments(torch::randn({kBatch, 3 * kNumVertices}));
   torch::optim::Adam adam(network->parameters());
