@@ -15,14 +15,7 @@ constexpr int kShapeRounds = 2;
 
 /// (1, 4, P), as datasets::SketchBatch has them.
 torch::Tensor PointTensor(const std::vector<render::Stroke>& strokes, int num_points) {
-  const auto samples = render::SampleStrokes(strokes, num_points);
-  constexpr float kHalf = 0.5f * render::kSketchCanvas;
-  std::vector<float> rows;
-  for (const auto& sample : samples) rows.push_back((sample.x - kHalf) / kHalf);
-  for (const auto& sample : samples) rows.push_back((sample.y - kHalf) / kHalf);
-  for (const auto& sample : samples) rows.push_back(sample.cos_double);
-  for (const auto& sample : samples) rows.push_back(sample.sin_double);
-  return torch::tensor(rows).view({1, 4, num_points});
+  return torch::tensor(render::SampleRows(strokes, num_points)).view({1, 4, num_points});
 }
 
 Eigen::VectorXf MeanShape(const faces::BilinearModel& curves) {

@@ -51,4 +51,15 @@ std::vector<StrokeSample> SampleStrokes(const std::vector<Stroke>& strokes, int 
   return samples;
 }
 
+std::vector<float> SampleRows(const std::vector<Stroke>& strokes, int count) {
+  const std::vector<StrokeSample> samples = SampleStrokes(strokes, count);
+  constexpr float kHalf = 0.5f * kSketchCanvas;
+  std::vector<float> rows;
+  for (const StrokeSample& sample : samples) rows.push_back((sample.x - kHalf) / kHalf);
+  for (const StrokeSample& sample : samples) rows.push_back((sample.y - kHalf) / kHalf);
+  for (const StrokeSample& sample : samples) rows.push_back(sample.cos_double);
+  for (const StrokeSample& sample : samples) rows.push_back(sample.sin_double);
+  return rows;
+}
+
 }  // namespace daumier::render

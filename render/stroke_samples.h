@@ -16,4 +16,8 @@ struct StrokeSample {
 /// @throws Error if count is not positive or no stroke has a length.
 std::vector<StrokeSample> SampleStrokes(const std::vector<Stroke>& strokes, int count);
 
+/// SampleStrokes as networks read it, 4 x count numbers row by row: x and y from -1 to 1 over the canvas, cos_double,
+/// sin_double.
+std::vector<float> SampleRows(const std::vector<Stroke>& strokes, int count);
+
 }  // namespace daumier::render

@@ -35,18 +35,6 @@ void WriteInk(const render::Image& image, uint8_t* ink) {
                  [](uint8_t grey) { return static_cast<uint8_t>(255 - grey); });
 }
 
-/// Four rows of num_points.
-void WritePoints(const std::vector<render::StrokeSample>& samples, float* points) {
-  constexpr float kHalf = 0.5f * render::kSketchCanvas;
-  const size_t count = samples.size();
-  for (size_t i = 0; i < count; ++i) {
-    points[i] = (samples[i].x - kHalf) / kHalf;
-    points[count + i] = (samples[i].y - kHalf) / kHalf;
-    points[2 * count + i] = samples[i].cos_double;
-    points[3 * count + i] = samples[i].sin_double;
-  }
-}
-
 }  // namespace
 
 SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> faces, const SketchReading& reading,
@@ -81,7 +69,7 @@ void SketchDataset::Read(int face, int64_t epoch, int64_t row, const Rows& rows)
     WriteInk(render::RasteriseStrokes(sketch.strokes, reading_.resolution, sketch.style),
              RowOf<uint8_t>(rows.ink, row));
   if (rows.points.defined())
-    WritePoints(render::SampleStrokes(sketch.strokes, reading_.num_points), RowOf<float>(rows.points, row));
+    std::ranges::copy(render::SampleRows(sketch.strokes, reading_.num_points), RowOf<float>(rows.points, row));
   if (rows.shape.defined()) {
     const Eigen::VectorXf numbers = GivenShape(*reading_.encoder, sketches_, sketch.moved, sketch.visible).numbers();
     std::copy(numbers.begin(), numbers.end(), RowOf<float>(rows.shape, row));

@@ -30,6 +30,12 @@ TEST(StrokeSamples, LineIsTheSameInBothSenses) {
   EXPECT_NEAR(back[0].sin_double, there[0].sin_double, 1e-6);
 }
 
+TEST(StrokeSamples, RowsAreOverTheCanvasFromMinusOneToOne) {
+  // Points at (64, 0) and (192, 0), along x.
+  const std::vector<float> expected{-0.5f, 0.5f, -1, -1, 1, 1, 0, 0};
+  EXPECT_EQ(SampleRows({{0, {{0, 0}, {256, 0}}}}, 2), expected);
+}
+
 TEST(StrokeSamples, RefusesADrawingWithoutLength) {
   testing::ExpectError([] { SampleStrokes({{0, {{1, 1}}}, {0, {{2, 2}, {2, 2}}}}, 4); }, "no stroke");
   testing::ExpectError([] { SampleStrokes({{0, {{1, 1}, {2, 2}}}}, 0); }, "0 points");
