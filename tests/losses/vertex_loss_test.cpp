@@ -124,7 +124,7 @@ TEST(VertexLoss, RefusesShapesThatDisagree) {
   using testing::ExpectError;
   const auto q = Products(p.u, p.v);
   ExpectError([&] { VertexLoss(p.core, q.slice(1, 0, 8), p.target, p.weights); },
-              "q has shape (5, 8), expected (any, 12)");
+              "q has shape (5, 8), expected (*, 12)");
   ExpectError([&] { VertexLoss(p.core, q, p.target.slice(1, 3), p.weights); }, "target has shape (5, 24)");
   ExpectError([&] { VertexLoss(p.core, q, p.target, p.weights.slice(0, 1)); }, "weights has shape (8)");
   ExpectError([&] { GramVertexLoss(p.core.slice(1, 1), p.weights); }, "core has 26 columns");
