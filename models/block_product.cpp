@@ -1,0 +1,108 @@
+#include "models/block_product.h"
+
+#define DAUMIER_INLINE inline __attribute__((always_inline))
+
+namespace daumier::models {
+namespace {
+
+constexpr int kLanes = 16;
+using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+/// The same anywhere in an array. Registers are filled through it, not by memcpy, which keeps g++ from using registers.
+struct __attribute__((packed, may_alias)) FloatsInMemory {
+  Floats value;
+};
+
+DAUMIER_INLINE void Load(const float* from, Floats& to) {
+  to = reinterpret_cast<const FloatsInMemory*>(from)->value;
+}
+DAUMIER_INLINE void Store(const Floats& from, float* to) {
+  reinterpret_cast<FloatsInMemory*>(to)->value = from;
+}
+
+struct Factors {
+  const float *a, *b;
+  int64_t rows, inner, columns;
+  bool add;
+  float* c;
+};
+
+/// kRows x kProductColumns entries of c, which stay in registers while the inner index runs.
+template <int kRows, bool kTransposed>
+DAUMIER_INLINE void Tile(const Factors& f, int64_t row, int64_t column) {
+  Floats sums[kRows][2] = {};
+  float* const c = f.c + row * f.columns + column;
+  if (f.add) {
+#pragma GCC unroll 16
+    for (int r = 0; r < kRows; ++r) {
+      Load(c + r * f.columns, sums[r][0]);
+      Load(c + r * f.columns + kLanes, sums[r][1]);
+    }
+  }
+  const float* a = kTransposed ? f.a + row : f.a + row * f.inner;
+  const int64_t a_row = kTransposed ? 1 : f.inner, a_inner = kTransposed ? f.rows : 1;
+  const float* b = f.b + column;
+  for (int64_t k = 0; k < f.inner; ++k, a += a_inner, b += f.columns) {
+    Floats right[2];
+    Load(b, right[0]);
+    Load(b + kLanes, right[1]);
+#pragma GCC unroll 16
+    for (int r = 0; r < kRows; ++r) {
+      const float left = a[r * a_row];
+      sums[r][0] += left * right[0];
+      sums[r][1] += left * right[1];
+    }
+  }
+#pragma GCC unroll 16
+  for (int r = 0; r < kRows; ++r) {
+    Store(sums[r][0], c + r * f.columns);
+    Store(sums[r][1], c + r * f.columns + kLanes);
+  }
+}
+
+template <int kRows, bool kTransposed>
+DAUMIER_INLINE void AllTiles(const Factors& f) {
+  for (int64_t column = 0; column < f.columns; column += kProductColumns) {
+    int64_t row = 0;
+    for (; row + kRows <= f.rows; row += kRows) Tile<kRows, kTransposed>(f, row, column);
+    for (; row < f.rows; ++row) Tile<1, kTransposed>(f, row, column);
+  }
+}
+
+// As many rows as there are registers for: 32 of 512 bits, 16 of 256 bits.
+#if defined(__x86_64__)
+template <bool kTransposed>
+__attribute__((target("avx512f"))) void ProductAvx512(const Factors& f) {
+  AllTiles<12, kTransposed>(f);
+}
+template <bool kTransposed>
+__attribute__((target("avx2,fma"))) void ProductAvx2(const Factors& f) {
+  AllTiles<3, kTransposed>(f);
+}
+#endif
+template <bool kTransposed>
+void ProductAnywhere(const Factors& f) {
+  AllTiles<2, kTransposed>(f);
+}
+
+template <bool kTransposed>
+void Product(const Factors& f) {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f")) return ProductAvx512<kTransposed>(f);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return ProductAvx2<kTransposed>(f);
+#endif
+  ProductAnywhere<kTransposed>(f);
+}
+
+}  // namespace
+
+void BlockProduct(const float* a, bool transposed, const float* b, int64_t rows, int64_t inner, int64_t columns,
+                  bool add, float* c) {
+  const Factors factors{a, b, rows, inner, columns, add, c};
+  if (transposed) {
+    Product<true>(factors);
+  } else {
+    Product<false>(factors);
+  }
+}
+
+}  // namespace daumier::models
