@@ -3,6 +3,7 @@
 #include "tests/support/deform_networks.h"
 #include "tests/support/expect_error.h"
 
+#include <gtest/gtest.h>
 #include <torch/torch.h>
 
 namespace daumier::models {
@@ -31,7 +32,7 @@ TEST(ArrayDeformation, OverfitsEightFaces) {
   for (const std::string kind : {"displacements", "positions"}) {
     SCOPED_TRACE(kind);
     torch::manual_seed(6);
-    EXPECT_LT(testing::ErrorAfterOverfitting(SmallDeformOptions(kind), 400, 2e-3), 0.1);
+    EXPECT_LT(testing::ErrorAfterOverfitting(SmallDeformOptions(kind), 400, 1e-2), 0.1);
   }
 }
 

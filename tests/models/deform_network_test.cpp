@@ -3,6 +3,7 @@
 #include "tests/support/deform_networks.h"
 #include "tests/support/expect_error.h"
 
+#include <gtest/gtest.h>
 #include <torch/torch.h>
 
 namespace daumier::models {

@@ -2,6 +2,7 @@
 
 #include "tests/support/expect_error.h"
 
+#include <gtest/gtest.h>
 #include <torch/torch.h>
 
 namespace daumier::models {
