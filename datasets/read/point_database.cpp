@@ -45,7 +45,7 @@ PointDatabase::PointDatabase(const std::filesystem::path& directory, bool verify
   const auto vertices = Expect<float>(open_file, open, "vertices", {num_vertices(), 3});
   template_vertices_.assign(vertices.begin(), vertices.end());
   const auto attributes = directory / "attributes.safetensors";
-  Expect<float>(attributes_.emplace_back(attributes), attributes, "attributes",
+  Expect<float>(attributes_.emplace(attributes), attributes, "attributes",
                 {num_faces_, int64_t(attribute_names_.size())});
 
   const auto num_triangles = static_cast<int32_t>(face_template_.triangles.rows());
@@ -76,7 +76,7 @@ SurfaceSamples PointDatabase::samples(int face) const {
 std::span<const float> PointDatabase::attributes(int face) const {
   CheckFace(face);
   const size_t size = attribute_names_.size();
-  return attributes_.front().at("attributes").As<float>().subspan(size_t(face) * size, size);
+  return attributes_->at("attributes").As<float>().subspan(size_t(face) * size, size);
 }
 
 }  // namespace daumier::datasets

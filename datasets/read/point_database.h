@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,7 +60,7 @@ class PointDatabase {
   faces::FaceTemplate face_template_;
   std::vector<std::string> attribute_names_;
   std::vector<float> template_vertices_;
-  std::vector<SafetensorsFile> attributes_;  ///< One file.
+  std::optional<SafetensorsFile> attributes_;  ///< Always there once the constructor is done.
   std::vector<SafetensorsFile> shards_;
 };
 

