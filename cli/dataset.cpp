@@ -3,6 +3,7 @@
 #include "core/options.h"
 #include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
+#include "datasets/build/points.h"
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
 #include "eval/gallery.h"
@@ -79,13 +80,16 @@ std::function<void()> AddGallery(CLI::App& parent) {
 }  // namespace
 
 Verb DatasetVerb() {
-  return {"dataset", "Build faces and sketches, look at them, count them", [](CLI::App& command) {
+  return {"dataset", "Build faces, sketches and surface points, look at them, count them", [](CLI::App& command) {
             command.require_subcommand(1);
             const std::vector<std::pair<std::string, std::function<void()>>> actions = {
                 {"faces",
                  AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
                 {"sketches", AddBuilder<datasets::SketchesOptions>(
                                  command, "sketches", "A sketch of every face of a database", datasets::BuildSketches)},
+                {"points", AddBuilder<datasets::PointsOptions>(
+                               command, "points", "Points on the surface of every face of a database, and attributes",
+                               datasets::BuildPoints)},
                 {"stats", AddStats(command)},
                 {"gallery", AddGallery(command)}};
             return [&command, actions] {

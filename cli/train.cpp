@@ -1,5 +1,6 @@
 #include "cli/verb.h"
 #include "core/options.h"
+#include "train/deform_training.h"
 #include "train/sketch_recipe.h"
 
 #include <memory>
@@ -21,9 +22,13 @@ Verb TrainVerb() {
             command.add_option("--out", arguments->out, "Run folder")->required();
             command.add_flag("--resume", arguments->resume, "Go on from the last checkpoint of the run folder");
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.footer("Options:\n" + HelpText<train::SketchTrainingOptions>());
+            command.footer("Options of a sketch network:\n" + HelpText<train::SketchTrainingOptions>() +
+                           "Options of a deformable model, product = \"deform\":\n" +
+                           HelpText<train::DeformTrainingOptions>());
             return [arguments] {
-              train::TrainSketch(arguments->config.Load(), arguments->out, arguments->resume, arguments->device);
+              const Json config = arguments->config.Load();
+              const auto train = config.contains("product") ? train::TrainDeform : train::TrainSketch;
+              train(config, arguments->out, arguments->resume, arguments->device);
             };
           }};
 }

@@ -2,6 +2,7 @@
 #include "core/runtime.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <future>
 #include <vector>
 
@@ -20,6 +21,20 @@ void ForEachInOrder(int count, const Work& work, const Merge& merge, unsigned ma
     if (slot.valid()) merge(slot.get());
     if (i < count) slot = std::async(std::launch::async, [&work, i] { return work(i); });
   }
+}
+
+/// Calls work(i) for i = 0..count-1 on all cores, in one block of neighbours a core. What work throws is
+/// thrown here, as by ForEachInOrder.
+template <class Work>
+void OnAllCores(int64_t count, const Work& work) {
+  const int num_cores = NumCores(), num_blocks = static_cast<int>(std::min<int64_t>(num_cores, count));
+  const auto work_on = [&](int block) {
+    const int64_t end = count * (block + 1) / num_blocks;
+    for (int64_t i = count * block / num_blocks; i < end; ++i) work(i);
+    return end;
+  };
+  ForEachInOrder(
+      num_blocks, work_on, [](int64_t) {}, static_cast<unsigned>(num_cores));
 }
 
 }  // namespace daumier

@@ -4,10 +4,28 @@
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
 
+#include <ATen/Parallel.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace daumier::train {
+namespace {
+
+/// Calls work(begin, end) for parts of `count` numbers that a processor's cache holds, so that a chain of elementwise
+/// operations reads and writes the memory once.
+template <class Work>
+void ForEachPart(int64_t count, const torch::Device& device, const Work& work) {
+  constexpr int64_t kPart = 32768;
+  if (!device.is_cpu()) return work(0, count);
+  at::parallel_for(0, (count + kPart - 1) / kPart, 1, [&](int64_t first, int64_t last) {
+    const at::NoGradGuard no_grad;  // Holds for one thread alone.
+    for (int64_t i = first; i < last; ++i) work(i * kPart, std::min(count, (i + 1) * kPart));
+  });
+}
+
+}  // namespace
 
 double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps) {
   const double warm_up_steps = std::ceil(options.warm_up * double(total_steps));
@@ -31,9 +49,10 @@ void Optimiser::ZeroGradients() {
 }
 
 double Optimiser::GradientNorm() const {
+  const at::NoGradGuard no_grad;
   torch::Tensor sum = torch::zeros({}, slots_.front().parameter.options().dtype(torch::kFloat64));
   for (const Slot& slot : slots_)
-    if (slot.parameter.grad().defined()) sum += slot.parameter.grad().square().sum(torch::kFloat64);
+    if (slot.parameter.grad().defined()) sum += slot.parameter.grad().norm().to(torch::kFloat64).square();
   return std::sqrt(sum.item<double>());
 }
 
@@ -60,12 +79,20 @@ void Optimiser::StepAdamW(Slot& slot, double learning_rate) const {
   const double t = double(num_steps_.item<int64_t>());
   const double mean_correction = 1 - std::pow(options_.beta1, t);
   const double square_correction = 1 - std::pow(options_.beta2, t);
-  const torch::Tensor& gradient = slot.parameter.grad();
-  slot.mean.mul_(options_.beta1).add_(gradient, 1 - options_.beta1);
-  slot.square.mul_(options_.beta2).addcmul_(gradient, gradient, 1 - options_.beta2);
-  if (slot.parameter.dim() > 1) slot.parameter.mul_(1 - learning_rate * options_.weight_decay);
-  const torch::Tensor denominator = slot.square.sqrt().div_(std::sqrt(square_correction)).add_(1e-8);
-  slot.parameter.addcdiv_(slot.mean, denominator, -learning_rate / mean_correction);
+  const double decay = slot.parameter.dim() > 1 ? 1 - learning_rate * options_.weight_decay : 1;
+  const torch::Tensor parameters = slot.parameter.detach().view({-1}),
+                      gradients = slot.parameter.grad().contiguous().view({-1}), means = slot.mean.view({-1}),
+                      squares = slot.square.view({-1});
+  ForEachPart(parameters.numel(), parameters.device(), [&](int64_t begin, int64_t end) {
+    const auto part = [&](const torch::Tensor& numbers) { return numbers.slice(0, begin, end); };
+    torch::Tensor parameter = part(parameters), mean = part(means), square = part(squares);
+    const torch::Tensor gradient = part(gradients);
+    mean.mul_(options_.beta1).add_(gradient, 1 - options_.beta1);
+    square.mul_(options_.beta2).addcmul_(gradient, gradient, 1 - options_.beta2);
+    if (decay != 1) parameter.mul_(decay);
+    const torch::Tensor denominator = square.sqrt().div_(std::sqrt(square_correction)).add_(1e-8);
+    parameter.addcdiv_(mean, denominator, -learning_rate / mean_correction);
+  });
 }
 
 void Optimiser::StepSgd(Slot& slot, double learning_rate) const {

@@ -66,10 +66,10 @@ class Training {
       TakeStep({begin, begin + batch_});
       progress.Step(1, fmt::format("loss {:.4g}", last_loss_));
       if (num_summed_ == options_.log_every) WriteTrainingLine(log);
-      const bool end_of_epoch = step_ % steps_per_epoch_ == 0;
-      if (end_of_epoch) FinishEpoch(log);
+      const bool validated = step_ % (steps_per_epoch_ * options_.validate_every) == 0 || step_ == total_steps_;
+      if (validated) Validate(log);
       const bool periodic = options_.checkpoint_every > 0 && step_ % options_.checkpoint_every == 0;
-      if (end_of_epoch || periodic || Interrupted()) Save();
+      if (validated || periodic || Interrupted()) Save();
       const bool finished = step_ == total_steps_ || stopped_early_;
       DAUMIER_CHECK(
           finished || !Interrupted(),
@@ -155,7 +155,7 @@ class Training {
     num_summed_ = 0;
   }
 
-  void FinishEpoch(RunLog& log) {
+  void Validate(RunLog& log) {
     const int64_t epoch = step_ / steps_per_epoch_;
     recipe_.module().eval();
     std::map<std::string, double> values;

@@ -11,6 +11,7 @@ namespace daumier::train {
 struct TrainerOptions {
   int epochs = 20;
   int batch = 32;
+  int validate_every = 1;
   int patience = 0;
   int log_every = 10;
   int checkpoint_every = 0;
@@ -20,11 +21,13 @@ struct TrainerOptions {
     visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
     visit("batch", batch, Range{1, 65536},
           "Samples a step; what is left over at the end of an epoch waits for the next.");
+    visit("validate_every", validate_every, Range{1, 1e6},
+          "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
     visit("patience", patience, Range{0, 1e6},
           "Stop after so many epochs of the last stage without a better validation; 0: never.");
     visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
     visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
-          "Steps between checkpoints beside the one after every epoch; 0: none.");
+          "Steps between checkpoints beside the one after every validation; 0: none.");
   }
 };
 
@@ -42,8 +45,9 @@ struct TrainingSummary {
 /// there:
 ///   metrics.jsonl, TensorBoard events   training terms as means over log_every steps, learning_rate, gradient_norm;
 ///                                        validation
-///   checkpoints/latest/                  after every epoch, see train/checkpoint.h
-///   best/model.safetensors               the weights whose validation metric was least, the first of equals
+///   checkpoints/latest/                  after every validation, see train/checkpoint.h
+///   best/model.safetensors               the weights whose validation metric was least, the first of equals; weights
+///                                        are validated after every validate_every epochs and the last one
 /// The recipe's stages follow each other; the optimiser begins each anew, with the learning rate of LearningRate over
 /// the steps of the stage. Patience counts in the last stage alone.
 /// The order of the samples of an epoch depends on (seed, epoch) alone, and all else that matters is in the checkpoint:

@@ -97,4 +97,15 @@ std::string WriteInterpolatedShard(const std::filesystem::path& file, const std:
   return writer.Write(file);
 }
 
+Interpolation ReadInterpolation(const faces::FaceDatabase& database, int face) {
+  DAUMIER_CHECK(face >= database.num_grid_faces() && face < database.num_faces(),
+                "face {} of a database of {} faces was not interpolated", face, database.num_faces());
+  const int per_shard = database.num_levels() * database.num_expressions();
+  const SafetensorsFile shard(database.directory() / faces::FaceShardName(database.num_persons(), face / per_shard));
+  const auto parents = shard.at("parents").As<int32_t>();
+  const auto shares = shard.at("shares").As<float>();
+  const size_t row = 2 * size_t(face % per_shard);
+  return {database.id(parents[row]), database.id(parents[row + 1]), shares[row], shares[row + 1]};
+}
+
 }  // namespace daumier::datasets

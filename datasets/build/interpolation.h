@@ -41,4 +41,8 @@ std::vector<float> Interpolate(const std::filesystem::path& directory, const Int
 std::string WriteInterpolatedShard(const std::filesystem::path& file, const std::filesystem::path& directory,
                                    const std::vector<Interpolation>& interpolations);
 
+/// How face `face` of a database was interpolated, read from its shard. @throws Error if the face is one of the grid or
+/// there is no such face.
+Interpolation ReadInterpolation(const faces::FaceDatabase& database, int face);
+
 }  // namespace daumier::datasets

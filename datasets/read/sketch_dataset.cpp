@@ -11,19 +11,6 @@
 namespace daumier::datasets {
 namespace {
 
-/// work(i) for i = 0..count-1, in one block a core.
-template <class Work>
-void OnAllCores(int64_t count, const Work& work) {
-  const int num_cores = NumCores(), num_blocks = static_cast<int>(std::min<int64_t>(num_cores, count));
-  const auto work_on = [&](int block) {
-    const int64_t end = count * (block + 1) / num_blocks;
-    for (int64_t i = count * block / num_blocks; i < end; ++i) work(i);
-    return end;
-  };
-  ForEachInOrder(
-      num_blocks, work_on, [](int64_t) {}, static_cast<unsigned>(num_cores));
-}
-
 /// The row's first element.
 template <class T>
 T* RowOf(const torch::Tensor& tensor, int64_t row) {

@@ -48,5 +48,15 @@ TEST(ForEachInOrder, NothingToDoIsDone) {
       0, [](int i) { return i; }, [](int) { FAIL(); });
 }
 
+TEST(OnAllCores, EveryIndexIsWorkedOnOnce) {
+  for (const int64_t count : {0, 1, 2, 3, 1000}) {
+    std::vector<int> calls(static_cast<size_t>(count));
+    OnAllCores(count, [&](int64_t i) { ++calls[static_cast<size_t>(i)]; });
+    EXPECT_EQ(calls, std::vector<int>(static_cast<size_t>(count), 1));
+  }
+  testing::ExpectError([] { OnAllCores(3, [](int64_t i) { DAUMIER_CHECK(i != 1, "number {} fails", i); }); },
+                       "number 1 fails");
+}
+
 }  // namespace
 }  // namespace daumier

@@ -3,6 +3,7 @@
 #include "core/safetensors.h"
 #include "faces/bilinear_model.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
@@ -95,6 +96,27 @@ TEST_F(InterpolateTest, ShardsHoldParentsAndShares) {
   const auto parents = shard.at("parents").As<int32_t>();
   EXPECT_EQ(std::vector<int32_t>(parents.begin(), parents.end()), (std::vector<int32_t>{0, 3}));
   EXPECT_EQ(shard.at("shares").As<float>()[1], 0.5f);
+}
+
+TEST(ReadInterpolation, IsWhatWasDrawn) {
+  const testing::TempDir folder;
+  FacesOptions options = testing::SyntheticFacesOptions(2);
+  options.num_interpolated = 10;  // Two shards.
+  options.family_size = 2;
+  BuildFaces(testing::SyntheticModel(), options, folder / "faces");
+  const faces::FaceDatabase database(folder / "faces");
+  for (int i = 0; i < 10; ++i) {
+    const Interpolation drawn =
+        DrawInterpolation(MakeFamilies(2, 2), database.num_levels(), database.num_expressions(), options.seed, i);
+    const Interpolation read = ReadInterpolation(database, database.num_grid_faces() + i);
+    EXPECT_EQ(read.a, drawn.a);
+    EXPECT_EQ(read.b, drawn.b);
+    EXPECT_EQ(read.identity_share, drawn.identity_share);
+    EXPECT_EQ(read.expression_share, drawn.expression_share);
+  }
+  testing::ExpectError([&] { ReadInterpolation(database, 0); },
+                       "face 0 of a database of 26 faces was not interpolated");
+  testing::ExpectError([&] { ReadInterpolation(database, 26); }, "face 26");
 }
 
 }  // namespace

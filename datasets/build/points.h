@@ -1,0 +1,38 @@
+#pragma once
+#include "core/options.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace daumier::datasets {
+
+struct PointsOptions {
+  std::string faces;
+  int num_samples = 11581;
+  double head_height = 2.1;
+  double mouth_gap = 0.06;
+  uint64_t seed = 1;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Text{}, "Folder of the faces whose surfaces are sampled.");
+    visit("num_samples", num_samples, Range{0, 1e7}, "Points drawn on each face, beside its vertices.");
+    visit("head_height", head_height, Range{0.01, 1000},
+          "Height of the template's head in model units, from the chin to its top; a SIREN's frequencies and the "
+          "weights of losses assume 2.1.");
+    visit("mouth_gap", mouth_gap, Range{0, 10}, "How far the template's lips are apart in the middle, model units.");
+    visit("seed", seed, Range{0, 9e15}, "Of all that is drawn at random.");
+  }
+};
+
+/// Writes a PointDatabase of every face of a database:
+/// - the template with its mouth open (faces::OpenMouth) in the model frame (faces::HeadFrame);
+/// - of each face num_samples points, uniform by area on that face's own open surface, from Stream(seed, "surface
+///   samples", face); its vertices stay where they are, in the faces' folder;
+/// - the attributes of all faces (FaceAttributes).
+/// Goes on where an earlier, stopped build of the same options ended. @throws Error as these, FaceDatabase and
+/// BuildShards.
+void BuildPoints(const PointsOptions& options, const std::filesystem::path& directory);
+
+}  // namespace daumier::datasets

@@ -1,0 +1,70 @@
+#pragma once
+#include "core/options.h"
+#include "datasets/read/point_database.h"
+#include "faces/face_database.h"
+
+#include <torch/types.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace daumier::datasets {
+
+/// Which points of a face are read.
+struct PointReading {
+  int num_points = 2048;
+  std::string sampling = "hybrid";
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("num_points", num_points, Range{0, 1e7}, "Points of each face in a step; 0: all that are there, in order.");
+    visit("sampling", sampling, Choices{{"hybrid", "vertices"}},
+          "Vertices and surface samples in the proportion in which they are there, or vertices alone.");
+  }
+};
+
+/// N points on each of B faces. A vertex v has the corners v, v, v and the weights 1, 0, 0.
+struct PointBatch {
+  torch::Tensor corners;    ///< (B, N, 3) int64, vertices of the triangle that a point lies in.
+  torch::Tensor weights;    ///< (B, N, 3) float32, of these corners; they sum to 1.
+  torch::Tensor positions;  ///< (B, N, 3) float32, on the template with its mouth open, model frame.
+  torch::Tensor targets;    ///< (B, N, 3) float32, on the face, model frame.
+};
+
+/// The points of some faces as a deformable model reads them, worked out by all cores.
+class PointDataset {
+ public:
+  /// Sample s is face `faces[s]`. `points` are those of `database`. @throws Error if they were made of other faces, a
+  /// face is not there, or the reading is none.
+  PointDataset(const faces::FaceDatabase& database, const PointDatabase& points, std::vector<int> faces,
+               const PointReading& reading, uint64_t seed = 0);
+
+  int size() const { return static_cast<int>(faces_.size()); }
+  const std::vector<int>& faces() const { return faces_; }
+
+  /// num_points of each face, drawn with replacement from Stream(seed, "points of epoch E", face): what is read of a
+  /// sample is a function of reading, seed, face and epoch alone. With num_points = 0 all of them, vertices first.
+  /// @throws Error if a sample is not one of 0..size()-1.
+  PointBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
+
+  /// All V vertices of these faces, in order. @throws Error as Get.
+  PointBatch Vertices(std::span<const int> samples) const;
+
+ private:
+  struct Row;
+  /// Batches of num_points a face: read(face, row) writes those of one.
+  template <class Read>
+  PointBatch Collect(std::span<const int> samples, int num_points, const Read& read) const;
+  /// Point `index` of the face of a row: a vertex, or behind these a surface sample.
+  void Write(const Row& row, int64_t n, int index) const;
+
+  faces::FaceDatabase database_;  ///< Shares the mapped files, as points_ does.
+  PointDatabase points_;
+  std::vector<int> faces_;
+  PointReading reading_;
+  uint64_t seed_;
+};
+
+}  // namespace daumier::datasets

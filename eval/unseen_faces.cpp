@@ -1,0 +1,17 @@
+#include "eval/unseen_faces.h"
+
+#include "tensor/torch_version.h"
+
+namespace daumier::eval {
+
+double UnseenError(models::DeformNetwork& network, const torch::Tensor& faces, const fitting::CodeFitOptions& options) {
+  double sum = 0;
+  for (int64_t face = 0; face < faces.size(0); ++face) {
+    const fitting::CodeFit fit = fitting::FitCode(network, faces[face], options);
+    const at::NoGradGuard no_grad;
+    sum += (network.DeformVertices(fit.code.unsqueeze(0))[0] - faces[face]).norm(2, 1).mean().item<double>();
+  }
+  return sum / double(faces.size(0));
+}
+
+}  // namespace daumier::eval

@@ -1,0 +1,47 @@
+#pragma once
+#include "datasets/read/point_dataset.h"
+#include "datasets/read/splits.h"
+#include "models/deform_run.h"
+#include "train/deform_options.h"
+#include "train/recipe.h"
+
+#include <memory>
+
+namespace daumier::train {
+
+/// A deformable model and a code of each training face, learnt together [Jung et al. 2022, eq. 1]:
+///   data_weight mean |D(z_k, p) - g|^2 + code_weight mean z_k^2,
+/// the first mean over the coordinates of all points of the batch, the second over its codes' numbers. Losses also tell
+/// training_error, the mean distance of the batch's points in model units. Validation finds the codes of unseen faces
+/// with the network held fixed; its vertex_error is their mean vertex error in model units. Databases have to outlive
+/// it.
+class DeformRecipe : public Recipe {
+ public:
+  /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a side of the split that
+  /// training needs is empty.
+  DeformRecipe(const DeformTrainingOptions& options, const faces::FaceDatabase& faces,
+               const datasets::PointDatabase& points, const datasets::Split& split, torch::Device device);
+
+  torch::nn::Module& module() override { return *decoder_; }
+  torch::Device device() const override { return device_; }
+  int num_samples() const override { return training_.size(); }
+  LossTerms Loss(const std::vector<int>& samples, int64_t epoch) override;
+  std::map<std::string, double> Validate() override;
+  std::string metric() const override { return "vertex_error"; }
+  tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) override;
+
+  const models::AutoDecoder& decoder() const { return *decoder_; }
+  models::AutoDecoder& decoder() { return *decoder_; }
+  /// Vertices (n, V, 3) in the model's frame of the validation faces / of all training faces.
+  const torch::Tensor& validation_vertices() const { return validation_vertices_; }
+  torch::Tensor TrainingVertices() const;
+
+ private:
+  const DeformTrainingOptions options_;
+  torch::Device device_;
+  datasets::PointDataset training_;
+  std::shared_ptr<models::AutoDecoder> decoder_;
+  torch::Tensor validation_vertices_;
+};
+
+}  // namespace daumier::train
