@@ -1,7 +1,9 @@
 #pragma once
-#include "tensor/principal_components.h"
+#include "models/principal_components.h"
 
 #include <torch/types.h>
+
+#include <optional>
 
 /// Predictors of a whole surface that need no training by steps: what a deformable model has to beat. Like the model,
 /// those that look at the face are given all of its vertices.
@@ -11,7 +13,7 @@ class DeformBaselines {
  public:
   /// training: (T, V, 3) float32, given away; validation: (n, V, 3), on which the ridge weight is chosen. As many
   /// components as are asked for, but at most T - 1. @throws Error if there are less than two training faces or no
-  /// validation face, and as tensor::FitPrincipalComponents.
+  /// validation face, or if shapes disagree.
   DeformBaselines(torch::Tensor training, const torch::Tensor& validation, int num_components);
 
   /// (V, 3): the mean of the training faces.
@@ -24,14 +26,16 @@ class DeformBaselines {
 
   /// Of 0, 1e-6, 1e-5, ... 1e-1 the one with the least mean vertex error on the validation faces.
   double ridge() const { return ridge_; }
-  const tensor::PrincipalComponents& components() const { return components_; }
+  const models::PrincipalComponents& components() const { return components_; }
+  /// How many of the components explain this share of the training faces' variance; nothing if all do not.
+  std::optional<int> ComponentsFor(double share) const;
 
  private:
   torch::Tensor Centred(const torch::Tensor& faces) const;
   torch::Tensor Linear(const torch::Tensor& faces, double ridge) const;
 
   torch::Tensor training_;  ///< (T, 3V), centred.
-  tensor::PrincipalComponents components_;
+  models::PrincipalComponents components_;
   double ridge_ = 0;
 };
 

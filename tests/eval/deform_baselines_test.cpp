@@ -3,6 +3,7 @@
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
+#include <torch/linalg.h>
 #include <torch/utils.h>
 
 namespace daumier::eval {
@@ -49,15 +50,26 @@ TEST(DeformBaselines, LinearModelIsTheLeastSquaresOneThatIsDrawnToTheMean) {
   const auto& components = baselines.components();
   const torch::Tensor variances = components.deviations.square();
   // By the normal equations of |x - c D|^2 + ridge mean(v) sum c_k^2 / v_k.
-  const torch::Tensor matrix = torch::matmul(components.directions, components.directions.t()) +
+  const torch::Tensor matrix = torch::matmul(components.rows, components.rows.t()) +
                                torch::diag(baselines.ridge() * variances.mean() / variances);
-  const torch::Tensor scores = torch::matmul(torch::matmul(flat, components.directions.t()), matrix.inverse());
-  const torch::Tensor expected = torch::matmul(scores, components.directions).reshape({3, 20, 3}) + baselines.Mean();
+  const torch::Tensor scores = torch::matmul(torch::matmul(flat, components.rows.t()), matrix.inverse());
+  const torch::Tensor expected = torch::matmul(scores, components.rows).reshape({3, 20, 3}) + baselines.Mean();
   EXPECT_LT(Error(baselines.Linear(faces), expected), 1e-4);
 }
 
 TEST(DeformBaselines, HasAtMostOneComponentLessThanTrainingFaces) {
-  EXPECT_EQ(DeformBaselines(Faces(6, 1, 0.3), Faces(4, 2), 128).components().directions.size(0), 5);
+  EXPECT_EQ(DeformBaselines(Faces(6, 1, 0.3), Faces(4, 2), 128).components().rows.size(0), 5);
+}
+
+TEST(DeformBaselines, CountsTheComponentsThatExplainAShare) {
+  const torch::Tensor training = Faces(30, 1);
+  const torch::Tensor flat = (training - training.mean(0)).reshape({30, 60}).to(torch::kFloat64);
+  const torch::Tensor variances = std::get<1>(torch::linalg_svd(flat)).square();
+  const double first = (variances[0] / variances.sum()).item<double>();
+  const DeformBaselines baselines(training.clone(), Faces(4, 2), 2);
+  EXPECT_EQ(baselines.ComponentsFor(first - 0.01), 1);
+  EXPECT_EQ(baselines.ComponentsFor(first + 0.01), 2);
+  EXPECT_EQ(baselines.ComponentsFor(0.9999), std::nullopt) << "there are three directions";
 }
 
 TEST(DeformBaselines, RefusesTooFewFaces) {
