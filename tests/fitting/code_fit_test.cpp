@@ -14,10 +14,10 @@ namespace {
 
 class CodeFitTest : public ::testing::Test {
  protected:
-  CodeFitTest() { torch::manual_seed(11), code_ = 0.2 * torch::randn({4}); }
+  CodeFitTest() { torch::manual_seed(11), code_ = 0.15 * torch::randn({8}); }
 
   std::shared_ptr<models::DeformNetwork> Network(const std::string& kind) const {
-    return testing::SmallDeformNetwork(kind, template_);
+    return testing::SmoothDeformNetwork(kind, template_);
   }
   torch::Tensor Surface(models::DeformNetwork& network, const torch::Tensor& code) const {
     const torch::NoGradGuard no_gradient;
@@ -51,7 +51,7 @@ TEST_F(CodeFitTest, EnergyIsThatOfTheCodeAndBeginsAtZero) {
     options_.method = method;
     options_.adam_steps = 3;
     const CodeFit fit = FitCode(*network, targets, options_);
-    EXPECT_NEAR(fit.energies.front(), Energy(*network, torch::zeros({4}), targets), 1e-4 * fit.energies.front());
+    EXPECT_NEAR(fit.energies.front(), Energy(*network, torch::zeros({8}), targets), 1e-4 * fit.energies.front());
     EXPECT_NEAR(fit.energy, Energy(*network, fit.code, targets), 1e-4 * fit.energy);
     EXPECT_NEAR(fit.energy,
                 options_.data_weight * fit.mean_square + options_.code_weight * fit.code.square().mean().item<double>(),
