@@ -5,6 +5,7 @@
 #include "core/options.h"
 #include "eval/deform_comparison.h"
 #include "eval/deform_eval.h"
+#include "eval/deform_measurement.h"
 #include "models/deform_run.h"
 #include "models/surface_decoder.h"
 #include "train/deform_training.h"
