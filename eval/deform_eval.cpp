@@ -117,7 +117,8 @@ class DeformEvaluation {
         {"network", fmt::format("{}, codes of {}", run_.network->options().kind, run_.network->options().latent)},
         {"training faces", fmt::format("{}", split_.train.size())},
         {"seconds", fmt::format("{:.1f}", seconds_)}};
-    for (const auto& [name, hash] : DataHashes().items())
+    const Json hashes = DataHashes();
+    for (const auto& [name, hash] : hashes.items())
       report.facts.push_back({name + " (data hash)", hash.get<std::string>()});
     return report;
   }
