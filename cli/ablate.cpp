@@ -2,6 +2,7 @@
 #include "core/files.h"
 #include "core/options.h"
 #include "train/ablation.h"
+#include "train/deform_ablation.h"
 #include "train/sketch_ablation.h"
 
 #include <fmt/core.h>
@@ -34,6 +35,13 @@ void PrintPlan(const std::vector<train::AblationStep>& steps, bool as_json) {
   if (as_json) fmt::print("{}\n", list.dump(2));
 }
 
+/// For the kind of runs that the base config tells by its `product`.
+std::unique_ptr<train::AblationTask> TaskOf(const ConfigArguments& config, const std::string& device) {
+  const train::Ablation ablation = train::LoadAblation(config.file, config.overrides, {});
+  if (ablation.rows.front().config.contains("product")) return std::make_unique<train::DeformAblation>(device);
+  return std::make_unique<train::SketchAblation>(device);
+}
+
 }  // namespace
 
 Verb AblateVerb() {
@@ -61,14 +69,14 @@ Verb AblateVerb() {
                            "[config] and [eval] of the table or of a row override the base config and the defaults of "
                            "`daumier eval`; docs/formats.md tells more.");
             return [arguments] {
-              const train::SketchAblation task(arguments->device);
+              const std::unique_ptr<train::AblationTask> task = TaskOf(arguments->config, arguments->device);
               const train::Ablation ablation =
-                  train::LoadAblation(arguments->config.file, arguments->config.overrides, task.references());
+                  train::LoadAblation(arguments->config.file, arguments->config.overrides, task->references());
               if (arguments->dry_run) {
-                PrintPlan(train::PlanAblation(ablation, task, arguments->out, arguments->only), arguments->as_json);
+                PrintPlan(train::PlanAblation(ablation, *task, arguments->out, arguments->only), arguments->as_json);
                 return;
               }
-              const Json table = train::RunAblation(ablation, task, arguments->out, arguments->only);
+              const Json table = train::RunAblation(ablation, *task, arguments->out, arguments->only);
               if (arguments->as_json) {
                 fmt::print("{}\n", table.dump(2));
               } else {

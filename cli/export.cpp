@@ -1,5 +1,5 @@
 #include "cli/verb.h"
-#include "export/sketch_export.h"
+#include "export/deform_export.h"
 
 #include <memory>
 
@@ -15,9 +15,8 @@ Verb ExportVerb() {
             command.add_option("run", arguments->run, "Run folder")->required();
             command.add_option("--out", arguments->out, "Folder to write")->required();
             command.add_flag("--json", arguments->as_json, "Machine-readable");
-            return [arguments] {
-              PrintResult(exporting::ExportSketchRun(arguments->run, arguments->out), arguments->as_json);
-            };
+            return
+                [arguments] { PrintResult(exporting::ExportRun(arguments->run, arguments->out), arguments->as_json); };
           }};
 }
 

@@ -90,15 +90,20 @@ void DeformMeasurement::MeasureNetwork(const std::string& name, const fitting::C
   for (const SurfaceErrors& one : errors) face_errors_.push_back(one.mean_vertex_error);
 }
 
+const std::vector<std::string>& DeformBaselineNames() {
+  static const std::vector<std::string> names = {"template", "mean face", "nearest training face", "linear model"};
+  return names;
+}
+
 void DeformMeasurement::MeasureBaselines(const DeformBaselines& baselines) {
   const at::NoGradGuard no_gradient;
-  AddMeshRow("template", [&](int) { return network_.template_vertices(); });
+  const std::vector<std::string>& names = DeformBaselineNames();
+  AddMeshRow(names[0], [&](int) { return network_.template_vertices(); });
   const torch::Tensor mean = baselines.Mean(), nearest = baselines.Nearest(faces_.vertices),
                       linear = baselines.Linear(faces_.vertices);
-  AddMeshRow("mean face", [&](int) { return mean; });
-  AddMeshRow("nearest training face", [&](int i) { return nearest[i]; });
-  AddMeshRow(fmt::format("linear model, {} components", baselines.components().rows.size(0)),
-             [&](int i) { return linear[i]; });
+  AddMeshRow(names[1], [&](int) { return mean; });
+  AddMeshRow(names[2], [&](int i) { return nearest[i]; });
+  AddMeshRow(names[3], [&](int i) { return linear[i]; });
 }
 
 void DeformMeasurement::AddMeshRow(const std::string& name, const std::function<torch::Tensor(int i)>& vertices) {

@@ -19,6 +19,9 @@ struct MeasuredFaces {
   std::vector<int> faces, groups;  ///< n: their indices, and whom they show.
 };
 
+/// Of the rows that need no training by steps: template, mean face, nearest training face, linear model.
+const std::vector<std::string>& DeformBaselineNames();
+
 /// The rows of a table of errors on some faces. Every face has 10,000 points that are uniform by area on its own open
 /// surface, the same in every measurement of it: where a network says that its template point goes, or where the
 /// triangle of a mesh has it. Pairs of triangles that pierce each other are counted on the first 16 faces.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ExportedInput {
   std::vector<int64_t> shape;  ///< Of one sample, without the batch.
   /// Plausible values to compare answers with, (batch, shape...).
   std::function<torch::Tensor(int64_t batch, Rng& rng)> sample;
+  bool batched = true;  ///< Otherwise it has that shape whatever the batch is.
 };
 
 /// A network as a function of some tensors to others, each with the batch in dimension 0.
@@ -24,6 +26,7 @@ struct ExportedFunction {
   std::vector<ExportedInput> inputs;
   std::vector<std::string> output_names;
   std::function<std::vector<torch::Tensor>(const std::vector<torch::Tensor>& inputs)> forward;
+  std::map<std::string, std::string> metadata = {};  ///< Texts that the model carries.
 };
 
 }  // namespace daumier::exporting

@@ -6,7 +6,9 @@
 #include <torch/csrc/jit/ir/constants.h>
 #include <torch/csrc/jit/ir/ir.h>
 
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace daumier::exporting {
 namespace {
@@ -103,6 +105,16 @@ std::string LowerConcatenation(const Node& node, LoweringContext& context) {
   return context.graph().AddNode("Concat", parts, {{"axis", Integer(node.input(1))}});
 }
 
+// leaky_relu(input, slope)
+std::string LowerLeakyRelu(const Node& node, LoweringContext& context) {
+  return context.graph().AddNode("LeakyRelu", {context.Name(node.input(0))},
+                                 {{"alpha", Constant(node.input(1)).toScalar().toFloat()}});
+}
+
+std::string LowerSine(const Node& node, LoweringContext& context) {
+  return context.graph().AddNode("Sin", {context.Name(node.input(0))});
+}
+
 std::string LowerRelu(const Node& node, LoweringContext& context) {
   return context.graph().AddNode("Relu", {context.Name(node.input(0))});
 }
@@ -115,6 +127,42 @@ std::string LowerFlatten(const Node& node, LoweringContext& context) {
 
 std::string LowerTranspose(const Node& node, LoweringContext& context) {
   return context.graph().AddNode("Transpose", {context.Name(node.input(0))}, {{"perm", std::vector<int64_t>{1, 0}}});
+}
+
+// transpose(input, dim0, dim1)
+std::string LowerSwap(const Node& node, LoweringContext& context) {
+  const int64_t rank = Rank(node.input(0));
+  std::vector<int64_t> order(static_cast<size_t>(rank));
+  std::iota(order.begin(), order.end(), 0);
+  const auto axis = [&](size_t argument) {
+    const int64_t dimension = Integer(node.input(argument));
+    return static_cast<size_t>(dimension < 0 ? dimension + rank : dimension);
+  };
+  std::swap(order[axis(1)], order[axis(2)]);
+  return context.graph().AddNode("Transpose", {context.Name(node.input(0))}, {{"perm", order}});
+}
+
+// narrow(input, dim, start, length)
+std::string LowerNarrow(const Node& node, LoweringContext& context) {
+  const int64_t begin = Integer(node.input(2)), length = Integer(node.input(3));
+  OnnxGraph& graph = context.graph();
+  return graph.AddNode("Slice", {context.Name(node.input(0)), graph.AddIntegers({begin}),
+                                 graph.AddIntegers({begin + length}), graph.AddIntegers({Integer(node.input(1))})});
+}
+
+// slice(input, dim, start, end, step)
+std::string LowerSlice(const Node& node, LoweringContext& context) {
+  DAUMIER_CHECK(Integer(node.input(4)) == 1, "slice with a step has no lowering");
+  OnnxGraph& graph = context.graph();
+  return graph.AddNode("Slice",
+                       {context.Name(node.input(0)), graph.AddIntegers({Integer(node.input(2))}),
+                        graph.AddIntegers({Integer(node.input(3))}), graph.AddIntegers({Integer(node.input(1))})});
+}
+
+// squeeze(input, dim)
+std::string LowerSqueeze(const Node& node, LoweringContext& context) {
+  return context.graph().AddNode("Squeeze",
+                                 {context.Name(node.input(0)), context.graph().AddIntegers({Integer(node.input(1))})});
 }
 
 // addmm(bias, a, b, beta, alpha); a Linear layer hands its weight over as t(weight), which Gemm takes as it is stored.
@@ -176,6 +224,11 @@ std::string LoweringContext::Name(const Value* value) {
   if (const auto weight = weights_.find(value); weight != weights_.end()) {
     return graph_.AddInitializer(weight->second.name, weight->second.tensor);
   }
+  // A factor like 30 in x * 30.
+  if (const auto constant = torch::jit::toIValue(value); constant.has_value() && constant->isTensor()) {
+    return names_[value] =
+               graph_.AddInitializer("constant_" + value->debugName(), constant->toTensor().to(torch::kFloat32));
+  }
   if (value->node()->kind() == c10::aten::t) return names_[value] = LowerTranspose(*value->node(), *this);
   throw Error(fmt::format("%{} is neither a tensor of the graph nor a weight", value->debugName()));
 }
@@ -203,13 +256,20 @@ const std::map<std::string, LoweringFunction>& LoweringTable() {
       {"aten::cat", LowerConcatenation},
       {"aten::div", LowerDiv},
       {"aten::flatten", LowerFlatten},
+      {"aten::leaky_relu", LowerLeakyRelu},
+      {"aten::matmul", LowerMatrixProduct},
       {"aten::max_pool2d", LowerMaxPool},
       {"aten::mm", LowerMatrixProduct},
       {"aten::mul", LowerMul},
+      {"aten::narrow", LowerNarrow},
       {"aten::relu", LowerRelu},
       {"aten::reshape", LowerReshape},
+      {"aten::sin", LowerSine},
+      {"aten::slice", LowerSlice},
+      {"aten::squeeze", LowerSqueeze},
       {"aten::sub", LowerSub},
       {"aten::t", LowerTranspose},
+      {"aten::transpose", LowerSwap},
       {"aten::unsqueeze", LowerUnsqueeze},
   };
   return table;

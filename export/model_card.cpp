@@ -54,6 +54,32 @@ std::string InputsAndOutputs(const models::SketchRun& run) {
                     kBatchDimension, network.num_vertices(), options.residual > 0 ? ", plus the residual" : "");
 }
 
+std::string InputsAndOutputs(const models::DeformRun& run) {
+  const models::DeformNetwork& network = *run.network;
+  const faces::ModelFrame frame = network.frame();
+  std::string text = "## Input and outputs\n\n| name | shape | meaning |\n|---|---|---|\n";
+  const int latent = network.options().latent;
+  if (network.options().is_array()) {
+    text += fmt::format(
+        "| `latent` | ({0}, {1}) float32 | codes |\n"
+        "| `vertices` | ({0}, {2}, 3) float32 | where the vertices go, in model units |\n\n{0} is any batch size. ",
+        kBatchDimension, latent, network.num_vertices());
+  } else {
+    text += fmt::format(
+        "| `latent` | (1, {1}) float32 | a code |\n"
+        "| `points` | ({0}, 3) float32 | points on the template, in model units: its vertices stand in "
+        "`points_template.safetensors`, and any point between them may be asked for |\n"
+        "| `positions` | ({0}, 3) float32 | where they go, in model units |\n\n{0} is any number of points. ",
+        kBatchDimension, latent);
+  }
+  return text + fmt::format(
+                    "A point of the faces in centimetres is p_model = {:.9g} p_cm + ({:.9g}, {:.9g}, {:.9g}); the "
+                    "model's metadata `model_from_cm` holds the same. The code of zeros is about the mean face; codes "
+                    "of training faces have numbers of about {:.2g}.\n\n",
+                    frame.scale, frame.offset.x(), frame.offset.y(), frame.offset.z(),
+                    run.codes.square().mean().sqrt().item<double>());
+}
+
 std::string TrainingData(const Manifest& manifest) {
   std::string text = "## Training data and licences\n\n| source | version | licence | checksum |\n|---|---|---|---|\n";
   for (const Json& source : manifest.sources) {
@@ -105,6 +131,20 @@ std::string ModelCard(const models::SketchRun& run, const ParityReport& parity, 
          "- It always answers a face of its bilinear model, whatever it is shown, and gives no confidence.\n"
          "- Depth is guessed from a frontal drawing by what is usual in the training faces.\n"
          "- It is a tool for drawing. It must not be used to identify or to judge people.\n";
+}
+
+std::string ModelCard(const models::DeformRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
+  return fmt::format(
+             "# Deformable 3D caricatures\n\n"
+             "A model with {} parameters of kind '{}' that turns a code into a head of the '{}' topology, after Deep "
+             "Deformable 3D Caricatures (Jung et al., SIGGRAPH 2022), trained and exported by Daumier.\n\n",
+             run.network->num_parameters(), run.network->options().kind, run.face_template.source) +
+         InputsAndOutputs(run) + TrainingData(run.manifest) + Errors(metrics) + Exactness(parity) +
+         "## Limits\n\n"
+         "- It was trained on caricatures that a program made, not on artists' ones, unless a source above is such a "
+         "set.\n"
+         "- Nothing keeps a surface from piercing itself; strong codes do it around lips and chin.\n"
+         "- It must not be used to identify or to judge people.\n";
 }
 
 }  // namespace daumier::exporting

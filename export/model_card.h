@@ -1,6 +1,7 @@
 #pragma once
 #include "core/json.h"
 #include "export/parity.h"
+#include "models/deform_run.h"
 #include "models/sketch_run.h"
 
 #include <optional>
@@ -12,5 +13,7 @@ namespace daumier::exporting {
 /// was trained on with the licence of every source in the run's manifest, its errors where `metrics`
 /// (report/metrics.json) is there, how exact the export is, and its limits.
 std::string ModelCard(const models::SketchRun& run, const ParityReport& parity, const std::optional<Json>& metrics);
+/// The same of an exported deformable model.
+std::string ModelCard(const models::DeformRun& run, const ParityReport& parity, const std::optional<Json>& metrics);
 
 }  // namespace daumier::exporting

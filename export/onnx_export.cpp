@@ -30,7 +30,7 @@ Trace TraceAt(int64_t batch, const ExportedFunction& function, const tensor::Nam
   std::vector<std::string> names;
   for (const ExportedInput& input : function.inputs) {
     std::vector<int64_t> shape = input.shape;
-    shape.insert(shape.begin(), batch);
+    if (input.batched) shape.insert(shape.begin(), batch);
     trace.inputs.push_back(torch::zeros(shape));
     inputs.emplace_back(trace.inputs.back());
     names.push_back(input.name);
@@ -61,7 +61,7 @@ onnx::ModelProto Lower(const Trace& trace, const ExportedFunction& function, con
   const auto inputs = trace.graph->inputs();
   size_t next = 0;
   for (const ExportedInput& input : function.inputs) {
-    graph.AddInput(input.name, trace.inputs[next]);
+    graph.AddInput(input.name, trace.inputs[next], input.batched);
     context.SetName(inputs[next++], input.name);
   }
   for (const auto& [name, weight] : weights) context.SetWeight(inputs[next++], name, weight);
@@ -73,6 +73,7 @@ onnx::ModelProto Lower(const Trace& trace, const ExportedFunction& function, con
   for (size_t i = 0; i < outputs.size(); ++i) {
     graph.AddOutput(function.output_names[i], context.Name(outputs[i]), trace.outputs[i]);
   }
+  for (const auto& [key, text] : function.metadata) graph.AddMetadata(key, text);
   return graph.model();
 }
 

@@ -5,13 +5,13 @@
 namespace daumier::exporting {
 namespace {
 
-void Describe(onnx::ValueInfoProto& info, const std::string& name, const torch::Tensor& example) {
+void Describe(onnx::ValueInfoProto& info, const std::string& name, const torch::Tensor& example, bool batched) {
   info.set_name(name);
   auto& type = *info.mutable_type()->mutable_tensor_type();
   type.set_elem_type(onnx::TensorProto::FLOAT);
   auto& shape = *type.mutable_shape();
-  shape.add_dim()->set_dim_param(kBatchDimension);
-  for (int64_t dimension = 1; dimension < example.dim(); ++dimension) {
+  if (batched) shape.add_dim()->set_dim_param(kBatchDimension);
+  for (int64_t dimension = batched ? 1 : 0; dimension < example.dim(); ++dimension) {
     shape.add_dim()->set_dim_value(example.size(dimension));
   }
 }
@@ -34,8 +34,14 @@ OnnxGraph::OnnxGraph(const std::string& name) {
   model_.mutable_graph()->set_name(name);
 }
 
-void OnnxGraph::AddInput(const std::string& name, const torch::Tensor& example) {
-  Describe(*model_.mutable_graph()->add_input(), name, example);
+void OnnxGraph::AddInput(const std::string& name, const torch::Tensor& example, bool batched) {
+  Describe(*model_.mutable_graph()->add_input(), name, example, batched);
+}
+
+void OnnxGraph::AddMetadata(const std::string& key, const std::string& text) {
+  auto& entry = *model_.add_metadata_props();
+  entry.set_key(key);
+  entry.set_value(text);
 }
 
 void OnnxGraph::AddOutput(const std::string& name, const std::string& value, const torch::Tensor& example) {
@@ -44,7 +50,7 @@ void OnnxGraph::AddOutput(const std::string& name, const std::string& value, con
   node.set_name(NewName("Identity"));
   node.add_input(value);
   node.add_output(name);
-  Describe(*model_.mutable_graph()->add_output(), name, example);
+  Describe(*model_.mutable_graph()->add_output(), name, example, true);
 }
 
 std::string OnnxGraph::AddInitializer(const std::string& name, const torch::Tensor& tensor) {

@@ -25,8 +25,8 @@ class OnnxGraph {
  public:
   explicit OnnxGraph(const std::string& name);
 
-  /// float32; dimension 0 of `example` becomes free, the others are fixed.
-  void AddInput(const std::string& name, const torch::Tensor& example);
+  /// float32; dimension 0 of `example` becomes free if the input is batched, the others are fixed.
+  void AddInput(const std::string& name, const torch::Tensor& example, bool batched = true);
   /// Makes `value` an output of that name, of the shape of `example`, dimension 0 free.
   void AddOutput(const std::string& name, const std::string& value, const torch::Tensor& example);
   /// Stores a tensor once a name. @throws Error if its element type is none of float32, int64.
@@ -36,6 +36,8 @@ class OnnxGraph {
   /// Appends a node with one output and returns the output's name.
   std::string AddNode(const std::string& op, const std::vector<std::string>& inputs,
                       const std::vector<OnnxAttribute>& attributes = {});
+
+  void AddMetadata(const std::string& key, const std::string& text);
 
   onnx::ModelProto& model() { return model_; }
 

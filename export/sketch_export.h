@@ -11,11 +11,7 @@ namespace daumier::exporting {
 /// v (N, Kv), residual (N, K) of a network that has one, and vertices (N, V, 3) in cm.
 ExportedFunction SketchFunction(models::SketchNetwork network);
 
-/// Exports a finished sketch run into `out_directory`: model.onnx, parity.json, model_card.md,
-/// template.{safetensors,json} and manifest.json (kind "export", sources and licences of the run). Warns where there is
-/// no ONNX Runtime to compare with. Returns what stands in parity.json. An earlier export at that place is replaced.
-/// @throws Error as LoadSketchRun, ExportToOnnx and CheckParity, and if `out_directory` holds anything but an export;
-/// nothing is left behind and nothing is replaced then.
+/// Exports a finished sketch run as WriteExport does. @throws Error as LoadSketchRun and WriteExport.
 Json ExportSketchRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
 
 }  // namespace daumier::exporting

@@ -74,9 +74,8 @@ ConditionedDeformation::ConditionedDeformation(const DeformOptions& options, con
 
 torch::Tensor ConditionedDeformation::SirenParameters(const torch::Tensor& codes) {
   const SirenLayout siren = options().siren();
-  const auto shared = [&](int64_t begin, int64_t end) {
-    return shared_.slice(0, begin, end).unsqueeze(0).expand({codes.size(0), -1});
-  };
+  const torch::Tensor zero = codes.narrow(1, 0, 1) * 0;  // (B, 1), makes a row a code of what they share.
+  const auto shared = [&](int64_t begin, int64_t end) { return zero + shared_.narrow(0, begin, end - begin); };
   const int mid = siren.num_layers() / 2;
   const int64_t first_bias = siren.bias_offset(0), after_first = siren.weight_offset(1),
                 mid_bias = siren.bias_offset(mid), after_mid = siren.weight_offset(mid + 1);

@@ -5,6 +5,9 @@
 #include "eval/curve_chart.h"
 #include "eval/html_page.h"
 
+#include <algorithm>
+#include <map>
+
 namespace daumier::train {
 namespace {
 
@@ -30,25 +33,66 @@ void CheckSameTest(const std::vector<Place>& places, const AblationRuns& runs, c
   }
 }
 
-/// curves.svg: a panel a split, a curve a run.
+std::vector<double> Minutes(const std::vector<double>& seconds) {
+  std::vector<double> minutes;
+  for (const double one : seconds) minutes.push_back(one / 60);
+  return minutes;
+}
+
+/// curves.svg over steps and curves_by_time.svg over minutes: a panel a split with a curve a run, of validation and,
+/// where the task tells it, of training.
 bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, const AblationRuns& runs,
-                 const AblationTask& task, const fs::path& file) {
-  std::vector<eval::CurvePanel> panels;
+                 const AblationTask& task, const fs::path& directory) {
+  std::vector<eval::CurvePanel> by_steps, by_time;
   bool any = false;
   for (const std::string& split : ablation.options.splits) {
-    eval::CurvePanel panel{fmt::format("Split: {}", split), {}};
-    for (const Place& place : trained) {
-      if (place.split != split) continue;
-      ValidationCurve curve = ReadValidationCurve(runs.Run(place), task.validation_metric());
-      any = any || !curve.steps.empty();
-      panel.curves.push_back({place.row.name(), std::move(curve.steps), std::move(curve.errors)});
+    for (const auto& [phase, metric] : {std::pair<std::string, std::string>{"validation", task.validation_metric()},
+                                        {"train", task.training_metric()}}) {
+      if (metric.empty()) continue;
+      const std::string faces = phase == "train" ? ", training faces" : "";
+      eval::CurvePanel steps{fmt::format("Split: {}{}", split, faces), {}}, time = steps;
+      for (const Place& place : trained) {
+        if (place.split != split) continue;
+        const RunCurve curve = ReadCurve(runs.Run(place), phase, metric);
+        any = any || !curve.steps.empty();
+        steps.curves.push_back({place.row.name(), curve.steps, curve.errors});
+        time.curves.push_back({place.row.name(), Minutes(curve.seconds), curve.errors});
+      }
+      if (steps.curves.empty()) continue;
+      by_steps.push_back(std::move(steps));
+      by_time.push_back(std::move(time));
     }
-    if (!panel.curves.empty()) panels.push_back(std::move(panel));
   }
-  if (any)
-    WriteFileAtomically(file, eval::CurveChartSvg(panels, "Validation error while training", "steps",
-                                                  fmt::format("validation error ({})", task.unit())));
-  return any;
+  if (!any) return false;
+  const std::string label = fmt::format("error ({})", task.unit());
+  WriteFileAtomically(directory / "curves.svg",
+                      eval::CurveChartSvg(by_steps, "Validation error while training", "steps", label));
+  WriteFileAtomically(directory / "curves_by_time.svg",
+                      eval::CurveChartSvg(by_time, "Validation error while training", "minutes of training", label));
+  return true;
+}
+
+/// Tells each result of a training the least validation error within the time of the split's shortest one, as
+/// validation_at_equal_time and equal_seconds. A run without steps has no curve and sets no time.
+void CompareAtEqualTime(const std::vector<Place>& trained, const AblationRuns& runs, const AblationTask& task,
+                        std::vector<AblationResult>& results) {
+  std::map<std::string, double> shortest;
+  for (const Place& place : trained) {
+    const RunCurve curve = ReadCurve(runs.Run(place), "validation", task.validation_metric());
+    if (curve.steps.empty() || curve.steps.back() == 0) continue;
+    const auto [entry, is_new] = shortest.try_emplace(place.split, curve.seconds.back());
+    entry->second = std::min(entry->second, curve.seconds.back());
+  }
+  for (AblationResult& result : results) {
+    const auto place = std::find_if(trained.begin(), trained.end(), [&](const Place& one) {
+      return one.row.name() == result.name && one.split == result.split && one.seed == result.seed;
+    });
+    if (result.baseline || place == trained.end() || shortest.count(result.split) == 0) continue;
+    const double seconds = shortest.at(result.split);
+    const auto least = LeastWithin(ReadCurve(runs.Run(*place), "validation", task.validation_metric()), seconds);
+    result.measure.more["equal_seconds"] = seconds;
+    result.measure.more["validation_at_equal_time"] = least ? Json(*least) : Json();
+  }
 }
 
 void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, const AblationTask& task,
@@ -68,9 +112,8 @@ std::string Page(const Json& table, bool has_curves, bool has_sheet) {
          "test face. Each row of the table: its face, coloured by the distance from the true one."});
   if (has_curves)
     page.figures.push_back(
-        {"Training", "curves.svg",
-         "Validation error after each epoch; a circle marks the weights that are kept, and the legend "
-         "tells their error."});
+        {"Training", "curves.svg", "Errors over steps; a circle marks the least, and the legend tells it."});
+  if (has_curves) page.figures.push_back({"Training by time", "curves_by_time.svg", "The same over minutes."});
   return eval::PageHtml(page);
 }
 
@@ -95,10 +138,11 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
       for (const Place& place : places) results.push_back(runs.Result(place));
     }
   }
+  CompareAtEqualTime(trained, runs, task, results);
   const Json table = AblationTableJson(results, task.unit());
   WriteFileAtomically(directory / "table.md", AblationMarkdown(table));
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
-  const bool has_curves = WriteCurves(trained, ablation, runs, task, directory / "curves.svg");
+  const bool has_curves = WriteCurves(trained, ablation, runs, task, directory);
   const fs::path sheet = directory / "sheet.png";
   if (with_sheet)
     WriteSheet(DonePlaces(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs, task,

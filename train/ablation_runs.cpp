@@ -40,6 +40,17 @@ void ForEachRecord(const fs::path& run, const std::function<void(const Json&)>& 
   }
 }
 
+/// The same with the seconds of training until then: a line's own count since training last went on.
+void ForEachTimedRecord(const fs::path& run, const std::function<void(const Json&, double seconds)>& read) {
+  double total = 0, last = 0;
+  ForEachRecord(run, [&](const Json& record) {
+    const double seconds = record.value("seconds", 0.0);
+    total += seconds >= last ? seconds - last : seconds;
+    last = seconds;
+    read(record, total);
+  });
+}
+
 }  // namespace
 
 AblationRuns::AblationRuns(const Ablation& ablation, const AblationTask& task, const fs::path& directory)
@@ -170,23 +181,27 @@ AblationPicture AblationRuns::Picture(const Place& place) const {
 }
 
 double TrainSeconds(const fs::path& run) {
-  double total = 0, last = 0;
-  ForEachRecord(run, [&](const Json& record) {
-    const double seconds = record.value("seconds", 0.0);
-    total += seconds >= last ? seconds - last : seconds;
-    last = seconds;
-  });
+  double total = 0;
+  ForEachTimedRecord(run, [&](const Json&, double seconds) { total = seconds; });
   return total;
 }
 
-ValidationCurve ReadValidationCurve(const fs::path& run, const std::string& metric) {
-  ValidationCurve curve;
-  ForEachRecord(run, [&](const Json& record) {
-    if (record.value("phase", "") != "validation" || !record.contains(metric)) return;
+RunCurve ReadCurve(const fs::path& run, const std::string& phase, const std::string& metric) {
+  RunCurve curve;
+  ForEachTimedRecord(run, [&](const Json& record, double seconds) {
+    if (record.value("phase", "") != phase || !record.contains(metric)) return;
     curve.steps.push_back(record.at("step").get<double>());
     curve.errors.push_back(record.at(metric).get<double>());
+    curve.seconds.push_back(seconds);
   });
   return curve;
+}
+
+std::optional<double> LeastWithin(const RunCurve& curve, double seconds) {
+  std::optional<double> least;
+  for (size_t i = 0; i < curve.errors.size(); ++i)
+    if (curve.seconds[i] <= seconds && (!least || curve.errors[i] < *least)) least = curve.errors[i];
+  return least;
 }
 
 }  // namespace daumier::train

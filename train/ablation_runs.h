@@ -4,6 +4,7 @@
 #include "train/ablation_task.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,10 +74,14 @@ class AblationRuns {
 /// Seconds of a training that may have been stopped and gone on: metrics.jsonl tells them since it last went on.
 double TrainSeconds(const std::filesystem::path& run);
 
-/// The validation errors of a run, as metrics.jsonl tells them.
-struct ValidationCurve {
+/// A number of a run while it trained, as metrics.jsonl tells it.
+struct RunCurve {
   std::vector<double> steps, errors;
+  std::vector<double> seconds;  ///< Of training until then, through stops.
 };
-ValidationCurve ReadValidationCurve(const std::filesystem::path& run, const std::string& metric);
+/// phase: "validation" or "train".
+RunCurve ReadCurve(const std::filesystem::path& run, const std::string& phase, const std::string& metric);
+/// The least error within so many seconds; nothing before the first.
+std::optional<double> LeastWithin(const RunCurve& curve, double seconds);
 
 }  // namespace daumier::train

@@ -142,6 +142,32 @@ std::string DifferenceCell(const Json& row) {
   return fmt::format("{} ({})", Cell(row, "difference", "{:+.2f}"), IntervalCell(row, "difference", "{:+.2f}"));
 }
 
+/// A column that only some kinds of runs have.
+struct MoreColumn {
+  std::string title, key, format;
+};
+
+/// Those of which a row of the split has an entry.
+std::vector<MoreColumn> ColumnsOf(const Json& table, const std::string& split) {
+  static const std::vector<MoreColumn> all = {{"shape input", "shape_input", "{}"},
+                                              {"p90", "p90", "{:.3f}"},
+                                              {"p95 of vertices", "p95", "{:.2f}"},
+                                              {"surface samples", "surface_sample_error_mm", "{:.3f}"},
+                                              {"% of head", "percent_of_head_height", "{:.3f}"},
+                                              {"normals, degrees", "normal_error_degrees", "{:.2f}"},
+                                              {"flips", "flipped_triangles", "{:.1f}"},
+                                              {"piercing pairs", "self_intersections", "{:.1f}"},
+                                              {"validation at equal time", "validation_at_equal_time", "{:.3f}"}};
+  std::vector<MoreColumn> columns;
+  for (const MoreColumn& column : all) {
+    if (std::any_of(table.begin(), table.end(), [&](const Json& row) {
+          return row.at("split") == split && !row.value(column.key, Json()).is_null();
+        }))
+      columns.push_back(column);
+  }
+  return columns;
+}
+
 }  // namespace
 
 Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit) {
@@ -173,23 +199,28 @@ Json AblationTableJson(const std::vector<AblationResult>& results, const std::st
 
 std::vector<eval::ReportTable> AblationTables(const Json& table) {
   std::vector<eval::ReportTable> tables;
+  std::vector<MoreColumn> more;
   for (const Json& row : table) {
     const auto split = row.at("split").get<std::string>(), unit = row.at("unit").get<std::string>();
     const std::string title = fmt::format("Split: {}", split);
     if (tables.empty() || tables.back().title != title) {
-      tables.push_back({title,
-                        {"row", "shape input", "paper " + unit, unit, "95 % interval", "difference", "p90", "steps",
-                         "parameters", "training s", "ms a face", "seeds"},
-                        {}});
+      more = ColumnsOf(table, split);
+      tables.push_back({title, {"row", "paper " + unit, unit, "95 % interval", "difference"}, {}});
+      for (const MoreColumn& column : more) tables.back().header.push_back(column.title);
+      for (const char* name : {"steps", "parameters", "training s", "ms a face", "seeds"})
+        tables.back().header.push_back(name);
     }
     if (const Json to = row.value("difference_to", Json()); to.is_string())
-      tables.back().header[5] = fmt::format("against {}", to.get<std::string>());
-    tables.back().rows.push_back({row.at("name").get<std::string>(), Cell(row, "shape_input", "{}"),
-                                  Cell(row, "paper", "{:.2f}"), Cell(row, "error", "{:.3f}"),
-                                  IntervalCell(row, "error", "{:.2f}"), DifferenceCell(row), Cell(row, "p90", "{:.3f}"),
-                                  Cell(row, "steps", "{:.0f}"), Cell(row, "parameters", "{:.0f}"),
-                                  Cell(row, "train_seconds", "{:.0f}"), Cell(row, "infer_ms", "{:.2f}"),
-                                  fmt::format("{}", row.at("seeds").size())});
+      tables.back().header[4] = fmt::format("against {}", to.get<std::string>());
+    std::vector<std::string> cells = {row.at("name").get<std::string>(), Cell(row, "paper", "{:.2f}"),
+                                      Cell(row, "error", "{:.3f}"), IntervalCell(row, "error", "{:.2f}"),
+                                      DifferenceCell(row)};
+    for (const MoreColumn& column : more) cells.push_back(Cell(row, column.key, column.format));
+    for (const std::string& cell :
+         {Cell(row, "steps", "{:.0f}"), Cell(row, "parameters", "{:.0f}"), Cell(row, "train_seconds", "{:.0f}"),
+          Cell(row, "infer_ms", "{:.2f}"), fmt::format("{}", row.at("seeds").size())})
+      cells.push_back(cell);
+    tables.back().rows.push_back(std::move(cells));
   }
   return tables;
 }

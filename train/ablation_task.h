@@ -60,6 +60,9 @@ class AblationTask {
   virtual std::string unit() const = 0;
   /// The name of the validation error in metrics.jsonl.
   virtual std::string validation_metric() const = 0;
+  /// The name of an error of training samples, by which an ablation draws a curve of training beside that of
+  /// validation; empty: none.
+  virtual std::string training_metric() const { return ""; }
   /// The lines of a report that need no training, as a table shows them on top.
   virtual std::vector<std::string> baselines() const = 0;
   /// Whether a report has that line; it may have been made without free baselines.

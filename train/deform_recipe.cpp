@@ -28,7 +28,10 @@ std::vector<int> AllOf(const datasets::PointDataset& dataset) {
 
 DeformRecipe::DeformRecipe(const DeformTrainingOptions& options, const faces::FaceDatabase& faces,
                            const datasets::PointDatabase& points, const datasets::Split& split, torch::Device device)
-    : options_(options), device_(device), training_(faces, points, split.train, options.points, options.seed) {
+    : options_(options),
+      mm_per_unit_(faces::MillimetresPerCm(faces.face_template()) / points.frame().scale),
+      device_(device),
+      training_(faces, points, split.train, options.points, options.seed) {
   DAUMIER_CHECK(!split.train.empty() && !split.validation.empty(),
                 "a training needs training and validation faces, here {} and {}: see split.validation and split.test",
                 split.train.size(), split.validation.size());
@@ -52,14 +55,17 @@ LossTerms DeformRecipe::Loss(const std::vector<int>& samples, int64_t epoch) {
   const torch::Tensor miss = positions - batch.targets.to(device_);
   const torch::Tensor data = miss.square().mean(), prior = codes.square().mean();
   return {options_.loss.data_weight * data + options_.loss.code_weight * prior,
-          {{"mean_square", data}, {"code_square", prior}, {"training_error", miss.detach().norm(2, 2).mean()}}};
+          {{"mean_square", data},
+           {"code_square", prior},
+           {"training_error_mm", mm_per_unit_ * miss.detach().norm(2, 2).mean()}}};
 }
 
 std::map<std::string, double> DeformRecipe::Validate() {
   const fitting::CodeFitOptions fit{.data_weight = options_.loss.data_weight,
                                     .code_weight = options_.loss.code_weight,
                                     .newton_steps = options_.validation.newton_steps};
-  return {{"vertex_error", eval::UnseenError(*decoder_->network(), validation_vertices_, fit)}};
+  const double error = eval::UnseenError(*decoder_->network(), validation_vertices_, fit);
+  return {{"vertex_error", error}, {"mean_vertex_error_mm", mm_per_unit_ * error}};
 }
 
 tensor::NamedTensors DeformRecipe::BatchTensors(const std::vector<int>& samples, int64_t epoch) {

@@ -12,9 +12,9 @@ namespace daumier::train {
 /// A deformable model and a code of each training face, learnt together [Jung et al. 2022, eq. 1]:
 ///   data_weight mean |D(z_k, p) - g|^2 + code_weight mean z_k^2,
 /// the first mean over the coordinates of all points of the batch, the second over its codes' numbers. Losses also tell
-/// training_error, the mean distance of the batch's points in model units. Validation finds the codes of unseen faces
-/// with the network held fixed; its vertex_error is their mean vertex error in model units. Databases have to outlive
-/// it.
+/// training_error_mm, the mean distance of the batch's points. Validation finds the codes of unseen faces with the
+/// network held fixed, and tells their mean vertex error as mean_vertex_error_mm and, in model units, vertex_error.
+/// Databases have to outlive it.
 class DeformRecipe : public Recipe {
  public:
   /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a side of the split that
@@ -27,7 +27,7 @@ class DeformRecipe : public Recipe {
   int num_samples() const override { return training_.size(); }
   LossTerms Loss(const std::vector<int>& samples, int64_t epoch) override;
   std::map<std::string, double> Validate() override;
-  std::string metric() const override { return "vertex_error"; }
+  std::string metric() const override { return "mean_vertex_error_mm"; }
   tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) override;
 
   const models::AutoDecoder& decoder() const { return *decoder_; }
@@ -38,6 +38,7 @@ class DeformRecipe : public Recipe {
 
  private:
   const DeformTrainingOptions options_;
+  const double mm_per_unit_;
   torch::Device device_;
   datasets::PointDataset training_;
   std::shared_ptr<models::AutoDecoder> decoder_;

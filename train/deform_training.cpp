@@ -127,7 +127,7 @@ TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, b
                                       ? TrainLinear(recipe, options, run_directory)
                                       : Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   FinishRun(run_directory, summary);
-  log::Info("Best validation: {:.5f} model units after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
+  log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());
   return summary;
 }

@@ -61,7 +61,7 @@ Eigen::RowVectorXf MeasureAttributes(const faces::FaceTemplate& face_template, c
   const double lips = (at(62).y() + at(66).y()) / 2, corners = (at(48).y() + at(54).y()) / 2;
   const double nose_depth = at(30).z() - (at(31).z() + at(35).z()) / 2;
   Eigen::RowVectorXd values(6);
-  values << (distance(48, 54) / 2 + corners - lips) / eyes, distance(62, 66) / eyes,
+  values << (distance(48, 54) / 2 + corners - lips) / eyes, (at(62).y() - at(66).y()) / eyes,
       (distance(27, 33) + distance(31, 35) + nose_depth) / 3 / eyes,
       (face(annotation.hairline_vertex, 1) - brows) / height, (at(57).y() - at(8).y()) / height,
       distance(0, 16) / height;

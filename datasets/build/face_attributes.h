@@ -12,7 +12,7 @@ namespace daumier::datasets {
 /// between the outer corners of the eyes (36 and 45), or of h, the height from the chin (8) to the hairline vertex.
 /// Heights are along y; m is the middle between 62 and 66.
 /// - smile: how far out and up the corners of the mouth are, (|48 54| / 2 + mean height of 48 and 54 over m) / e.
-/// - mouth_open: |62 66| / e.
+/// - mouth_open: height of 62 over 66, / e; below 0 where exaggeration pushed the lips through each other.
 /// - nose_size: the mean of length |27 33|, width |31 35| and depth of 30 before the middle of 31 and 35, / e.
 /// - forehead: height of the hairline over the mean of the brows (17..26), / h.
 /// - chin: height of the lower lip (57) over the chin, / h.

@@ -61,5 +61,20 @@ TEST_F(AblationReportTest, ShowsASheetOfTheFirstSplitAndCurvesOfBoth) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
+TEST_F(AblationReportTest, TellsValidationWithinTheTimeOfTheShortestTraining) {
+  for (const size_t row : {0, 1}) Make(row, "person");
+  // The second row took longer, and became better only then.
+  const AblationRuns runs(ablation_, task_, folder_.path());
+  const auto line = [](int step, double error, double seconds) {
+    return Json{{"phase", "validation"}, {"step", step}, {"error", error}, {"seconds", seconds}}.dump() + "\n";
+  };
+  WriteFileAtomically(runs.Run({ablation_.rows[0], "person", 1}) / "metrics.jsonl", line(1, 4, 5) + line(2, 3, 10));
+  WriteFileAtomically(runs.Run({ablation_.rows[1], "person", 1}) / "metrics.jsonl", line(1, 6, 9) + line(2, 1, 30));
+  const Json table = Write();
+  EXPECT_EQ(table[1]["equal_seconds"], 10);
+  EXPECT_EQ(table[1]["validation_at_equal_time"], 3);
+  EXPECT_EQ(table[2]["validation_at_equal_time"], 6);
+}
+
 }  // namespace
 }  // namespace daumier::train

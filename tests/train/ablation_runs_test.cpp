@@ -111,15 +111,25 @@ TEST(TrainSeconds, AddsUpWhatWasTrainedBeforeAndAfterAStop) {
   EXPECT_EQ(TrainSeconds(folder.path()), 9.0);
 }
 
-TEST(ReadValidationCurve, HoldsTheValidationErrorsAlone) {
+TEST(ReadCurve, HoldsTheErrorsOfOnePhaseAndTheSecondsOfTrainingThroughStops) {
   const testing::TempDir folder;
-  WriteFileAtomically(
-      folder / "metrics.jsonl",
-      "{\"phase\": \"train\", \"step\": 1, \"mm\": 9}\n{\"phase\": \"validation\", \"step\": 2, \"mm\": 3}\n"
-      "{\"phase\": \"validation\", \"step\": 3, \"accuracy\": 1}\n");
-  const ValidationCurve curve = ReadValidationCurve(folder.path(), "mm");
-  EXPECT_EQ(curve.steps, std::vector<double>{2});
-  EXPECT_EQ(curve.errors, std::vector<double>{3});
+  WriteFileAtomically(folder / "metrics.jsonl",
+                      "{\"phase\": \"train\", \"step\": 1, \"mm\": 9, \"seconds\": 2}\n"
+                      "{\"phase\": \"validation\", \"step\": 2, \"mm\": 3, \"seconds\": 5}\n"
+                      "{\"phase\": \"validation\", \"step\": 3, \"accuracy\": 1, \"seconds\": 6}\n"
+                      "{\"phase\": \"validation\", \"step\": 4, \"mm\": 4, \"seconds\": 1}\n");
+  const RunCurve curve = ReadCurve(folder.path(), "validation", "mm");
+  EXPECT_EQ(curve.steps, (std::vector<double>{2, 4}));
+  EXPECT_EQ(curve.errors, (std::vector<double>{3, 4}));
+  EXPECT_EQ(curve.seconds, (std::vector<double>{5, 7}));
+  EXPECT_EQ(ReadCurve(folder.path(), "train", "mm").errors, std::vector<double>{9});
+}
+
+TEST(LeastWithin, IsTheLeastErrorOfAllUntilThen) {
+  const RunCurve curve{{1, 2, 3}, {5, 3, 4}, {10, 20, 30}};
+  EXPECT_FALSE(LeastWithin(curve, 9).has_value());
+  EXPECT_EQ(LeastWithin(curve, 10), 5);
+  EXPECT_EQ(LeastWithin(curve, 100), 3);
 }
 
 }  // namespace

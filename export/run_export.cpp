@@ -1,0 +1,64 @@
+#include "export/run_export.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "export/onnx_export.h"
+#include "export/onnx_graph.h"
+#include "export/staged_directory.h"
+#include "faces/face_database.h"
+
+namespace daumier::exporting {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<Json> ReadMetrics(const fs::path& run_directory) {
+  const fs::path file = run_directory / "report" / "metrics.json";
+  if (!fs::exists(file)) return std::nullopt;
+  const Json metrics = Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false);
+  DAUMIER_CHECK(metrics.is_object(), "{} is no JSON object; run `daumier eval` again", file.string());
+  return metrics;
+}
+
+}  // namespace
+
+Json WriteExport(const RunExport& run, const fs::path& out_directory) {
+  const auto metrics = ReadMetrics(run.run_directory);
+  StagedDirectory staged(out_directory, "export");
+
+  Manifest manifest;
+  manifest.kind = "export";
+  manifest.verb = "export";
+  manifest.config = run.run_manifest.config;
+  manifest.seed = run.run_manifest.seed;
+  manifest.sources = run.run_manifest.sources;
+  manifest.counts = run.counts;
+  manifest.details = run.details;
+  manifest.details["opset"] = kOpset;
+  manifest.details["run_data_hash"] = DataHash(run.run_directory);
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    WriteFileAtomically(staged.path() / name, bytes);
+    manifest.checksums[name] = Sha256(bytes);
+  };
+  write("model.onnx", ExportToOnnx(run.module, run.function).SerializeAsString());
+
+  const fs::path scratch = staged.path() / "scratch";
+  MakeDirectory(scratch);
+  const auto parity = CheckParity(staged.path() / "model.onnx", run.function, run.run_manifest.seed, scratch);
+  fs::remove_all(scratch);
+  if (!parity.runtime.has_value()) {
+    log::Warn(
+        "The exported model was not compared with LibTorch, for there is no ONNX Runtime: install it by `./dev setup`");
+  }
+  const Json report = ParityToJson(parity);
+  write("parity.json", report.dump(2) + "\n");
+  write("model_card.md", run.model_card(parity, metrics));
+  if (run.write_rest) manifest.checksums.merge(run.write_rest(staged.path()));
+  manifest.checksums.merge(faces::WriteFaceTemplate(staged.path(), run.face_template));
+  WriteManifest(staged.path(), manifest);
+  staged.Commit();
+  return report;
+}
+
+}  // namespace daumier::exporting

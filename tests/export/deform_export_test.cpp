@@ -1,0 +1,55 @@
+#include "export/deform_export.h"
+
+#include "core/files.h"
+#include "export/onnx_export.h"
+#include "export/parity.h"
+#include "tests/support/deform_networks.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::exporting {
+namespace {
+
+const faces::ModelFrame kFrame{0.125, {0.5, -0.71, 0.25}};
+
+std::shared_ptr<models::DeformNetwork> Network(const std::string& kind) {
+  torch::manual_seed(4);
+  const auto network = models::MakeDeformNetwork(testing::SmallDeformOptions(kind), testing::SomeTemplate(), kFrame);
+  network->eval();
+  return network;
+}
+
+TEST(DeformExport, EveryKindPassesParityAtAnyNumberOfPoints) {
+  const testing::TempDir folder;
+  for (const std::string& kind : testing::DeformKinds()) {
+    SCOPED_TRACE(kind);
+    const auto network = Network(kind);
+    const ExportedFunction function = DeformFunction(network);
+    const onnx::ModelProto model = ExportToOnnx(*network, function);
+    WriteFileAtomically(folder / (kind + ".onnx"), model.SerializeAsString());
+    const ParityReport parity = CheckParity(folder / (kind + ".onnx"), function, 1, folder.path());
+    if (!parity.runtime.has_value()) GTEST_SKIP() << "there is no ONNX Runtime here";
+    EXPECT_LT(parity.max_abs_diff(), kParityTolerance);
+  }
+}
+
+TEST(DeformExport, TheModelCarriesItsFrame) {
+  const auto network = Network("conditioning");
+  const onnx::ModelProto model = ExportToOnnx(*network, DeformFunction(network));
+  ASSERT_EQ(model.metadata_props_size(), 1);
+  EXPECT_EQ(model.metadata_props(0).key(), "model_from_cm");
+  const faces::ModelFrame frame = faces::ModelFrameFromJson(Json::parse(model.metadata_props(0).value()));
+  EXPECT_EQ(frame.scale, kFrame.scale);
+  EXPECT_EQ(frame.offset, kFrame.offset);
+  const auto dimension = [&](int input, int i) {
+    return model.graph().input(input).type().tensor_type().shape().dim(i);
+  };
+  EXPECT_EQ(dimension(0, 0).dim_value(), 1);
+  EXPECT_EQ(dimension(0, 1).dim_value(), 8);
+  EXPECT_TRUE(dimension(1, 0).has_dim_param());
+  EXPECT_EQ(dimension(1, 1).dim_value(), 3);
+}
+
+}  // namespace
+}  // namespace daumier::exporting

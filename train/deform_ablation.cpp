@@ -1,0 +1,132 @@
+#include "train/deform_ablation.h"
+
+#include "core/error.h"
+#include "core/manifest.h"
+#include "core/options.h"
+#include "eval/deform_comparison.h"
+#include "eval/deform_eval.h"
+#include "eval/deform_measurement.h"
+#include "models/deform_run.h"
+#include "models/surface_decoder.h"
+#include "train/deform_training.h"
+#include "train/run_folder.h"
+
+#include <torch/torch.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace daumier::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The line of that name, or the first, which is the network's.
+const Json& FindLine(const Json& metrics, const std::string& name) {
+  const Json& table = metrics.at("table");
+  if (name.empty()) return table.at(0);
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Json& entry) { return entry.at("name") == name; });
+  DAUMIER_CHECK(found != table.end(), "a report has no line '{}'", name);
+  return *found;
+}
+
+}  // namespace
+
+Json DeformAblation::ResolvedConfig(Json config, uint64_t seed, const std::string& split,
+                                    const std::string& where) const {
+  config.merge_patch({{"seed", seed}, {"split", {{"kind", split}}}});
+  auto options = ParseOptions<DeformTrainingOptions>(config, where);
+  for (std::string* folder : {&options.data.faces, &options.data.points}) {
+    if (folder->empty()) throw UsageError(fmt::format("{}: it needs data.faces=FOLDER and data.points=FOLDER", where));
+    *folder = fs::absolute(*folder).lexically_normal().string();
+  }
+  return ToJson(options);
+}
+
+Json DeformAblation::ResolvedEval(const Json& eval, const std::string& where) const {
+  return ToJson(ParseOptions<eval::DeformEvalOptions>(eval, where));
+}
+
+bool DeformAblation::Finished(const fs::path& run, const Json& config) const {
+  Json without_paths = config;
+  without_paths.erase("data");
+  OpenRunFolder(run, /*resume=*/true, without_paths,
+                {{"faces", DataHash(config.at("data").at("faces").get<std::string>())},
+                 {"points", DataHash(config.at("data").at("points").get<std::string>())}});
+  return ReadManifest(run, "run").counts.contains("best_epoch");
+}
+
+void DeformAblation::Train(const Json& config, const fs::path& run) const {
+  const bool begun = fs::exists(run / "resolved.toml") || fs::exists(run / "manifest.json");
+  TrainDeform(config, run, begun, device_);
+}
+
+void DeformAblation::Evaluate(const fs::path& run, const Json& eval, const fs::path& report) const {
+  eval::EvaluateDeformRun(run, report, ParseOptions<eval::DeformEvalOptions>(eval));
+}
+
+double DeformAblation::InferMs(const fs::path& run) const {
+  constexpr int kRuns = 51;
+  const models::DeformRun loaded = models::LoadDeformRun(run);
+  std::vector<double> ms;
+  for (int i = 0; i < kRuns; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    models::SurfaceDecoder(loaded.network, loaded.codes[0]).Vertices();
+    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  return eval::Percentile(ms, 50);
+}
+
+std::vector<std::string> DeformAblation::baselines() const {
+  return eval::DeformBaselineNames();
+}
+
+bool DeformAblation::HasLine(const Json& metrics, const std::string& line) const {
+  const Json& table = metrics.at("table");
+  return std::any_of(table.begin(), table.end(), [&](const Json& entry) { return entry.at("name") == line; });
+}
+
+AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& line, const std::string&) const {
+  try {
+    const Json& row = FindLine(metrics, line);
+    const double mm = metrics.at("mean_vertex_error_mm").get<double>() / metrics.at("mean_vertex_error").get<double>();
+    const auto in_mm = [&](const char* key) { return mm * row.at(key).get<double>(); };
+    AblationMeasure measure{.error = in_mm("error"), .interval = {in_mm("error_low"), in_mm("error_high")}};
+    measure.of_run = line.empty() || line == metrics.at("table").at(0).at("name");
+    measure.more = {{"model_units", row.at("error")},
+                    {"percent_of_head_height", row.at("percent_of_head_height")},
+                    {"p95", in_mm("p95")},
+                    {"surface_sample_error_mm", in_mm("surface_sample_error")},
+                    {"normal_error_degrees", row.at("normal_error_degrees")},
+                    {"flipped_triangles", row.at("flipped_triangles")},
+                    {"self_intersections", row.at("self_intersections")},
+                    {"seconds_a_face", row.at("seconds")},
+                    {"num_faces", row.at("num_faces")},
+                    {"data_hash", metrics.at("data_hash")}};
+    if (measure.of_run) {
+      for (const Json& error : metrics.at("face_errors")) measure.face_errors.push_back(mm * error.get<double>());
+      measure.groups = metrics.at("groups").get<std::vector<int>>();
+    }
+    return measure;
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("the metrics of a deformable model's run are malformed: {}", error.what()));
+  }
+}
+
+std::string DeformAblation::TestedOn(const Json& metrics) const {
+  return fmt::format("{} faces of {}, faces {}, data {}", metrics.at("num_faces").dump(), metrics.at("split").dump(),
+                     Sha256(metrics.at("faces").dump()).substr(0, 12), metrics.at("data_hash").dump());
+}
+
+void DeformAblation::WriteSheet(const std::vector<AblationPicture>& rows, const fs::path& file) const {
+  const Json& metrics = rows.front().metrics;
+  std::vector<eval::ComparedDeformRun> runs;
+  for (const AblationPicture& row : rows)
+    runs.push_back({row.name, row.run, ParseOptions<eval::DeformEvalOptions>(row.eval)});
+  render::WriteImage(
+      file, eval::DeformComparison(runs, eval::ChooseFaces(metrics.at("faces").get<std::vector<int>>(),
+                                                           metrics.at("face_errors").get<std::vector<double>>())));
+}
+
+}  // namespace daumier::train
