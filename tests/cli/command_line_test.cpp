@@ -1,5 +1,6 @@
 #include "core/files.h"
 #include "core/json.h"
+#include "core/manifest.h"
 #include "geometry/obj.h"
 #include "tests/cli/pipeline.h"
 #include "tests/geometry/shapes.h"
@@ -87,6 +88,22 @@ TEST(CommandLine, AbsentInputFailsAndNamesIt) {
     EXPECT_THAT(result.err, HasSubstr("no_run"));
     EXPECT_FALSE(std::filesystem::exists(folder / "x")) << arguments[0];
   }
+}
+
+TEST(CommandLine, EvalRefusesOptionsOfAnotherProduct) {
+  const TempDir folder;
+  Manifest manifest;
+  manifest.kind = "run";
+  manifest.verb = "train";
+  WriteManifest(folder.path(), manifest);
+  const ProcessResult sketch = Daumier({"eval", folder.path(), "--max-faces", "3"});
+  EXPECT_EQ(sketch.exit_code, 2);
+  EXPECT_THAT(sketch.err, HasSubstr("--max-faces is no option of a run of kind 'sketch'"));
+  manifest.details["product"] = "deform";
+  WriteManifest(folder.path(), manifest);
+  const ProcessResult deform = Daumier({"eval", folder.path(), "--refine"});
+  EXPECT_EQ(deform.exit_code, 2);
+  EXPECT_THAT(deform.err, HasSubstr("--refine is no option of a run of kind 'deform'"));
 }
 
 /// Content of every file below a folder, by name.
