@@ -26,46 +26,51 @@ struct Factors {
   float* c;
 };
 
-/// kRows x kProductColumns entries of c, which stay in registers while the inner index runs.
-template <int kRows, bool kTransposed>
+/// kRows x (kVectors kLanes) entries of c, which stay in registers while the inner index runs.
+template <int kRows, int kVectors, bool kTransposed>
 DAUMIER_INLINE void Tile(const Factors& f, int64_t row, int64_t column) {
-  Floats sums[kRows][2] = {};
+  Floats sums[kRows][kVectors] = {};
   float* const c = f.c + row * f.columns + column;
   if (f.add) {
 #pragma GCC unroll 16
     for (int r = 0; r < kRows; ++r) {
-      Load(c + r * f.columns, sums[r][0]);
-      Load(c + r * f.columns + kLanes, sums[r][1]);
+#pragma GCC unroll 2
+      for (int v = 0; v < kVectors; ++v) Load(c + r * f.columns + v * kLanes, sums[r][v]);
     }
   }
   const float* a = kTransposed ? f.a + row : f.a + row * f.inner;
   const int64_t a_row = kTransposed ? 1 : f.inner, a_inner = kTransposed ? f.rows : 1;
   const float* b = f.b + column;
   for (int64_t k = 0; k < f.inner; ++k, a += a_inner, b += f.columns) {
-    Floats right[2];
-    Load(b, right[0]);
-    Load(b + kLanes, right[1]);
+    Floats right[kVectors];
+#pragma GCC unroll 2
+    for (int v = 0; v < kVectors; ++v) Load(b + v * kLanes, right[v]);
 #pragma GCC unroll 16
     for (int r = 0; r < kRows; ++r) {
       const float left = a[r * a_row];
-      sums[r][0] += left * right[0];
-      sums[r][1] += left * right[1];
+#pragma GCC unroll 2
+      for (int v = 0; v < kVectors; ++v) sums[r][v] += left * right[v];
     }
   }
 #pragma GCC unroll 16
   for (int r = 0; r < kRows; ++r) {
-    Store(sums[r][0], c + r * f.columns);
-    Store(sums[r][1], c + r * f.columns + kLanes);
+#pragma GCC unroll 2
+    for (int v = 0; v < kVectors; ++v) Store(sums[r][v], c + r * f.columns + v * kLanes);
   }
+}
+
+template <int kRows, int kVectors, bool kTransposed>
+DAUMIER_INLINE void Column(const Factors& f, int64_t column) {
+  int64_t row = 0;
+  for (; row + kRows <= f.rows; row += kRows) Tile<kRows, kVectors, kTransposed>(f, row, column);
+  for (; row < f.rows; ++row) Tile<1, kVectors, kTransposed>(f, row, column);
 }
 
 template <int kRows, bool kTransposed>
 DAUMIER_INLINE void AllTiles(const Factors& f) {
-  for (int64_t column = 0; column < f.columns; column += kProductColumns) {
-    int64_t row = 0;
-    for (; row + kRows <= f.rows; row += kRows) Tile<kRows, kTransposed>(f, row, column);
-    for (; row < f.rows; ++row) Tile<1, kTransposed>(f, row, column);
-  }
+  int64_t column = 0;
+  for (; column + 2 * kLanes <= f.columns; column += 2 * kLanes) Column<kRows, 2, kTransposed>(f, column);
+  if (column < f.columns) Column<kRows, 1, kTransposed>(f, column);
 }
 
 // As many rows as there are registers for: 32 of 512 bits, 16 of 256 bits.

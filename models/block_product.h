@@ -4,7 +4,7 @@
 namespace daumier::models {
 
 /// Columns of b and c have to be a multiple of this.
-inline constexpr int64_t kProductColumns = 32;
+inline constexpr int64_t kProductColumns = 16;
 
 /// A small matrix product for blocks that stay in the cache, on one thread, in the widest vectors that the processor
 /// has: c = a b, or c += a b if `add`. a is rows x inner, or inner x rows if `transposed`; b is inner x columns, c rows

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "models/array_deformations.h"
+#include "models/block_product.h"
 #include "models/siren_deformations.h"
 #include "tensor/shape.h"
 
@@ -54,6 +55,8 @@ int64_t DeformNetwork::num_parameters() const {
 
 std::shared_ptr<DeformNetwork> MakeDeformNetwork(const DeformOptions& options, const torch::Tensor& template_vertices,
                                                  const faces::ModelFrame& frame) {
+  DAUMIER_CHECK(options.is_array() || options.width % kProductColumns == 0,
+                "network.width is {}, expected a multiple of {}", options.width, kProductColumns);
   if (options.kind == "hypernetwork")
     return std::make_shared<HypernetworkDeformation>(options, template_vertices, frame);
   if (options.kind == "conditioning")

@@ -46,7 +46,7 @@ class DeformNetwork : public torch::nn::Module {
 };
 
 /// The network that options.kind names, with first weights from LibTorch's CPU generator. A linear one is zero until
-/// LinearDeformation::Set.
+/// LinearDeformation::Set. @throws Error if the width of a SIREN is not one that SirenKernel takes.
 std::shared_ptr<DeformNetwork> MakeDeformNetwork(const DeformOptions& options, const torch::Tensor& template_vertices,
                                                  const faces::ModelFrame& frame);
 

@@ -22,7 +22,7 @@ struct DeformOptions {
           "How a code becomes a surface: a SIREN whose parameters a hypernetwork makes, a SIREN that reads the code, "
           "arrays of vertex displacements or positions, or a linear model by principal components.");
     visit("latent", latent, Range{1, 4096}, "Length of a code.");
-    visit("width", width, Range{32, 1024}, "Features of a layer of the SIREN; a multiple of 32.");
+    visit("width", width, Range{16, 1024}, "Features of a layer of the SIREN; a multiple of 16.");
     visit("hidden_layers", hidden_layers, Range{1, 16}, "Layers of the SIREN between its first and its last.");
     visit("omega", omega, Range{0.1, 1000}, "Frequency of the SIREN's sines.");
     visit("hyper_width", hyper_width, Range{1, 4096}, "Neurons of a layer of the hypernetwork.");

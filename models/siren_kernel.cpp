@@ -12,16 +12,6 @@ namespace {
 /// Points whose activations are in memory at once: those of four layers, and as many slopes, fit a second-level cache.
 constexpr int64_t kBlock = 240;
 
-/// sum += the sum of the rows.
-void AddRows(const float* rows, int64_t num_rows, int64_t width, float* __restrict sum) {
-  for (int64_t row = 0; row < num_rows; ++row)
-    for (int64_t i = 0; i < width; ++i) sum[i] += rows[row * width + i];
-}
-
-void MultiplyBy(const float* __restrict factors, int64_t count, float* __restrict numbers) {
-  for (int64_t i = 0; i < count; ++i) numbers[i] *= factors[i];
-}
-
 }  // namespace
 
 int64_t SirenLayout::weight_offset(int layer) const {
@@ -104,15 +94,15 @@ void SirenKernel::Backward(const float* parameters, const float* points, int64_t
     const float* gradient = displacement_gradient + 3 * begin;
     for (int layer = last; layer > 0; --layer) {
       const int64_t outputs = layout_.outputs(layer);
-      AddRows(gradient, rows, outputs, parameter_gradient + layout_.bias_offset(layer));
+      AddRowsOfBlock(gradient, rows, outputs, parameter_gradient + layout_.bias_offset(layer));
       BlockProduct(gradient, true, activations_.data() + (layer - 1) * area, outputs, rows, width, true,
                    weight_gradients_.data() + At(layer));
       BlockProduct(gradient, false, weights_.data() + At(layer), rows, outputs, width, false, next_gradient_.data());
-      MultiplyBy(slopes_.data() + (layer - 1) * area, rows * width, next_gradient_.data());
+      MultiplyBlock(slopes_.data() + (layer - 1) * area, rows * width, next_gradient_.data());
       std::swap(gradient_, next_gradient_);
       gradient = gradient_.data();
     }
-    AddRows(gradient, rows, width, parameter_gradient + layout_.bias_offset(0));
+    AddRowsOfBlock(gradient, rows, width, parameter_gradient + layout_.bias_offset(0));
     BlockProduct(block, true, gradient, 3, rows, width, true, first_gradient_.data());
   }
   for (int64_t output = 0; output < width; ++output)

@@ -119,4 +119,29 @@ void SineAndSlopeOfBlock(float* x, float* slope, const float* bias, int64_t rows
   }
 }
 
+DAUMIER_FOR_EACH_PROCESSOR
+void MultiplyBlock(const float* factors, int64_t count, float* numbers) {
+  for (int64_t begin = 0; begin < count; begin += kLanes) {
+    const int64_t lanes = begin + kLanes <= count ? kLanes : count - begin;
+    Floats factor, number;
+    Load(factors + begin, lanes, factor);
+    Load(numbers + begin, lanes, number);
+    Store(number * factor, lanes, numbers + begin);
+  }
+}
+
+DAUMIER_FOR_EACH_PROCESSOR
+void AddRowsOfBlock(const float* rows, int64_t num_rows, int64_t width, float* sum) {
+  for (int64_t begin = 0; begin < width; begin += kLanes) {
+    const int64_t lanes = begin + kLanes <= width ? kLanes : width - begin;
+    Floats total, row;
+    Load(sum + begin, lanes, total);
+    for (int64_t i = 0; i < num_rows; ++i) {
+      Load(rows + i * width + begin, lanes, row);
+      total += row;
+    }
+    Store(total, lanes, sum + begin);
+  }
+}
+
 }  // namespace daumier::models

@@ -60,6 +60,13 @@ TEST(DeformNetwork, KeepsItsFrameAndTemplateAmongItsWeights) {
   EXPECT_TRUE(torch::equal(network->named_buffers()["template_vertices"], SomeTemplate()));
 }
 
+TEST(DeformNetwork, RefusesAWidthThatTheKernelCannotTake) {
+  DeformOptions odd = SmallDeformOptions("conditioning");
+  odd.width = 40;
+  ExpectError([&] { MakeDeformNetwork(odd, SomeTemplate(), kFrame); },
+              "network.width is 40, expected a multiple of 16");
+}
+
 TEST(DeformNetwork, RefusesShapesThatDisagree) {
   const auto network = MakeDeformNetwork(SmallDeformOptions("displacements"), SomeTemplate(), kFrame);
   ExpectError([&] { network->DeformVertices(torch::zeros({2, 7})); }, "codes has shape (2, 7), expected (*, 8)");

@@ -70,7 +70,7 @@ TEST(SirenKernel, BackwardAddsToWhatIsThere) {
 }
 
 TEST(SirenKernel, RefusesAWidthThatItsProductsCannotTake) {
-  testing::ExpectError([] { SirenKernel(SirenLayout{.width = 40}); }, "40, expected a multiple of 32");
+  testing::ExpectError([] { SirenKernel(SirenLayout{.width = 40}); }, "40, expected a multiple of 16");
 }
 
 }  // namespace

@@ -59,5 +59,20 @@ TEST(SirenMath, ZeroGivesZeroAndFullSlope) {
   EXPECT_NEAR(slope[1], 30, 1e-5);
 }
 
+TEST(SirenMath, ProductsAndSumsOfRowsWithARest) {
+  for (const int64_t width : kWidths) {
+    const Block block = SomeBlock(width);
+    std::vector<float> product = block.x, sum = block.bias;
+    MultiplyBlock(block.x.data(), int64_t(block.x.size()), product.data());
+    for (size_t i = 0; i < product.size(); ++i) EXPECT_EQ(product[i], block.x[i] * block.x[i]);
+    AddRowsOfBlock(block.x.data(), block.rows, width, sum.data());
+    for (size_t i = 0; i < sum.size(); ++i) {
+      double expected = block.bias[i];
+      for (int64_t row = 0; row < block.rows; ++row) expected += block.x[size_t(row * width) + i];
+      EXPECT_NEAR(sum[i], expected, 1e-4);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace daumier::models
