@@ -142,29 +142,44 @@ std::string DifferenceCell(const Json& row) {
   return fmt::format("{} ({})", Cell(row, "difference", "{:+.2f}"), IntervalCell(row, "difference", "{:+.2f}"));
 }
 
-/// A column that only some kinds of runs have.
-struct MoreColumn {
-  std::string title, key, format;
+constexpr const char* kDifference = "difference";
+
+struct Column {
+  std::string title;  ///< "{unit}" stands for the unit of all errors.
+  std::function<std::string(const Json& row)> cell;
 };
 
-/// Those of which a row of the split has an entry.
-std::vector<MoreColumn> ColumnsOf(const Json& table, const std::string& split) {
-  static const std::vector<MoreColumn> all = {{"shape input", "shape_input", "{}"},
-                                              {"p90", "p90", "{:.3f}"},
-                                              {"p95 of vertices", "p95", "{:.2f}"},
-                                              {"surface samples", "surface_sample_error_mm", "{:.3f}"},
-                                              {"% of head", "percent_of_head_height", "{:.3f}"},
-                                              {"normals, degrees", "normal_error_degrees", "{:.2f}"},
-                                              {"flips", "flipped_triangles", "{:.1f}"},
-                                              {"piercing pairs", "self_intersections", "{:.1f}"},
-                                              {"validation at equal time", "validation_at_equal_time", "{:.3f}"}};
-  std::vector<MoreColumn> columns;
-  for (const MoreColumn& column : all) {
-    if (std::any_of(table.begin(), table.end(), [&](const Json& row) {
-          return row.at("split") == split && !row.value(column.key, Json()).is_null();
-        }))
-      columns.push_back(column);
-  }
+Column Number(const std::string& title, const std::string& key, const std::string& format) {
+  return {title, [key, format](const Json& row) { return Cell(row, key, format); }};
+}
+
+/// The columns of a split: those of every ablation, and of those that only some kinds of runs have the ones of which a
+/// row has an entry.
+std::vector<Column> ColumnsOf(const Json& table, const std::string& split) {
+  std::vector<Column> columns = {{"row", [](const Json& row) { return row.at("name").get<std::string>(); }}};
+  const auto add_if_there = [&](const std::string& title, const std::string& key, const std::string& format) {
+    if (std::any_of(table.begin(), table.end(),
+                    [&](const Json& row) { return row.at("split") == split && !row.value(key, Json()).is_null(); }))
+      columns.push_back(Number(title, key, format));
+  };
+  add_if_there("shape input", "shape_input", "{}");
+  columns.push_back(Number("paper {unit}", "paper", "{:.2f}"));
+  columns.push_back(Number("{unit}", "error", "{:.3f}"));
+  columns.push_back({"95 % interval", [](const Json& row) { return IntervalCell(row, "error", "{:.2f}"); }});
+  columns.push_back({kDifference, DifferenceCell});
+  add_if_there("p90", "p90", "{:.3f}");
+  add_if_there("p95 of vertices", "p95", "{:.2f}");
+  add_if_there("surface samples", "surface_sample_error_mm", "{:.3f}");
+  add_if_there("% of head", "percent_of_head_height", "{:.2f}");
+  add_if_there("normals, degrees", "normal_error_degrees", "{:.2f}");
+  add_if_there("flips", "flipped_triangles", "{:.1f}");
+  add_if_there("piercing pairs", "self_intersections", "{:.1f}");
+  add_if_there("validation at equal time", "validation_at_equal_time", "{:.3f}");
+  columns.push_back(Number("steps", "steps", "{:.0f}"));
+  columns.push_back(Number("parameters", "parameters", "{:.0f}"));
+  columns.push_back(Number("training s", "train_seconds", "{:.0f}"));
+  columns.push_back(Number("ms a face", "infer_ms", "{:.2f}"));
+  columns.push_back({"seeds", [](const Json& row) { return fmt::format("{}", row.at("seeds").size()); }});
   return columns;
 }
 
@@ -199,27 +214,21 @@ Json AblationTableJson(const std::vector<AblationResult>& results, const std::st
 
 std::vector<eval::ReportTable> AblationTables(const Json& table) {
   std::vector<eval::ReportTable> tables;
-  std::vector<MoreColumn> more;
+  std::vector<Column> columns;
   for (const Json& row : table) {
-    const auto split = row.at("split").get<std::string>(), unit = row.at("unit").get<std::string>();
-    const std::string title = fmt::format("Split: {}", split);
+    const std::string title = fmt::format("Split: {}", row.at("split").get<std::string>());
     if (tables.empty() || tables.back().title != title) {
-      more = ColumnsOf(table, split);
-      tables.push_back({title, {"row", "paper " + unit, unit, "95 % interval", "difference"}, {}});
-      for (const MoreColumn& column : more) tables.back().header.push_back(column.title);
-      for (const char* name : {"steps", "parameters", "training s", "ms a face", "seeds"})
-        tables.back().header.push_back(name);
+      columns = ColumnsOf(table, row.at("split").get<std::string>());
+      tables.push_back({title, {}, {}});
+      for (const Column& column : columns)
+        tables.back().header.push_back(
+            fmt::format(fmt::runtime(column.title), fmt::arg("unit", row.at("unit").get<std::string>())));
     }
+    std::vector<std::string>& header = tables.back().header;
     if (const Json to = row.value("difference_to", Json()); to.is_string())
-      tables.back().header[4] = fmt::format("against {}", to.get<std::string>());
-    std::vector<std::string> cells = {row.at("name").get<std::string>(), Cell(row, "paper", "{:.2f}"),
-                                      Cell(row, "error", "{:.3f}"), IntervalCell(row, "error", "{:.2f}"),
-                                      DifferenceCell(row)};
-    for (const MoreColumn& column : more) cells.push_back(Cell(row, column.key, column.format));
-    for (const std::string& cell :
-         {Cell(row, "steps", "{:.0f}"), Cell(row, "parameters", "{:.0f}"), Cell(row, "train_seconds", "{:.0f}"),
-          Cell(row, "infer_ms", "{:.2f}"), fmt::format("{}", row.at("seeds").size())})
-      cells.push_back(cell);
+      std::replace(header.begin(), header.end(), std::string(kDifference), "against " + to.get<std::string>());
+    std::vector<std::string> cells;
+    for (const Column& column : columns) cells.push_back(column.cell(row));
     tables.back().rows.push_back(std::move(cells));
   }
   return tables;

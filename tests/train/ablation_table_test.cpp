@@ -90,7 +90,7 @@ TEST(AblationTable, BaselinesStandOnTopOfTheirSplitAndSplitsFollowEachOther) {
   const std::vector<eval::ReportTable> tables = AblationTables(table);
   ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(tables[0].rows.size(), 3u);
-  EXPECT_EQ(tables[0].header[4], "against a");
+  EXPECT_EQ(tables[0].header[5], "against a");
   for (const auto& row : tables[0].rows) EXPECT_EQ(row.size(), tables[0].header.size());
   const std::string markdown = AblationMarkdown(table);
   EXPECT_LT(markdown.find("mean face"), markdown.find("| a |"));
