@@ -74,10 +74,12 @@ TEST_F(DeformAblationTest, TrainsAndMeasuresEveryRow) {
   EXPECT_NEAR(siren["error"].get<double>(), metrics["mean_vertex_error_mm"].get<double>(), 1e-9);
   EXPECT_EQ(siren["model_units"], metrics["mean_vertex_error"]);
   for (const char* key : {"error_high", "p95", "surface_sample_error_mm", "percent_of_head_height", "parameters",
-                          "train_seconds", "infer_ms", "validation_at_equal_time", "equal_seconds"})
+                          "train_seconds", "infer_ms", "equal_seconds"})
     EXPECT_GT(siren[key].get<double>(), 0) << key;
   EXPECT_EQ(components["steps"], 0) << "nothing is trained by steps";
   EXPECT_EQ(table[5]["equal_seconds"], siren["equal_seconds"]);
+  // Whoever was the first to end has been validated by then.
+  EXPECT_TRUE(siren["validation_at_equal_time"].is_number() || table[5]["validation_at_equal_time"].is_number());
   EXPECT_EQ(by_adam["num_faces"], 1);
   EXPECT_TRUE(by_adam["steps"].is_null());
   EXPECT_EQ(ReadManifest(out / "random/seed1/array/run", "run").config.at("split").at("kind"), "random");

@@ -79,7 +79,7 @@ TEST_F(DeformTrainingTest, LearnsItsTrainingFaces) {
   config["validate_every"] = 40;
   TrainDeform(config, Run("learns"), false, "cpu");
   const std::vector<double> errors = TrainingErrors(Run("learns"));
-  EXPECT_LT(errors.back(), 0.5 * errors.front());
+  EXPECT_LT(errors.back(), 0.7 * errors.front());
 }
 
 TEST_F(DeformTrainingTest, ResumedEqualsUninterruptedByteForByte) {
