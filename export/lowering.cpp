@@ -225,12 +225,13 @@ std::string LoweringContext::Name(const Value* value) {
     return graph_.AddInitializer(weight->second.name, weight->second.tensor);
   }
   // A factor like 30 in x * 30.
-  if (const auto constant = torch::jit::toIValue(value); constant.has_value() && constant->isTensor()) {
-    return names_[value] =
-               graph_.AddInitializer("constant_" + value->debugName(), constant->toTensor().to(torch::kFloat32));
+  if (const auto constant = torch::jit::toIValue(value); constant.has_value() && constant->isScalar()) {
+    return names_[value] = graph_.AddInitializer("constant_" + value->debugName(),
+                                                 torch::tensor(constant->toScalar().toFloat(), torch::kFloat32));
   }
   if (value->node()->kind() == c10::aten::t) return names_[value] = LowerTranspose(*value->node(), *this);
-  throw Error(fmt::format("%{} is neither a tensor of the graph nor a weight", value->debugName()));
+  throw Error(fmt::format("%{}, made by {}, is neither a tensor of the graph nor a weight", value->debugName(),
+                          value->node()->kind().toQualString()));
 }
 
 std::vector<std::string> LoweringContext::Names(const Node& node, size_t first, size_t last) {
