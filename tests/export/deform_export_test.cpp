@@ -3,8 +3,11 @@
 #include "core/files.h"
 #include "export/onnx_export.h"
 #include "export/parity.h"
-#include "tests/support/deform_networks.h"
+#include "tensor/tensor_file.h"
+#include "tests/support/deform_run_folder.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +52,32 @@ TEST(DeformExport, TheModelCarriesItsFrame) {
   EXPECT_EQ(dimension(0, 1).dim_value(), 8);
   EXPECT_TRUE(dimension(1, 0).has_dim_param());
   EXPECT_EQ(dimension(1, 1).dim_value(), 3);
+}
+
+TEST(DeformExport, ARunBecomesAFolderThatTellsFrameTemplateAndLicences) {
+  testing::AllowWarnings();  // There may be no runtime.
+  const testing::TempDir folder;
+  const auto decoder = testing::WriteDeformRun(folder / "run", "hypernetwork");
+  ExportRun(folder / "run", folder / "out");
+  const Manifest manifest = ReadManifest(folder / "out", "export");
+  VerifyChecksums(folder / "out", manifest);
+  EXPECT_EQ(faces::ModelFrameFromJson(manifest.details.at("model_from_cm")).scale, decoder->network()->frame().scale);
+  EXPECT_EQ(manifest.sources, ReadManifest(folder / "run", "run").sources);
+  const auto points = tensor::LoadTensors(folder / "out/points_template.safetensors");
+  EXPECT_TRUE(torch::equal(points.at("vertices"), decoder->network()->template_vertices()));
+  const std::string card = ReadFile(folder / "out/model_card.md");
+  for (const char* part : {"CC0", "`latent`", "`positions`", "model_from_cm"})
+    EXPECT_NE(card.find(part), std::string::npos) << part;
+}
+
+TEST(DeformExport, ARunOfASketchNetworkIsExportedAsSuch) {
+  const testing::TempDir folder;
+  testing::ExpectError([&] { ExportRun(folder / "run", folder / "out"); }, "is not a run folder");
+  testing::WriteDeformRun(folder / "run", "positions");
+  Manifest manifest = ReadManifest(folder / "run", "run");
+  manifest.details.erase("product");
+  WriteManifest(folder / "run", manifest);
+  testing::ExpectError([&] { ExportRun(folder / "run", folder / "out"); }, "bilinear.safetensors");
 }
 
 }  // namespace

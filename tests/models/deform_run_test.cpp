@@ -1,13 +1,7 @@
 #include "models/deform_run.h"
 
-#include "core/config.h"
-#include "core/files.h"
-#include "faces/face_database.h"
-#include "tensor/eigen.h"
-#include "tensor/module_state.h"
-#include "tests/support/deform_networks.h"
+#include "tests/support/deform_run_folder.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/synthetic_face.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
@@ -18,35 +12,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ExpectError;
 
-/// A run folder as a training leaves it, with codes of three faces.
 class DeformRunTest : public ::testing::Test {
  protected:
-  DeformRunTest() {
-    const faces::FaceTemplate face_template = testing::SyntheticFace();
-    const faces::ModelFrame frame = faces::HeadFrame(face_template, 2.1);
-    torch::manual_seed(2);
-    decoder_ = std::make_shared<AutoDecoder>(
-        MakeDeformNetwork(testing::SmallDeformOptions("hypernetwork"),
-                          tensor::CopyToTensor(frame.FromCm(face_template.neutral)), frame),
-        3);
-    MakeDirectory(run() / "best");
-    WriteFileAtomically(run() / "resolved.toml", ToToml({{"product", "deform"},
-                                                         {"network", ToJson(decoder_->network()->options())},
-                                                         {"loss", {{"data_weight", 2e3}, {"code_weight", 5e5}}}}));
-    Manifest manifest;
-    manifest.kind = "run";
-    manifest.verb = "train";
-    manifest.counts = {{"training_faces", 3}};
-    manifest.details = {{"product", "deform"}};
-    manifest.checksums = faces::WriteFaceTemplate(run(), face_template);
-    manifest.checksums["best/model.safetensors"] = tensor::SaveModule(run() / "best/model.safetensors", *decoder_);
-    WriteManifest(run(), manifest);
-  }
-
   fs::path run() const { return folder_ / "run"; }
 
   const testing::TempDir folder_;
-  std::shared_ptr<AutoDecoder> decoder_;
+  const std::shared_ptr<AutoDecoder> decoder_ = testing::WriteDeformRun(run(), "hypernetwork");
 };
 
 TEST_F(DeformRunTest, IsReadBackWithTemplateFrameWeightsAndCodes) {
