@@ -157,6 +157,27 @@ TEST_F(Pipeline, RunsFromFacesToOnnx) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "onnx/model_card.md"));
 }
 
+TEST_F(Pipeline, RunsFromFacesToADeformableModel) {
+  const std::string faces = folder_ / "faces", points = folder_ / "points", run = folder_ / "run";
+  ASSERT_EQ(Daumier(FacesCommand(faces)).exit_code, 0);
+  const ProcessResult built = Daumier({"dataset", "points", "--config", SourceRoot() / "configs/points/cpu.toml",
+                                       "--out", points, "faces=" + faces, "num_samples=50"});
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const ProcessResult train =
+      Daumier({"train", SourceRoot() / "configs/deform/cpu.toml", "--out", run, "data.faces=" + faces,
+               "data.points=" + points, "epochs=1", "split.validation=0.2", "split.test=0.2", "validation.faces=1",
+               "validation.newton_steps=1", "network.latent=4", "network.width=32", "network.hyper_width=16"});
+  ASSERT_EQ(train.exit_code, 0) << train.err;
+  const ProcessResult eval = Daumier({"eval", run, "--max-faces", "1", "--adam-faces", "0", "--json"});
+  ASSERT_EQ(eval.exit_code, 0) << eval.err;
+  const Json metrics = Json::parse(eval.out);
+  for (const char* key : {"num_faces", "mean_vertex_error", "surface_sample_error", "unit"})
+    EXPECT_TRUE(metrics.contains(key)) << key;
+  const ProcessResult exported = Daumier({"export", run, "--out", folder_ / "onnx"});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "onnx/points_template.safetensors"));
+}
+
 TEST_F(Pipeline, ABuildThatWasKilledGoesOnToTheSameBytes) {
   BuildData();
   const std::filesystem::path killed = folder_ / "killed";
