@@ -5,21 +5,45 @@
 namespace daumier::models {
 namespace {
 
-/// A register of so many numbers. Wider vectors than the processor's own are taken apart one by one by g++.
+/// A register of so many numbers. Wider vectors than the processor's own are taken apart one by one by g++. In memory
+/// they stand anywhere in an array of floats; by memcpy g++ would keep them out of registers. Each width is written out
+/// since g++ drops `may_alias` from types that depend on a template's argument.
 template <int kLanes>
-struct Register {
-  using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
-  /// The same anywhere in an array. Registers are filled through it, not by memcpy, which keeps g++ from using
-  /// registers.
+struct Register;
+
+template <>
+struct Register<16> {
+  using Floats = float __attribute__((vector_size(64)));
   struct __attribute__((packed, may_alias)) InMemory {
     Floats value;
   };
-
-  static DAUMIER_INLINE void Load(const float* from, Floats& to) {
-    to = reinterpret_cast<const InMemory*>(from)->value;
-  }
-  static DAUMIER_INLINE void Store(const Floats& from, float* to) { reinterpret_cast<InMemory*>(to)->value = from; }
 };
+
+template <>
+struct Register<8> {
+  using Floats = float __attribute__((vector_size(32)));
+  struct __attribute__((packed, may_alias)) InMemory {
+    Floats value;
+  };
+};
+
+template <>
+struct Register<4> {
+  using Floats = float __attribute__((vector_size(16)));
+  struct __attribute__((packed, may_alias)) InMemory {
+    Floats value;
+  };
+};
+
+template <int kLanes>
+DAUMIER_INLINE void Load(const float* from, typename Register<kLanes>::Floats& to) {
+  to = reinterpret_cast<const typename Register<kLanes>::InMemory*>(from)->value;
+}
+
+template <int kLanes>
+DAUMIER_INLINE void Store(const typename Register<kLanes>::Floats& from, float* to) {
+  reinterpret_cast<typename Register<kLanes>::InMemory*>(to)->value = from;
+}
 
 struct Factors {
   const float *a, *b;
@@ -31,23 +55,23 @@ struct Factors {
 /// kRows x (kVectors kLanes) entries of c, which stay in registers while the inner index runs.
 template <int kLanes, int kRows, int kVectors, bool kTransposed>
 DAUMIER_INLINE void Tile(const Factors& f, int64_t row, int64_t column) {
-  using Numbers = Register<kLanes>;
-  typename Numbers::Floats sums[kRows][kVectors] = {};
+  using Floats = typename Register<kLanes>::Floats;
+  Floats sums[kRows][kVectors] = {};
   float* const c = f.c + row * f.columns + column;
   if (f.add) {
 #pragma GCC unroll 16
     for (int r = 0; r < kRows; ++r) {
 #pragma GCC unroll 2
-      for (int v = 0; v < kVectors; ++v) Numbers::Load(c + r * f.columns + v * kLanes, sums[r][v]);
+      for (int v = 0; v < kVectors; ++v) Load<kLanes>(c + r * f.columns + v * kLanes, sums[r][v]);
     }
   }
   const float* a = kTransposed ? f.a + row : f.a + row * f.inner;
   const int64_t a_row = kTransposed ? 1 : f.inner, a_inner = kTransposed ? f.rows : 1;
   const float* b = f.b + column;
   for (int64_t k = 0; k < f.inner; ++k, a += a_inner, b += f.columns) {
-    typename Numbers::Floats right[kVectors];
+    Floats right[kVectors];
 #pragma GCC unroll 2
-    for (int v = 0; v < kVectors; ++v) Numbers::Load(b + v * kLanes, right[v]);
+    for (int v = 0; v < kVectors; ++v) Load<kLanes>(b + v * kLanes, right[v]);
 #pragma GCC unroll 16
     for (int r = 0; r < kRows; ++r) {
       const float left = a[r * a_row];
@@ -58,7 +82,7 @@ DAUMIER_INLINE void Tile(const Factors& f, int64_t row, int64_t column) {
 #pragma GCC unroll 16
   for (int r = 0; r < kRows; ++r) {
 #pragma GCC unroll 2
-    for (int v = 0; v < kVectors; ++v) Numbers::Store(sums[r][v], c + r * f.columns + v * kLanes);
+    for (int v = 0; v < kVectors; ++v) Store<kLanes>(sums[r][v], c + r * f.columns + v * kLanes);
   }
 }
 
