@@ -29,7 +29,7 @@ Json Merged(Json base, const Json& over) {
 
 /// Moves the keys that an ablation has of its own from the overrides into its config.
 void TakeOwnOverrides(Json& overrides, Json& config) {
-  for (const char* key : {"base", "seeds", "splits", "eval"}) {
+  for (const char* key : {"base", "seeds", "splits", "evaluate", "eval"}) {
     if (!overrides.contains(key)) continue;
     config.merge_patch({{key, overrides[key]}});
     overrides.erase(key);
@@ -58,6 +58,8 @@ std::string WhoAsks(const AblationRow& row) {
 
 void CheckKinds(const Ablation& ablation) {
   for (const AblationRow& row : ablation.rows) {
+    if (!row.trains() && !ablation.options.evaluate)
+      throw UsageError(fmt::format("row '{}' trains nothing, so that it needs evaluate=true", row.name()));
     if (!row.options.run_of.empty() && !ablation.row(row.options.run_of, WhoAsks(row)).trains())
       throw UsageError(
           fmt::format("row '{}': 'run_of' names '{}', which has no run of its own", row.name(), row.options.run_of));

@@ -12,12 +12,16 @@ struct AblationOptions {
   std::string base;
   std::vector<uint64_t> seeds = {1};
   std::vector<std::string> splits = {"person"};
+  bool evaluate = true;
 
   template <class V>
   void Visit(V&& visit) {
     visit("base", base, Text{}, "Config of the run of every row; a path relative to this file.");
     visit("seeds", seeds, Range{0, 9e15}, "Every row is trained once with each.");
     visit("splits", splits, Text{}, "Every row is trained once on each; the first is the headline.");
+    visit("evaluate", evaluate, Flag{},
+          "If not, rows are compared by their least validation errors and no test face is read, as in trials of "
+          "options.");
   }
 };
 
@@ -63,11 +67,12 @@ struct Ablation {
   const AblationRow& row(const std::string& name, const std::string& who_asks) const;
 };
 
-/// Reads an ablation config; of the overrides, `seeds`, `splits`, `base` and `eval.*` are the ablation's own, all
-/// others override the config of every row, the row's own words included. `references` are the keys of `eval` that name
-/// another row, whose run the evaluation needs.
+/// Reads an ablation config; of the overrides, `seeds`, `splits`, `evaluate`, `base` and `eval.*` are the ablation's
+/// own, all others override the config of every row, the row's own words included. `references` are the keys of `eval`
+/// that name another row, whose run the evaluation needs.
 /// @throws UsageError as LoadConfig and ParseOptions, if there is no row, a row has no name or one that another row
-/// has, a row that another one needs is not there (naming the nearest), or rows need each other in a circle.
+/// has, a row that another one needs is not there (naming the nearest), rows need each other in a circle, or a row
+/// trains nothing though no row is evaluated.
 Ablation LoadAblation(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                       const std::vector<std::string>& references);
 

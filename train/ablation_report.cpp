@@ -127,7 +127,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
     for (const uint64_t seed : ablation.options.seeds) {
       const std::vector<Place> places = DonePlaces(ablation, runs, split, seed);
       if (places.empty()) continue;
-      CheckSameTest(places, runs, task);
+      if (ablation.options.evaluate) CheckSameTest(places, runs, task);
       for (const Place& place : places)
         if (place.row.trains()) trained.push_back(place);
       for (const Place& place : places) {
@@ -144,7 +144,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
   const bool has_curves = WriteCurves(trained, ablation, runs, task, directory);
   const fs::path sheet = directory / "sheet.png";
-  if (with_sheet)
+  if (with_sheet && ablation.options.evaluate)
     WriteSheet(DonePlaces(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs, task,
                sheet);
   WriteFileAtomically(directory / "index.html", Page(table, has_curves, fs::exists(sheet)));

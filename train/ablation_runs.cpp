@@ -8,6 +8,7 @@
 
 #include <ATen/Parallel.h>
 
+#include <algorithm>
 #include <functional>
 #include <sstream>
 
@@ -103,6 +104,7 @@ RowState AblationRuns::State(const Place& place) const {
     const fs::path run = Folder(place) / "run";
     if (!fs::exists(run / "manifest.json")) return fs::exists(run) ? RowState::kToGoOn : RowState::kToTrain;
     if (!task_.Finished(run, Config(place))) return RowState::kToGoOn;
+    if (!ablation_.options.evaluate) return RowState::kDone;
   }
   for (const std::string& name : NeededRows(place.row, references_)) {
     if (name == place.row.name()) continue;
@@ -124,7 +126,7 @@ void AblationRuns::Train(const Place& place) const {
 }
 
 void AblationRuns::Evaluate(const Place& place) const {
-  if (State(place) == RowState::kDone || !place.row.evaluates()) return;
+  if (!ablation_.options.evaluate || !place.row.evaluates() || State(place) == RowState::kDone) return;
   log::Info("Evaluating {}", place.Describe());
   const fs::path run = Run(place);
   task_.Evaluate(run, Eval(place), Folder(place) / "report");
@@ -146,23 +148,35 @@ Json AblationRuns::Metrics(const Place& place) const {
 RunCost AblationRuns::Cost(const Place& place) const {
   const fs::path run = Run(place);
   const Manifest manifest = ReadManifest(run, "run");
+  RunCost cost{.steps = manifest.counts.at("steps").get<int64_t>(),
+               .parameters = manifest.counts.at("parameters").get<int64_t>(),
+               .train_seconds = TrainSeconds(run)};
+  if (!ablation_.options.evaluate) return cost;
   const Json measured = ReadJson(Folder(Reported(place)) / kMeasuredFile);
-  return {.steps = manifest.counts.at("steps").get<int64_t>(),
-          .parameters = manifest.counts.at("parameters").get<int64_t>(),
-          .train_seconds = TrainSeconds(run),
-          .infer_ms = measured.at("infer_ms").get<double>(),
-          .infer_threads = measured.at("infer_threads").get<int>()};
+  cost.inference = RunCost::Inference{measured.at("infer_ms").get<double>(), measured.at("infer_threads").get<int>()};
+  return cost;
+}
+
+AblationMeasure AblationRuns::Validation(const Place& place) const {
+  const std::string metric = task_.validation_metric();
+  const RunCurve curve = ReadCurve(Run(place), "validation", metric);
+  DAUMIER_CHECK(!curve.errors.empty(), "{} has no '{}' of validation faces", Run(place).string(), metric);
+  AblationMeasure measure{.error = *std::min_element(curve.errors.begin(), curve.errors.end()), .of_run = true};
+  measure.more = {{"measured_on", "validation"}};
+  return measure;
 }
 
 AblationResult AblationRuns::Result(const Place& place) const {
   const AblationRowOptions& row = place.row.options;
   AblationResult result{.name = row.name, .split = place.split, .seed = place.seed, .paper = row.paper};
-  result.measure = task_.Measure(Metrics(place), row.line, row.shape_input);
+  result.measure =
+      ablation_.options.evaluate ? task_.Measure(Metrics(place), row.line, row.shape_input) : Validation(place);
   if (result.measure.of_run) result.cost = Cost(place);
   return result;
 }
 
 std::vector<AblationResult> AblationRuns::Baselines(const Place& place) const {
+  if (!ablation_.options.evaluate) return {};
   const Json metrics = Metrics(place);
   std::vector<AblationResult> results;
   for (const std::string& line : task_.baselines()) {

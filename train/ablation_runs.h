@@ -15,7 +15,7 @@ enum class RowState {
   kToTrain,     ///< Nothing is there.
   kToGoOn,      ///< Its training was stopped.
   kToEvaluate,  ///< Trained; its report is missing, or was made with other options or weights.
-  kDone,
+  kDone,        ///< All is there; of an ablation that does not evaluate, the training.
 };
 
 /// The runs and reports of an ablation on disk: DIRECTORY/SPLIT/seedN/ROW/{run,report,measured.json}. measured.json is
@@ -39,16 +39,17 @@ class AblationRuns {
   RowState State(const Place& place) const;
   /// Trains what is not trained. @throws Error as AblationTask::Train.
   void Train(const Place& place) const;
-  /// Evaluates the row, whose run and references have to be trained, and measures its speed.
+  /// Evaluates the row, whose run and references have to be trained, and measures its speed; nothing if the ablation
+  /// does not evaluate.
   void Evaluate(const Place& place) const;
 
   /// Where the row's run is, be it its own or another row's.
   std::filesystem::path Run(const Place& place) const;
   /// metrics.json of the row's report, be it its own or another row's; the row has to be done.
   Json Metrics(const Place& place) const;
-  /// What the table tells of a row that is done.
+  /// What the table tells of a row that is done: its report, or its least validation error.
   AblationResult Result(const Place& place) const;
-  /// The lines of the row's report that need no training.
+  /// The lines of the row's report that need no training; none if there is no report.
   std::vector<AblationResult> Baselines(const Place& place) const;
   /// For a sheet.
   AblationPicture Picture(const Place& place) const;
@@ -64,6 +65,7 @@ class AblationRuns {
   /// What a report is made of: equal unless it has to be made anew.
   Json Made(const Place& place) const;
   RunCost Cost(const Place& place) const;
+  AblationMeasure Validation(const Place& place) const;
 
   const Ablation& ablation_;
   const AblationTask& task_;

@@ -95,9 +95,9 @@ Json RowJson(const Results& results, const Results& references, const std::strin
   for (const char* key : {"error_low", "error_high", "errors", "seeds", "difference_to", "difference", "difference_low",
                           "difference_high", "steps", "parameters", "train_seconds", "infer_ms", "infer_threads"})
     row[key] = nullptr;
-  if (results.size() == 1) {
-    row["error_low"] = first.measure.interval.low;
-    row["error_high"] = first.measure.interval.high;
+  if (results.size() == 1 && first.measure.interval) {
+    row["error_low"] = first.measure.interval->low;
+    row["error_high"] = first.measure.interval->high;
   } else {
     SetInterval(row, "error", AllFaces(results));
   }
@@ -116,8 +116,12 @@ Json RowJson(const Results& results, const Results& references, const std::strin
     row["steps"] = MeanOver(results, [](const AblationResult& result) { return result.cost->steps; });
     row["parameters"] = MeanOver(results, [](const AblationResult& result) { return result.cost->parameters; });
     row["train_seconds"] = MeanOver(results, [](const AblationResult& result) { return result.cost->train_seconds; });
-    row["infer_ms"] = MeanOver(results, [](const AblationResult& result) { return result.cost->infer_ms; });
-    row["infer_threads"] = MeanOver(results, [](const AblationResult& result) { return result.cost->infer_threads; });
+    if (std::all_of(results.begin(), results.end(),
+                    [](const AblationResult* result) { return result->cost->inference; })) {
+      row["infer_ms"] = MeanOver(results, [](const AblationResult& result) { return result.cost->inference->ms; });
+      row["infer_threads"] =
+          MeanOver(results, [](const AblationResult& result) { return result.cost->inference->threads; });
+    }
   }
   const Json more = MeanOver(results, [](const AblationResult& result) { return result.measure.more; });
   for (const auto& [key, value] : more.items()) row[key] = value;
@@ -157,16 +161,22 @@ Column Number(const std::string& title, const std::string& key, const std::strin
 /// row has an entry.
 std::vector<Column> ColumnsOf(const Json& table, const std::string& split) {
   std::vector<Column> columns = {{"row", [](const Json& row) { return row.at("name").get<std::string>(); }}};
+  const auto any = [&](const std::string& key) {
+    return std::any_of(table.begin(), table.end(),
+                       [&](const Json& row) { return row.at("split") == split && !row.value(key, Json()).is_null(); });
+  };
   const auto add_if_there = [&](const std::string& title, const std::string& key, const std::string& format) {
-    if (std::any_of(table.begin(), table.end(),
-                    [&](const Json& row) { return row.at("split") == split && !row.value(key, Json()).is_null(); }))
-      columns.push_back(Number(title, key, format));
+    if (any(key)) columns.push_back(Number(title, key, format));
   };
   add_if_there("shape input", "shape_input", "{}");
   columns.push_back(Number("paper {unit}", "paper", "{:.2f}"));
-  columns.push_back(Number("{unit}", "error", "{:.3f}"));
-  columns.push_back({"95 % interval", [](const Json& row) { return IntervalCell(row, "error", "{:.2f}"); }});
-  columns.push_back({kDifference, DifferenceCell});
+  if (any("measured_on")) {
+    columns.push_back(Number("validation {unit}", "error", "{:.3f}"));
+  } else {
+    columns.push_back(Number("{unit}", "error", "{:.3f}"));
+    columns.push_back({"95 % interval", [](const Json& row) { return IntervalCell(row, "error", "{:.2f}"); }});
+    columns.push_back({kDifference, DifferenceCell});
+  }
   add_if_there("p90", "p90", "{:.3f}");
   add_if_there("p95 of vertices", "p95", "{:.2f}");
   add_if_there("surface samples", "surface_sample_error_mm", "{:.3f}");
@@ -178,7 +188,7 @@ std::vector<Column> ColumnsOf(const Json& table, const std::string& split) {
   columns.push_back(Number("steps", "steps", "{:.0f}"));
   columns.push_back(Number("parameters", "parameters", "{:.0f}"));
   columns.push_back(Number("training s", "train_seconds", "{:.0f}"));
-  columns.push_back(Number("ms a face", "infer_ms", "{:.2f}"));
+  add_if_there("ms a face", "infer_ms", "{:.2f}");
   columns.push_back({"seeds", [](const Json& row) { return fmt::format("{}", row.at("seeds").size()); }});
   return columns;
 }
@@ -252,7 +262,8 @@ std::string AblationFootnote() {
          "with all of its test faces of all seeds; seeds are not resampled, and errors of each seed stand in "
          "table.json. The difference is to the first row whose errors are known face by face, and paired by faces. The "
          "paper's figures are of the paper's "
-         "own data. Milliseconds are the median of single faces on the CPU.";
+         "own data. Milliseconds are the median of single faces on the CPU. Validation errors are the least of each "
+         "training.";
 }
 
 }  // namespace daumier::train

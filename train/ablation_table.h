@@ -11,8 +11,12 @@ namespace daumier::train {
 /// What a run cost.
 struct RunCost {
   int64_t steps = 0, parameters = 0;
-  double train_seconds = 0, infer_ms = 0;
-  int infer_threads = 0;
+  double train_seconds = 0;
+  struct Inference {
+    double ms = 0;
+    int threads = 0;
+  };
+  std::optional<Inference> inference = {};  ///< Nothing where it was not measured.
 };
 
 /// A row of the table on one split with one seed.
@@ -29,8 +33,9 @@ struct AblationResult {
 /// rows. Keys: name, split, baseline, paper, unit, error, error_low, error_high, errors, seeds, difference_to,
 /// difference, difference_low, difference_high, steps, parameters, train_seconds, infer_ms, infer_threads, and those of
 /// AblationMeasure::more; null where unknown.
-///   error                  the mean over seeds of `errors`, one a seed; steps, costs and further numbers likewise
-///   error_low, error_high  95 % interval. Of one seed: the report's own. Of several: a bootstrap over persons
+///   error                  of test faces, or where measured_on is "validation", of those: the mean over seeds of
+///   `errors`, one a seed; steps, costs and further numbers likewise error_low, error_high  95 % interval. Of one seed:
+///   the report's own. Of several: a bootstrap over persons
 ///                          (eval::PersonBootstrap) of all test faces of all seeds; seeds are not resampled
 ///   difference             error minus the error of `difference_to`, the split's first row that tells its face errors:
 ///                          the mean over the test faces of all seeds that both have, and the same bootstrap of these

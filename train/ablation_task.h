@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace daumier::train {
 /// A line of a report's table, as an ablation needs it.
 struct AblationMeasure {
   double error = 0;
-  eval::Interval interval{0, 0};
+  std::optional<eval::Interval> interval = {};
   bool of_run = false;  ///< The line is the run's own network, so that what the run cost belongs to it.
   /// Further columns by their names in table.json: p90, shape_input, data_hash, ...
   Json more = Json::object();

@@ -92,7 +92,8 @@ AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& 
     const Json& row = FindLine(metrics, line);
     const double mm = metrics.at("mean_vertex_error_mm").get<double>() / metrics.at("mean_vertex_error").get<double>();
     const auto in_mm = [&](const char* key) { return mm * row.at(key).get<double>(); };
-    AblationMeasure measure{.error = in_mm("error"), .interval = {in_mm("error_low"), in_mm("error_high")}};
+    AblationMeasure measure{.error = in_mm("error"),
+                            .interval = eval::Interval{in_mm("error_low"), in_mm("error_high")}};
     measure.of_run = line.empty() || line == metrics.at("table").at(0).at("name");
     measure.more = {{"model_units", row.at("error")},
                     {"percent_of_head_height", row.at("percent_of_head_height")},

@@ -98,8 +98,9 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
     });
     DAUMIER_CHECK(found != table.end(), "a report has no line '{}'{}", line,
                   shape_input.empty() ? "" : fmt::format(" of shape input '{}'", shape_input));
-    AblationMeasure measure{.error = found->at("error").get<double>(),
-                            .interval = {found->at("error_low").get<double>(), found->at("error_high").get<double>()}};
+    AblationMeasure measure{
+        .error = found->at("error").get<double>(),
+        .interval = eval::Interval{found->at("error_low").get<double>(), found->at("error_high").get<double>()}};
     for (const auto& [key, value] : found->items())
       if (key != "name" && key.substr(0, 5) != "error") measure.more[key] = value;
     measure.more["num_faces"] = metrics.at("num_faces");

@@ -75,6 +75,7 @@ TEST_F(AblationConfigTest, RefusesWordsThatWouldDoNothing) {
   ExpectRefused(a + "[[rows]]\nname = 'b'\nrun_of = 'a'\nconfig.epochs = 1\n", "it trains nothing");
   ExpectRefused(a + "[[rows]]\nname = 'b'\nrun_of = 'a'\nfrom = 'a'\n", "exclude each other");
   ExpectRefused(a + "[[rows]]\nname = 'b'\nfrom = 'a'\n[[rows]]\nname = 'c'\nfrom = 'b'\n", "no report of its own");
+  ExpectRefused("evaluate = false\n" + a + "[[rows]]\nname = 'b'\nrun_of = 'a'\n", "row 'b' trains nothing");
   ExpectRefused(a + "[[rows]]\nname = 'b'\nfrom = 'a'\n[[rows]]\nname = 'c'\nrun_of = 'b'\n", "no run of its own");
 }
 

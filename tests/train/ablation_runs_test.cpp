@@ -91,8 +91,8 @@ TEST_F(AblationRunsTest, ResultHasTheCostOfTheRun) {
   const AblationResult result = Runs().Result(Place(1));
   EXPECT_EQ(result.cost->steps, 10);
   EXPECT_EQ(result.cost->train_seconds, 6.0);
-  EXPECT_EQ(result.cost->infer_ms, 2.5);
-  EXPECT_GE(result.cost->infer_threads, 1);
+  EXPECT_EQ(result.cost->inference->ms, 2.5);
+  EXPECT_GE(result.cost->inference->threads, 1);
   EXPECT_EQ(Runs().Baselines(Place(1)).front().name, "mean face");
 }
 

@@ -10,11 +10,11 @@ namespace {
 AblationResult MakeResult(const std::string& name, uint64_t seed, const std::vector<double>& face_errors) {
   AblationResult result{.name = name, .split = "person", .seed = seed};
   result.measure.error = eval::Mean(face_errors);
-  result.measure.interval = {result.measure.error - 1, result.measure.error + 1};
+  result.measure.interval = eval::Interval{result.measure.error - 1, result.measure.error + 1};
   result.measure.face_errors = face_errors;
   for (size_t face = 0; face < face_errors.size(); ++face) result.measure.groups.push_back(int(face));
   result.measure.more = {{"p90", 2.0 * double(seed)}, {"shape_input", "none"}, {"regions", {{"nose", double(seed)}}}};
-  result.cost = RunCost{.steps = 10, .parameters = 7, .train_seconds = 3, .infer_ms = 2, .infer_threads = 1};
+  result.cost = RunCost{.steps = 10, .parameters = 7, .train_seconds = 3, .inference = RunCost::Inference{2, 1}};
   return result;
 }
 

@@ -89,6 +89,24 @@ TEST_F(AblationTest, OnlyMakesRowsAndWhatTheyNeed) {
   EXPECT_EQ(task_.log, (std::vector<std::string>{"train 3", "evaluate 3"}));
 }
 
+TEST_F(AblationTest, WithoutEvaluationComparesLeastValidationErrorsAndReadsNoTestFace) {
+  WriteFileAtomically(
+      folder_ / "trials.toml",
+      "evaluate = false\n[[rows]]\nname = 'a'\nconfig.error = 2\n[[rows]]\nname = 'b'\nconfig.error = 3\n");
+  const Ablation trials = LoadAblation(folder_ / "trials.toml", {}, {});
+  const Json table = Run(trials);
+  EXPECT_EQ(task_.log, (std::vector<std::string>{"train 2", "train 3"}));
+  EXPECT_EQ(Names(table), (std::vector<std::string>{"a", "b"}));
+  EXPECT_DOUBLE_EQ(table[1]["error"].get<double>(), 3 + 1.0 / 10) << "the last of two validations is the least";
+  EXPECT_EQ(table[1]["measured_on"], "validation");
+  EXPECT_EQ(table[1]["steps"], 10);
+  for (const char* key : {"error_low", "difference", "infer_ms"}) EXPECT_TRUE(table[1][key].is_null()) << key;
+  EXPECT_NE(ReadFile(folder_ / "out/table.md").find("| validation mm |"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/sheet.png"));
+  EXPECT_EQ(Run(trials), table);
+  EXPECT_EQ(task_.log.size(), 2u) << "nothing is trained twice";
+}
+
 TEST_F(AblationTest, ARowThatFailsStopsThoseAloneThatNeedIt) {
   testing::AllowWarnings();
   task_.end_of_error[3] = "failed";

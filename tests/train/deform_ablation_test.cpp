@@ -97,9 +97,11 @@ TEST_F(DeformAblationTest, RefusesWithoutDataAndUnknownOptionsNamingTheRow) {
 
 TEST(DeformAblationConfigs, AreParsed) {
   const DeformAblation task;
-  const Ablation ablation = LoadAblation(testing::SourceRoot() / "configs/deform/ablation_cpu.toml",
-                                         {"data.faces=faces", "data.points=points"}, {});
-  EXPECT_FALSE(PlanAblation(ablation, task, "absent").empty());
+  for (const char* file : {"configs/deform/ablation_cpu.toml", "configs/deform/rates_cpu.toml"}) {
+    const Ablation ablation =
+        LoadAblation(testing::SourceRoot() / file, {"data.faces=faces", "data.points=points"}, {});
+    EXPECT_FALSE(PlanAblation(ablation, task, "absent").empty()) << file;
+  }
 }
 
 }  // namespace

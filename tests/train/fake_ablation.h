@@ -110,7 +110,7 @@ class FakeAblation : public AblationTask {
     DAUMIER_CHECK(metrics.at("errors").contains(name), "there is no line '{}'", name);
     AblationMeasure measure;
     measure.error = metrics["errors"][name].get<double>();
-    measure.interval = {measure.error - 0.1, measure.error + 0.1};
+    measure.interval = eval::Interval{measure.error - 0.1, measure.error + 0.1};
     measure.more = {{"p90", measure.error + 1}, {"shape_input", "none"}};
     measure.of_run = name == "network";
     if (!measure.of_run) return measure;
