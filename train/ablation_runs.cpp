@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
-#include "core/manifest.h"
+#include "train/run_folder.h"
 #include "train/run_log.h"
 
 #include <ATen/Parallel.h>
@@ -21,7 +21,7 @@ constexpr const char* kMeasuredFile = "measured.json";
 
 /// Names the weights of a finished run.
 std::string WeightsOf(const fs::path& run) {
-  return ReadManifest(run, "run").checksums.at("best/model.safetensors");
+  return ReadManifest(run, "run").checksums.at(kBestFile);
 }
 
 Json ReadJson(const fs::path& file) {

@@ -4,7 +4,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
-#include "core/manifest.h"
 #include "models/array_deformations.h"
 #include "models/principal_components.h"
 #include "tensor/module_state.h"
@@ -22,8 +21,6 @@ namespace daumier::train {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kBestFile = "best/model.safetensors";
 
 DeformTrainingOptions ParseDeformOptions(const Json& config) {
   auto options = ParseOptions<DeformTrainingOptions>(config, "training config");
@@ -75,15 +72,6 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
   return {.metric = recipe.metric(), .best = values.at(recipe.metric()), .seconds = seconds};
 }
 
-void FinishRun(const fs::path& directory, const TrainingSummary& summary) {
-  Manifest manifest = ReadManifest(directory, "run");
-  manifest.counts["steps"] = summary.steps;
-  manifest.counts["epochs"] = summary.epochs;
-  manifest.counts["best_epoch"] = summary.best_epoch;
-  manifest.checksums[kBestFile] = Sha256OfFile(directory / kBestFile);
-  WriteManifest(directory, manifest);
-}
-
 }  // namespace
 
 TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
@@ -93,26 +81,13 @@ TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, b
   const datasets::PointDatabase points(options.data.points);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
-  torch::manual_seed(options.seed);
-  DeformRecipe recipe(options, faces, points, split, torch_device);
-  const int64_t num_parameters = recipe.decoder().network()->num_parameters();
-
-  Manifest manifest;
-  manifest.kind = "run";
-  manifest.verb = "train";
-  manifest.config = ToJson(options);
-  manifest.config.erase("data");
-  manifest.seed = options.seed;
-  manifest.sources = faces.manifest().sources;
-  manifest.counts = {{"training_faces", split.train.size()},
-                     {"validation_faces", split.validation.size()},
-                     {"test_faces", split.test.size()},
-                     {"parameters", num_parameters}};
-  manifest.details = {{"product", models::kDeformProduct},
-                      {"data", {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}}},
-                      {"split", datasets::SplitToJson(faces, split)}};
+  Manifest manifest = ManifestOfTraining(ToJson(options), options.seed, faces, split);
+  manifest.details["product"] = models::kDeformProduct;
+  manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}};
 
   const bool begun = OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
+  torch::manual_seed(options.seed);
+  DeformRecipe recipe(options, faces, points, split, torch_device);
   if (begun) {
     VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
   } else {
@@ -121,12 +96,13 @@ TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, b
   WriteFileAtomically(run_directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
   if (!begun) WriteManifest(run_directory, manifest);
 
+  const int64_t num_parameters = recipe.decoder().network()->num_parameters();
   log::Info("Training {} parameters and a code of {} for each of {} faces", num_parameters, options.network.latent,
             recipe.num_samples());
   const TrainingSummary summary = options.network.kind == "linear"
                                       ? TrainLinear(recipe, options, run_directory)
                                       : Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
-  FinishRun(run_directory, summary);
+  FinishRun(run_directory, summary, num_parameters);
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());
   return summary;

@@ -1,11 +1,17 @@
 #pragma once
 #include "core/json.h"
+#include "core/manifest.h"
+#include "datasets/read/splits.h"
+#include "train/trainer.h"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace daumier::train {
+
+/// The weights of the least validation error, which checksums in the manifest name.
+inline constexpr const char* kBestFile = "best/model.safetensors";
 
 /// What differs between two configs, a line a dotted key: "optimiser.learning_rate is 0.001 there and 0.01 now".
 std::vector<std::string> ConfigDifferences(const Json& there, const Json& now);
@@ -16,5 +22,13 @@ std::vector<std::string> ConfigDifferences(const Json& there, const Json& now);
 /// @throws UsageError if a run is there but `resume` is not asked for, if `resume` is but nothing is there, or if the
 /// run there has another config or other data, saying what differs.
 bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data);
+
+/// The manifest with which a training begins: its config without paths, seed, the sources of its faces, how many of
+/// them are on which side of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
+Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const datasets::Split& split);
+
+/// Says in the manifest of the run there how the training ended: parameters, steps, epochs, best epoch, the checksum of
+/// kBestFile. A run is finished once it holds `best_epoch`.
+void FinishRun(const std::filesystem::path& directory, const TrainingSummary& summary, int64_t num_parameters);
 
 }  // namespace daumier::train

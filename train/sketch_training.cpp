@@ -2,7 +2,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
-#include "core/manifest.h"
 #include "datasets/read/training_fit.h"
 #include "models/sketch_run.h"
 #include "render/camera_json.h"
@@ -16,8 +15,6 @@ namespace daumier::train {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kBestFile = "best/model.safetensors";
 
 SketchTrainingOptions ParseSketchOptions(const Json& config) {
   SketchTrainingOptions options = ParseOptions<SketchTrainingOptions>(config, "training config");
@@ -72,16 +69,6 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
   return {{"camera", render::CameraToJson(sketches.camera())}, {"feature_curves", names}};
 }
 
-void FinishRun(const fs::path& directory, const TrainingSummary& summary, int64_t num_parameters) {
-  Manifest manifest = ReadManifest(directory, "run");
-  manifest.counts["parameters"] = num_parameters;
-  manifest.counts["steps"] = summary.steps;
-  manifest.counts["epochs"] = summary.epochs;
-  manifest.counts["best_epoch"] = summary.best_epoch;
-  manifest.checksums[kBestFile] = Sha256OfFile(directory / kBestFile);
-  WriteManifest(directory, manifest);
-}
-
 }  // namespace
 
 TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
@@ -91,19 +78,9 @@ TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, b
   const datasets::SketchDatabase sketches(options.data.sketches);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
-  Manifest manifest;
-  manifest.kind = "run";
-  manifest.verb = "train";
-  manifest.config = ToJson(options);
-  manifest.config.erase("data");
-  manifest.seed = options.seed;
-  manifest.sources = faces.manifest().sources;
-  manifest.counts = {{"training_faces", split.train.size()},
-                     {"validation_faces", split.validation.size()},
-                     {"test_faces", split.test.size()}};
-  manifest.details = {{"data", DataHashes(options, sketches)},
-                      {"split", datasets::SplitToJson(faces, split)},
-                      {"sketches", SketchFrame(sketches)}};
+  Manifest manifest = ManifestOfTraining(ToJson(options), options.seed, faces, split);
+  manifest.details["data"] = DataHashes(options, sketches);
+  manifest.details["sketches"] = SketchFrame(sketches);
 
   const bool begun = OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
   const models::FittedModels models =

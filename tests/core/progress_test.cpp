@@ -52,7 +52,8 @@ TEST(Progress, PrintsOneLineAtItsEndWhereItIsShort) {
 
 TEST(Progress, RedrawsOneLineAtMostTwiceASecondOnATerminal) {
   int controller = -1, terminal = -1;
-  ASSERT_EQ(openpty(&controller, &terminal, nullptr, nullptr, nullptr), 0);
+  if (openpty(&controller, &terminal, nullptr, nullptr, nullptr) != 0)
+    GTEST_SKIP() << "there are no pseudo-terminals here: is /dev/pts mounted?";
   const int stderr_before = dup(STDERR_FILENO);
   dup2(terminal, STDERR_FILENO);
   const auto start = std::chrono::steady_clock::now();

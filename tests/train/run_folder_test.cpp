@@ -72,5 +72,17 @@ TEST(OpenRunFolder, StartsAnewWhereARunWasKilledBeforeItsManifest) {
   EXPECT_FALSE(OpenRunFolder(folder.path(), true, kConfig, kData));
 }
 
+TEST(FinishRun, SaysHowTheTrainingEndedAndNamesItsWeights) {
+  const testing::TempDir folder;
+  WriteRun(folder.path());
+  MakeDirectory(folder / "best");
+  WriteFileAtomically(folder / kBestFile, "weights");
+  FinishRun(folder.path(), {.steps = 12, .epochs = 3, .metric = "error", .best_epoch = 2}, 7);
+  const Manifest manifest = ReadManifest(folder.path(), "run");
+  EXPECT_EQ(manifest.counts, Json::parse(R"({"parameters": 7, "steps": 12, "epochs": 3, "best_epoch": 2})"));
+  EXPECT_EQ(manifest.checksums.at(kBestFile), Sha256("weights"));
+  EXPECT_EQ(manifest.config, kConfig) << "what stood there stays";
+}
+
 }  // namespace
 }  // namespace daumier::train
