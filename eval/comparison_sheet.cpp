@@ -9,6 +9,8 @@
 #include "render/sheet.h"
 #include "render/ticks.h"
 
+#include <algorithm>
+
 namespace daumier::eval {
 namespace {
 
@@ -47,15 +49,21 @@ render::Image ComparisonSheet(const faces::FaceTemplate& face_template, const st
                               const std::vector<ComparedFace>& faces, double range_mm) {
   CheckFaces(face_template, names, faces);
   const render::ValueRange range{0.0, RangeOf(faces, range_mm)};
-  const render::Frame frame = render::FrameOf(face_template.neutral, kMargin);
+  std::vector<geometry::Points> shown = {face_template.neutral};
+  for (const ComparedFace& face : faces) shown.push_back(face.truth);
+  const render::Frame frame = FrameOfFaces(shown, kMargin);
+  const bool has_sketch =
+      std::any_of(faces.begin(), faces.end(), [](const ComparedFace& face) { return face.sketch.height > 0; });
   const auto camera = render::FrontalCamera(frame.centre, frame.half_height, kCell);
-  const int columns = int(names.size()) + 3;
-  render::SheetStyle style{.column_titles = {"sketch", "truth"}, .gap = 6};
+  const int columns = int(names.size()) + (has_sketch ? 3 : 2);
+  render::SheetStyle style{.column_titles = {"truth"}, .gap = 6};
+  if (has_sketch) style.column_titles.insert(style.column_titles.begin(), "sketch");
   style.column_titles.insert(style.column_titles.end(), names.begin(), names.end());
   std::vector<render::SheetCell> cells;
   for (const ComparedFace& face : faces) {
     style.row_titles.push_back(face.title);
-    cells.push_back({face.sketch.height > 0 ? render::Resize(face.sketch, kCell, kCell) : render::Image()});
+    if (has_sketch)
+      cells.push_back({face.sketch.height > 0 ? render::Resize(face.sketch, kCell, kCell) : render::Image()});
     cells.push_back({render::RenderMesh(fitting::SurfaceOf(face_template, face.truth), camera)});
     for (const ComparedPrediction& prediction : face.predictions)
       cells.push_back({render::RenderHeatMap(fitting::SurfaceOf(face_template, prediction.face), prediction.error_mm,

@@ -26,8 +26,9 @@ struct ComparedFace {
 };
 
 /// Predictors side by side as in figure 15 of [Han et al. 2017]: a row a face, in it the sketch, the true face, and of
-/// each predictor its face coloured by the distance of each vertex from the true one, all in one frame and with one
-/// colour bar. The colours end at `range_mm`; 0: at twice the mean of mean_error_mm, rounded up.
+/// each predictor its face coloured by the distance of each vertex from the true one, all in one frame, which
+/// holds the true faces, and with one colour bar. Without any sketch there is no column for them. The colours end at
+/// `range_mm`; 0: at twice the mean of mean_error_mm, rounded up.
 /// @throws Error if there is no face or no predictor, a face has not one prediction for each of `names`, or shapes
 /// disagree.
 render::Image ComparisonSheet(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,

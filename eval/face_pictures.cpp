@@ -5,12 +5,22 @@
 
 namespace daumier::eval {
 
+render::Frame FrameOfFaces(const std::vector<geometry::Points>& faces, double margin) {
+  Eigen::Index num_points = 0;
+  for (const geometry::Points& face : faces) num_points += face.rows();
+  geometry::Points all(num_points, 3);
+  Eigen::Index begin = 0;
+  for (const geometry::Points& face : faces) {
+    all.middleRows(begin, face.rows()) = face;
+    begin += face.rows();
+  }
+  return render::FrameOf(all, margin);
+}
+
 render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices) {
-  const auto num_vertices = Eigen::Index(database.num_vertices());
-  geometry::Points all(num_vertices * Eigen::Index(indices.size()), 3);
-  for (size_t i = 0; i < indices.size(); ++i)
-    all.middleRows(Eigen::Index(i) * num_vertices, num_vertices) = database.points(indices[i]);
-  return render::FrameOf(all);
+  std::vector<geometry::Points> faces;
+  for (const int index : indices) faces.push_back(database.points(index));
+  return FrameOfFaces(faces);
 }
 
 render::Image FrontView(const faces::FaceTemplate& face_template, const geometry::Points& face,

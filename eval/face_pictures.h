@@ -10,7 +10,8 @@ namespace daumier::eval {
 
 inline constexpr int kCell = 190;  ///< Pixels a side of a picture in a sheet.
 
-/// One frame for all pictures of a sheet, so that sizes can be compared.
+/// One frame for all pictures of a sheet, so that sizes can be compared. @throws Error as render::FrameOf.
+render::Frame FrameOfFaces(const std::vector<geometry::Points>& faces, double margin = 1.08);
 render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices);
 
 /// face: V x 3, cm.

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "eval/face_pictures.h"
 #include "eval/report_page.h"
 #include "render/camera.h"
 #include "render/draw.h"
@@ -17,8 +18,8 @@
 namespace daumier::eval {
 namespace {
 
-constexpr int kCell = 260;      // Pixels a side of a picture in the sheet.
-constexpr int kMeanCell = 360;  // The same in the picture of the mean error.
+constexpr int kReportCell = 260;  // Pixels a side of a picture in the sheet.
+constexpr int kMeanCell = 360;    // The same in the picture of the mean error.
 constexpr double kMargin = 1.15;
 
 /// Where the colours of the heat maps end.
@@ -57,7 +58,10 @@ void CheckData(const ReportData& data) {
 class ReportPainter {
  public:
   explicit ReportPainter(const ReportData& data)
-      : data_(data), frame_(render::FrameOf(data.mean_face, kMargin)), range_{0.0, ErrorRange(data)} {}
+      : data_(data), frame_(FrameOfFaces(TrueFaces(data), kMargin)), range_{0.0, ErrorRange(data)} {
+    has_sketch_ = std::any_of(data.samples.begin(), data.samples.end(),
+                              [](const ReportSample& sample) { return sample.sketch.height > 0; });
+  }
 
   render::Image Sheet() const {
     std::vector<render::SheetCell> rows;
@@ -92,22 +96,32 @@ class ReportPainter {
 
   /// All rows are equally wide, with or without a sketch.
   render::Image Row(const ReportSample& sample) const {
-    const auto camera = render::FrontalCamera(frame_.centre, frame_.half_height, kCell);
+    const auto camera = render::FrontalCamera(frame_.centre, frame_.half_height, kReportCell);
     const render::RenderInput truth = InputOf(sample.truth), prediction = InputOf(sample.prediction);
-    const bool has_sketch = sample.sketch.height > 0;
-    return render::MakeSheet(
-        {{has_sketch ? render::Resize(sample.sketch, kCell, kCell) : render::Image(kCell, kCell, 1),
-          has_sketch ? "sketch" : ""},
-         {render::RenderMesh(truth, camera), "truth"},
-         {render::RenderMesh(prediction, camera), "prediction"},
-         {render::RenderHeatMap(prediction, sample.error_mm, range_, camera), "error"},
-         {ColourBar(kCell)}},
-        5, {.title = sample.title, .gap = 8});
+    std::vector<render::SheetCell> cells;
+    if (sample.sketch.height > 0) {
+      cells.push_back({render::Resize(sample.sketch, kReportCell, kReportCell), "sketch"});
+    } else if (has_sketch_) {
+      cells.push_back({render::Image(kReportCell, kReportCell, 1)});
+    }
+    cells.push_back({render::RenderMesh(truth, camera), "truth"});
+    cells.push_back({render::RenderMesh(prediction, camera), "prediction"});
+    cells.push_back({render::RenderHeatMap(prediction, sample.error_mm, range_, camera), "error"});
+    cells.push_back({ColourBar(kReportCell)});
+    const int columns = int(cells.size());
+    return render::MakeSheet(cells, columns, {.title = sample.title, .gap = 8});
+  }
+
+  static std::vector<geometry::Points> TrueFaces(const ReportData& data) {
+    std::vector<geometry::Points> faces = {data.mean_face};
+    for (const ReportSample& sample : data.samples) faces.push_back(sample.truth);
+    return faces;
   }
 
   const ReportData& data_;
   const render::Frame frame_;
   const render::ValueRange range_;
+  bool has_sketch_ = false;
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ struct ReportData {
   std::string summary;  ///< A sentence or two below the title.
   ReportSurface surface;
   std::vector<ReportSample> samples;
-  geometry::Points mean_face;          ///< V x 3, cm: carries the map of the mean error, and frames all pictures.
+  geometry::Points mean_face;          ///< V x 3, cm: carries the map of the mean error.
   Eigen::VectorXd mean_error_mm;       ///< V: mean over all test faces; NaN where no error is counted.
   std::vector<double> face_errors_mm;  ///< Mean vertex error of each test face, in any order.
   std::vector<ReportTable> tables;
@@ -41,9 +41,10 @@ struct ReportData {
 };
 
 /// Writes into an existing folder, each file atomically: sheet.png (a row a sample: sketch | truth | prediction |
-/// error), mean_error.png (the mean error on the mean face, front and side), errors.svg (histogram and cumulative share
-/// of face_errors_mm) and index.html, which shows them with the tables and facts, needs nothing from elsewhere, and
-/// escapes all text that it is given.
+/// error, without the sketches if there are none, in one frame that holds the true faces), mean_error.png (the mean
+/// error on the mean face, front and side), errors.svg (histogram and cumulative share of face_errors_mm) and
+/// index.html, which shows them with the tables and facts, needs nothing from elsewhere, and escapes all text that it
+/// is given.
 /// @throws Error if shapes disagree, there are no samples or no errors, or a file cannot be written.
 void WriteReport(const std::filesystem::path& folder, const ReportData& data);
 

@@ -40,6 +40,29 @@ TEST(Report, ASheetHasARowASample) {
   const render::Image one = render::ReadImage(folder / "sheet.png");
   EXPECT_EQ(one.width, two.width) << "a row without a sketch is as wide as one with it";
   EXPECT_NEAR(two.height, 2 * one.height, 20);
+  data.samples[0].sketch = {};
+  WriteReport(folder.path(), data);
+  EXPECT_LT(render::ReadImage(folder / "sheet.png").width, one.width - 200) << "without any there is no column of them";
+}
+
+TEST(Report, ALongTrueFaceIsInThePictures) {
+  const testing::TempDir folder;
+  ReportData data = SyntheticReport();
+  data.samples.pop_back();
+  data.samples[0].sketch = {};
+  data.samples[0].truth *= 3;
+  WriteReport(folder.path(), data);
+  const render::Image sheet = render::ReadImage(folder / "sheet.png");
+  // Above and below the face its picture shows the background alone.
+  const int column = sheet.width / 8;
+  int first = sheet.height, last = 0;
+  for (int row = 0; row < sheet.height; ++row)
+    if (const int grey = sheet.at(row, 2 * column, 1); grey > 100 && grey < 225) {
+      first = std::min(first, row);
+      last = std::max(last, row);
+    }
+  EXPECT_GT(first, 40);
+  EXPECT_LT(last, sheet.height - 25);
 }
 
 TEST(Report, AFaceWithoutErrorHasTheFirstColour) {
