@@ -1,10 +1,15 @@
 // The networks of the table side by side: a training step of 32 sketches through the vertex loss, and 1 or 32 sketches
-// to vertices. Heads as large as ICT's; "full" is the printed network at 256 x 256, the others are those of
-// configs/sketch/.
+// to vertices, by LibTorch and, exported, by ONNX Runtime (the median of 21 answers). Heads as large as ICT's; "full"
+// is the printed network at 256 x 256, the others are those of configs/sketch/.
+#include "core/files.h"
+#include "export/onnx_export.h"
+#include "export/onnx_runtime.h"
+#include "export/sketch_export.h"
 #include "losses/vertex_loss.h"
 #include "models/sketch_network.h"
 #include "tensor/runtime.h"
 #include "tests/support/random_bilinear.h"
+#include "tests/support/temp_dir.h"
 
 #include <benchmark/benchmark.h>
 #include <torch/torch.h>
@@ -93,6 +98,22 @@ void Inference(benchmark::State& state, const models::SketchNetworkOptions& opti
   for (auto _ : state) benchmark::DoNotOptimize(network->Decode(network->forward(input)));
 }
 
+void InferenceInOnnxRuntime(benchmark::State& state, const models::SketchNetworkOptions& options) {
+  auto network = MakeNetwork(options);
+  network->eval();
+  const exporting::ExportedFunction function = exporting::SketchFunction(network);
+  const testing::TempDir folder;
+  WriteFileAtomically(folder / "model.onnx", exporting::ExportToOnnx(*network, function).SerializeAsString());
+  Rng rng(1);
+  tensor::NamedTensors inputs;
+  for (const auto& input : function.inputs) inputs[input.name] = input.sample(state.range(0), rng);
+  const auto answers = exporting::RunInOnnxRuntime(folder / "model.onnx", {inputs}, function.output_names,
+                                                   folder.path(), /*timed_runs=*/21);
+  if (!answers) return state.SkipWithError("there is no ONNX Runtime here: run ./dev setup");
+  for (auto _ : state) state.SetIterationTime(answers->milliseconds.front() / 1000);
+  state.SetLabel(answers->runtime);
+}
+
 /// Once for each network.
 const bool registered = [] {
   tensor::SetUpTorch();
@@ -106,6 +127,13 @@ const bool registered = [] {
         ->Arg(32)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
+    benchmark::RegisterBenchmark(("OnnxRuntime/" + name).c_str(), InferenceInOnnxRuntime, options)
+        ->ArgName("batch")
+        ->Arg(1)
+        ->Arg(32)
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime()
+        ->Iterations(1);
   }
   return true;
 }();

@@ -50,8 +50,8 @@ torch::Tensor ReadRaw(const fs::path& file, const std::vector<int64_t>& shape) {
 
 /// Writes the inputs beside the request that tools/npm/run_onnx.mjs reads.
 Json MakeRequest(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
-                 const std::vector<std::string>& output_names, const fs::path& scratch) {
-  Json request = {{"model", fs::absolute(model).string()}, {"runs", Json::array()}};
+                 const std::vector<std::string>& output_names, const fs::path& scratch, int timed_runs) {
+  Json request = {{"model", fs::absolute(model).string()}, {"runs", Json::array()}, {"timed_runs", timed_runs}};
   for (size_t run = 0; run < runs.size(); ++run) {
     Json inputs = Json::array(), outputs = Json::array();
     for (const auto& [name, tensor] : runs[run]) {
@@ -69,10 +69,11 @@ Json MakeRequest(const fs::path& model, const std::vector<tensor::NamedTensors>&
 }
 
 std::optional<OnnxAnswers> RunInNode(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
-                                     const std::vector<std::string>& output_names, const fs::path& scratch) {
+                                     const std::vector<std::string>& output_names, const fs::path& scratch,
+                                     int timed_runs) {
   const auto npm = NpmFolder();
   if (!npm.has_value()) return std::nullopt;
-  const Json request = MakeRequest(model, runs, output_names, scratch);
+  const Json request = MakeRequest(model, runs, output_names, scratch, timed_runs);
   WriteFileAtomically(scratch / "request.json", request.dump());
   const auto child = RunChild({"node", (*npm / "run_onnx.mjs").string(), (scratch / "request.json").string()}, scratch,
                               kTimeoutSeconds);
@@ -80,7 +81,7 @@ std::optional<OnnxAnswers> RunInNode(const fs::path& model, const std::vector<te
   DAUMIER_CHECK(child->exit_code == 0, "ONNX Runtime cannot run {}: {}", model.string(), child->err);
 
   const Json reply = Json::parse(child->out);
-  OnnxAnswers answers{reply.at("runtime"), {}};
+  OnnxAnswers answers{.runtime = reply.at("runtime"), .outputs = {}, .milliseconds = reply.at("milliseconds")};
   for (size_t run = 0; run < runs.size(); ++run) {
     tensor::NamedTensors& outputs = answers.outputs.emplace_back();
     for (const Json& output : request["runs"][run]["outputs"]) {
@@ -94,9 +95,10 @@ std::optional<OnnxAnswers> RunInNode(const fs::path& model, const std::vector<te
 }  // namespace
 
 std::optional<OnnxAnswers> RunInOnnxRuntime(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
-                                            const std::vector<std::string>& output_names, const fs::path& scratch) {
-  if (HasNativeOnnxRuntime()) return RunInNativeOnnxRuntime(model, runs, output_names);
-  return RunInNode(model, runs, output_names, scratch);
+                                            const std::vector<std::string>& output_names, const fs::path& scratch,
+                                            int timed_runs) {
+  if (HasNativeOnnxRuntime()) return RunInNativeOnnxRuntime(model, runs, output_names, timed_runs);
+  return RunInNode(model, runs, output_names, scratch, timed_runs);
 }
 
 }  // namespace daumier::exporting

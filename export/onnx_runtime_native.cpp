@@ -5,6 +5,9 @@
 #ifdef DAUMIER_HAS_ONNXRUNTIME
 #include <onnxruntime_cxx_api.h>
 
+#include <algorithm>
+#include <chrono>
+
 namespace daumier::exporting {
 namespace {
 
@@ -13,6 +16,18 @@ Ort::Value ViewAsValue(const torch::Tensor& tensor) {
   const auto memory = Ort::MemoryInfo::CreateCpu(OrtArenaAllocator, OrtMemTypeDefault);
   const auto shape = tensor.sizes().vec();
   return Ort::Value::CreateTensor<float>(memory, tensor.data_ptr<float>(), tensor.numel(), shape.data(), shape.size());
+}
+
+template <class Function>
+double MedianMilliseconds(int num_runs, const Function& run) {
+  std::vector<double> times;
+  for (int i = 0; i < num_runs; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::nth_element(times.begin(), times.begin() + num_runs / 2, times.end());
+  return times[size_t(num_runs / 2)];
 }
 
 torch::Tensor CopyOfValue(Ort::Value& value) {
@@ -26,7 +41,7 @@ bool HasNativeOnnxRuntime() {
 }
 
 OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path& model, const std::vector<tensor::NamedTensors>& runs,
-                                   const std::vector<std::string>& output_names) {
+                                   const std::vector<std::string>& output_names, int timed_runs) {
   try {
     Ort::Env environment(ORT_LOGGING_LEVEL_ERROR, "daumier");
     Ort::Session session(environment, model.c_str(), Ort::SessionOptions());
@@ -42,8 +57,11 @@ OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path& model, const std
         names.push_back(name.c_str());
         values.push_back(ViewAsValue(kept.back()));
       }
-      auto results =
-          session.Run(Ort::RunOptions(), names.data(), values.data(), values.size(), wanted.data(), wanted.size());
+      const auto answer = [&] {
+        return session.Run(Ort::RunOptions(), names.data(), values.data(), values.size(), wanted.data(), wanted.size());
+      };
+      auto results = answer();
+      if (timed_runs > 0) answers.milliseconds.push_back(MedianMilliseconds(timed_runs, answer));
       tensor::NamedTensors& outputs = answers.outputs.emplace_back();
       for (size_t i = 0; i < results.size(); ++i) outputs[output_names[i]] = CopyOfValue(results[i]);
     }
@@ -64,7 +82,7 @@ bool HasNativeOnnxRuntime() {
 }
 
 OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path&, const std::vector<tensor::NamedTensors>&,
-                                   const std::vector<std::string>&) {
+                                   const std::vector<std::string>&, int) {
   throw Error("this build has no native ONNX Runtime");
 }
 

@@ -25,6 +25,17 @@ TEST(OnnxRuntime, AnswersEveryRunAtItsOwnBatchSize) {
   EXPECT_TRUE(torch::equal(answers->outputs.at(1).at("y"), 2 * four));
 }
 
+TEST(OnnxRuntime, TellsTheMedianTimeOfEachRunIfAskedTo) {
+  const TempDir folder;
+  const auto model = WriteDoubler(folder);
+  const std::vector<tensor::NamedTensors> runs = {{{"x", torch::zeros({1, 3})}}, {{"x", torch::zeros({4, 3})}}};
+  const auto answers = RunInOnnxRuntime(model, runs, {"y"}, folder.path(), 5);
+  if (!answers.has_value()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
+  ASSERT_EQ(answers->milliseconds.size(), 2u);
+  for (const double milliseconds : answers->milliseconds) EXPECT_GT(milliseconds, 0);
+  EXPECT_TRUE(RunInOnnxRuntime(model, runs, {"y"}, folder.path())->milliseconds.empty());
+}
+
 TEST(OnnxRuntime, ModelThatCannotBeLoadedIsAnErrorThatNamesIt) {
   const TempDir folder;
   const auto model = WriteDoubler(folder);
