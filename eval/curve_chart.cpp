@@ -13,8 +13,8 @@ namespace daumier::eval {
 namespace {
 
 // The chart's own pixels.
-constexpr double kWidth = 900.0, kPanelHeight = 300.0, kTop = 36.0, kGap = 84.0;
-constexpr double kLeft = 58.0, kRight = 620.0, kLegend = 644.0, kLegendLine = 19.0;
+constexpr double kMinWidth = 900.0, kPanelHeight = 300.0, kTop = 36.0, kGap = 84.0;
+constexpr double kLeft = 58.0, kRight = 620.0, kLegend = 644.0, kLegendLine = 19.0, kLetter = 7.5;
 /// How far the axis goes on above the largest of the least values.
 constexpr double kHeadroom = 1.6;
 
@@ -67,6 +67,13 @@ std::string CurveSvg(const ChartPanel& panel, const ChartCurve& curve, const std
   return fmt::format(
       "<path class=\"curve\" {0} d=\"{1}\"/>\n<circle cx=\"{2:.1f}\" cy=\"{3:.1f}\" r=\"3\" fill=\"none\" {0}/>\n",
       stroke, path, panel.x(curve.x[best]), panel.y(curve.y[best]));
+}
+
+/// Wide enough for the longest name of the legend.
+double Width(const std::map<std::string, std::string>& strokes) {
+  size_t longest = 0;
+  for (const auto& [name, stroke] : strokes) longest = std::max(longest, name.size());
+  return std::max(kMinWidth, kLegend + 30.0 + kLetter * double(longest + 8));
 }
 
 /// The names of a panel with the least value of each, the smallest first.
@@ -123,7 +130,7 @@ std::string CurveChartSvg(const std::vector<CurvePanel>& panels, std::string_vie
     svg += "</g>\n" + Legend(panels[i], top, strokes);
     top += kPanelHeight + kGap;
   }
-  return ChartSvg(kWidth, top - kGap + 50.0, title, kStyle, svg);
+  return ChartSvg(Width(strokes), top - kGap + 50.0, title, kStyle, svg);
 }
 
 }  // namespace daumier::eval

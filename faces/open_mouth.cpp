@@ -45,8 +45,8 @@ LipContours FindLipContours(const FaceTemplate& face_template) {
     for (const int landmark : way) waypoints.push_back(landmarks[landmark]);
     return geometry::TracePath(face_template.neutral, neighbours, waypoints, false);
   };
-  const LipContours contours{trace({kRightCorner, 61, kUpperMiddle, 63, kLeftCorner}),
-                             trace({kRightCorner, 67, kLowerMiddle, 65, kLeftCorner})};
+  LipContours contours{trace({kRightCorner, 61, kUpperMiddle, 63, kLeftCorner}),
+                       trace({kRightCorner, 67, kLowerMiddle, 65, kLeftCorner})};
   const int middle = landmarks[kLowerMiddle];
   DAUMIER_CHECK(std::find(contours.upper.begin(), contours.upper.end(), middle) == contours.upper.end(),
                 "the lips of {} share vertex {}: landmark {} lies on the upper one", face_template.source, middle,

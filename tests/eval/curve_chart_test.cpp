@@ -38,6 +38,12 @@ TEST(CurveChart, SteepBeginningsAreCut) {
   EXPECT_NE(svg.find("clip-path"), std::string::npos);
 }
 
+TEST(CurveChart, LongNamesMakeItWider) {
+  const std::string name(60, 'm');
+  EXPECT_NE(Chart({{"p", {{"a", {1}, {1}}}}}).find("viewBox=\"0 0 900 "), std::string::npos);
+  EXPECT_NE(Chart({{"p", {{name, {1}, {1}}}}}).find("viewBox=\"0 0 1184 "), std::string::npos);
+}
+
 TEST(CurveChart, EscapesNames) {
   EXPECT_NE(Chart({{"<p>", {{"<a>", {1}, {1}}}}}).find("&lt;a&gt;"), std::string::npos);
 }
