@@ -1,4 +1,4 @@
-// The networks of the table side by side: a training step of 32 sketches through the vertex loss, and 1 or 32 sketches
+// The networks of the table side by side: a training step of 32 sketches through the vertex loss in both precisions, and 1 or 32 sketches
 // to vertices, by LibTorch and, exported, by ONNX Runtime (the median of 21 answers). Heads as large as ICT's; "full"
 // is the printed network at 256 x 256, the others are those of configs/sketch/.
 #include "core/files.h"
@@ -7,6 +7,7 @@
 #include "export/sketch_export.h"
 #include "losses/vertex_loss.h"
 #include "models/sketch_network.h"
+#include "tensor/autocast.h"
 #include "tensor/runtime.h"
 #include "tests/support/random_bilinear.h"
 #include "tests/support/temp_dir.h"
@@ -74,7 +75,7 @@ models::SketchInput MakeInput(const models::SketchNetwork& network, int64_t batc
           network->ShapeOf(torch::randn({batch, network->num_shape()}))};
 }
 
-void TrainingStep(benchmark::State& state, const models::SketchNetworkOptions& options) {
+void TrainingStep(benchmark::State& state, const models::SketchNetworkOptions& options, bool bfloat16) {
   auto network = MakeNetwork(options);
   const int64_t batch = 32;
   const models::SketchInput input = MakeInput(network, batch);
@@ -83,7 +84,13 @@ void TrainingStep(benchmark::State& state, const models::SketchNetworkOptions& o
   torch::optim::Adam adam(network->parameters());
   for (auto _ : state) {
     adam.zero_grad();
-    loss(network->Linear(network->forward(input)), moments).backward();
+    models::SketchNetworkImpl::BranchFeatures features;
+    {
+      const tensor::Autocast precision(torch::kCPU, bfloat16);
+      features = network->Features(input);
+    }
+    features = {features.identity.to(torch::kFloat32), features.expression.to(torch::kFloat32)};
+    loss(network->Linear(network->Answer(features)), moments).backward();
     adam.step();
   }
   state.counters["sketches"] = benchmark::Counter(batch, benchmark::Counter::kIsIterationInvariantRate);
@@ -118,9 +125,12 @@ void InferenceInOnnxRuntime(benchmark::State& state, const models::SketchNetwork
 const bool registered = [] {
   tensor::SetUpTorch();
   for (const auto& [name, options] : Networks()) {
-    benchmark::RegisterBenchmark(("TrainingStep/" + name).c_str(), TrainingStep, options)
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
+    for (const bool bfloat16 : {false, true}) {
+      benchmark::RegisterBenchmark(("TrainingStep/" + name + (bfloat16 ? "/bfloat16" : "/float32")).c_str(),
+                                   TrainingStep, options, bfloat16)
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+    }
     benchmark::RegisterBenchmark(("Inference/" + name).c_str(), Inference, options)
         ->ArgName("batch")
         ->Arg(1)

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "datasets/read/training_fit.h"
 #include "eval/metrics.h"
+#include "tensor/autocast.h"
 #include "tensor/eigen.h"
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
@@ -57,8 +58,7 @@ SketchClassifierImpl::SketchClassifierImpl(models::SketchNetwork network, int nu
       identity_(register_module("identity", nn::Linear(network_->num_identity_features(), num_identities))),
       expression_(register_module("expression", nn::Linear(network_->num_expression_features(), num_expressions))) {}
 
-SketchClassifierImpl::Scores SketchClassifierImpl::forward(const models::SketchInput& input) {
-  const auto features = network_->Features(input);
+SketchClassifierImpl::Scores SketchClassifierImpl::forward(const models::SketchNetworkImpl::BranchFeatures& features) {
   return {identity_->forward(features.identity), expression_->forward(features.expression)};
 }
 
@@ -190,15 +190,21 @@ LossTerms SketchRecipe::Loss(const std::vector<int>& samples, int64_t epoch) {
   return VertexLoss(batch, rows);
 }
 
+models::SketchNetworkImpl::BranchFeatures SketchRecipe::Features(const datasets::SketchBatch& batch) {
+  const tensor::Autocast precision(device_, options_.precision == "bfloat16");
+  const auto [identity, expression] = network_->Features(InputOf(batch));
+  return {identity.to(torch::kFloat32), expression.to(torch::kFloat32)};
+}
+
 LossTerms SketchRecipe::ClassificationLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows) {
-  const auto scores = classifier_->forward(InputOf(batch));
+  const auto scores = classifier_->forward(Features(batch));
   const torch::Tensor identity = CrossEntropy(scores.identity, identity_classes_.index_select(0, rows)),
                       expression = CrossEntropy(scores.expression, expression_classes_.index_select(0, rows));
   return {identity + expression, {{"identity_entropy", identity}, {"expression_entropy", expression}}};
 }
 
 LossTerms SketchRecipe::RegressionLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows) {
-  const auto answer = network_->Standardised(network_->forward(InputOf(batch)));
+  const auto answer = network_->Standardised(network_->Answer(Features(batch)));
   const auto truth =
       network_->Standardised({coefficients_.u.index_select(0, rows), coefficients_.v.index_select(0, rows), {}});
   const torch::Tensor u = MeanSquaredLength(answer.u - truth.u), v = MeanSquaredLength(answer.v - truth.v);
@@ -206,7 +212,7 @@ LossTerms SketchRecipe::RegressionLoss(const datasets::SketchBatch& batch, const
 }
 
 LossTerms SketchRecipe::VertexLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows) {
-  const torch::Tensor linear = network_->Linear(network_->forward(InputOf(batch)));
+  const torch::Tensor linear = network_->Linear(network_->Answer(Features(batch)));
   if (gram_loss_)
     return {(*gram_loss_)(linear, {moments_.linear.index_select(0, rows), moments_.constant.index_select(0, rows)}),
             {}};

@@ -18,7 +18,7 @@ namespace daumier::train {
 /// elsewhere.
 torch::Tensor CurveVertexWeights(const faces::FaceTemplate& face_template, double curve_weight);
 
-/// A sketch network with the softmax layers of the first step of training behind its branches.
+/// A sketch network with the softmax layers of the first step of training, which read its last features.
 class SketchClassifierImpl : public torch::nn::Module {
  public:
   SketchClassifierImpl(models::SketchNetwork network, int num_identities, int num_expressions);
@@ -27,7 +27,7 @@ class SketchClassifierImpl : public torch::nn::Module {
   struct Scores {
     torch::Tensor identity, expression;
   };
-  Scores forward(const models::SketchInput& input);
+  Scores forward(const models::SketchNetworkImpl::BranchFeatures& features);
 
  private:
   models::SketchNetwork network_;
@@ -75,6 +75,8 @@ class SketchRecipe : public Recipe {
   void PrecomputeClasses(const std::vector<int>& identities);
   void PrecomputeCoefficients(const std::vector<int>& identities, const faces::BilinearModel& bilinear);
 
+  /// What the network makes of a batch, in the precision of the options, as float32.
+  models::SketchNetworkImpl::BranchFeatures Features(const datasets::SketchBatch& batch);
   LossTerms ClassificationLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows);
   LossTerms RegressionLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows);
   LossTerms VertexLoss(const datasets::SketchBatch& batch, const torch::Tensor& rows);

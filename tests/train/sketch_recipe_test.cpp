@@ -212,6 +212,36 @@ TEST_F(SketchRecipeTest, EveryKindOfNetworkTakesAStepInEachStage) {
   }
 }
 
+TEST_F(SketchRecipeTest, Bfloat16RoundsTheStepAndNothingElse) {
+  options_.stages = {.classification = 0.3, .regression = 0.3};
+  for (const auto& [name, network] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    options_.network = network;
+    models_.basis = network.residual == 0
+                        ? faces::FaceBasis()
+                        : datasets::FitBasisOnTraining(faces_, split_, models_.bilinear, network.residual, 1);
+    std::vector<double> losses, validations;
+    for (const char* precision : {"float32", "bfloat16"}) {
+      options_.precision = precision;
+      SketchRecipe recipe = MakeRecipe("gram");
+      recipe.EnterStage(2);
+      recipe.module().eval();
+      validations.push_back(recipe.Validate().at("mean_vertex_error_mm"));
+      const LossTerms terms = recipe.Loss({0, 7, 11, 3}, 0);
+      terms.total.backward();
+      losses.push_back(terms.total.item<double>());
+      for (const auto& parameter : recipe.product().parameters()) {
+        EXPECT_EQ(parameter.scalar_type(), torch::kFloat32);
+        ASSERT_TRUE(parameter.grad().defined());
+        EXPECT_EQ(parameter.grad().scalar_type(), torch::kFloat32);
+      }
+    }
+    EXPECT_EQ(validations[0], validations[1]);
+    EXPECT_NE(losses[0], losses[1]);
+    EXPECT_NEAR(losses[0], losses[1], 0.02 * losses[0]);
+  }
+}
+
 TEST_F(SketchRecipeTest, RefusesASplitWithoutValidation) {
   split_.validation.clear();
   testing::ExpectError([&] { MakeRecipe("gram"); }, "needs training and validation faces");

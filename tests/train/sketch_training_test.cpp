@@ -126,8 +126,9 @@ TEST_F(SketchTrainingTest, RefusesMissingFoldersAndSketchesOfOtherFaces) {
 TEST(SketchConfigs, AllAreParsed) {
   int num_configs = 0;
   for (const auto& entry : fs::directory_iterator(testing::SourceRoot() / "configs" / "sketch")) {
-    if (entry.path().filename().string().starts_with("ablation")) continue;  // tests/train/sketch_ablation_test.cpp
-    EXPECT_NO_THROW(ParseOptions<SketchTrainingOptions>(LoadConfig(entry.path()), entry.path().string()));
+    const Json config = LoadConfig(entry.path());
+    if (config.contains("rows")) continue;  // tests/train/sketch_ablation_test.cpp
+    EXPECT_NO_THROW(ParseOptions<SketchTrainingOptions>(config, entry.path().string()));
     ++num_configs;
   }
   EXPECT_GT(num_configs, 0);
