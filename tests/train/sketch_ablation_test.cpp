@@ -1,5 +1,6 @@
 #include "train/sketch_ablation.h"
 
+#include "core/config.h"
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/manifest.h"
