@@ -1,6 +1,7 @@
 #include "models/sketch_trunks.h"
 
 #include "core/error.h"
+#include "tensor/autocast.h"
 
 #include <algorithm>
 #include <array>
@@ -13,12 +14,21 @@ namespace nn = torch::nn;
 constexpr int kLastSide = 4;
 constexpr int kMaxWidening = 16;
 
-nn::Conv2d Convolution(int from, int to, int kernel, int stride, int padding, bool bias = false) {
-  return nn::Conv2d(nn::Conv2dOptions(from, to, kernel).stride(stride).padding(padding).bias(bias));
+nn::Conv2dOptions Shape(int from, int to, int kernel, int stride, int padding, bool bias = false) {
+  return nn::Conv2dOptions(from, to, kernel).stride(stride).padding(padding).bias(bias);
+}
+
+/// A convolution; of one channel it is that of the sketch.
+void PushConvolution(nn::Sequential& layers, const nn::Conv2dOptions& shape) {
+  if (shape.in_channels() == 1) {
+    layers->push_back(SketchConvolution(shape));
+  } else {
+    layers->push_back(nn::Conv2d(shape));
+  }
 }
 
 void PushNormalised(nn::Sequential& layers, int from, int to, int kernel, int stride, int padding) {
-  layers->push_back(Convolution(from, to, kernel, stride, padding));
+  PushConvolution(layers, Shape(from, to, kernel, stride, padding));
   layers->push_back(nn::BatchNorm2d(to));
   layers->push_back(nn::ReLU());
 }
@@ -50,7 +60,7 @@ SketchTrunk AlexNet(const SketchNetworkOptions& options) {
   int side = options.resolution, from = 1;
   for (const Layer& layer : kLayers) {
     const int to = std::max(1, layer.channels * options.width / kLayers[0].channels);
-    layers->push_back(Convolution(from, to, layer.kernel, layer.stride, layer.padding, !options.batch_norm));
+    PushConvolution(layers, Shape(from, to, layer.kernel, layer.stride, layer.padding, !options.batch_norm));
     if (options.batch_norm) layers->push_back(nn::BatchNorm2d(to));
     layers->push_back(nn::ReLU());
     side = (side + 2 * layer.padding - layer.kernel) / layer.stride + 1;
@@ -105,12 +115,20 @@ SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size)
   return Compact(options);
 }
 
+torch::Tensor SketchConvolutionImpl::forward(const torch::Tensor& sketches) {
+  const bool reduced = tensor::Autocast::IsOn(sketches.device());
+  const tensor::Autocast full(sketches.device(), false);
+  const torch::Tensor output = Conv2dImpl::forward(sketches);
+  return reduced ? output.to(torch::kBFloat16) : output;
+}
+
 ResidualBlockImpl::ResidualBlockImpl(int from, int to, int stride) {
   residual_ =
-      register_module("residual", nn::Sequential(Convolution(from, to, 3, stride, 1), nn::BatchNorm2d(to), nn::ReLU(),
-                                                 Convolution(to, to, 3, 1, 1), nn::BatchNorm2d(to)));
+      register_module("residual", nn::Sequential(nn::Conv2d(Shape(from, to, 3, stride, 1)), nn::BatchNorm2d(to),
+                                                 nn::ReLU(), nn::Conv2d(Shape(to, to, 3, 1, 1)), nn::BatchNorm2d(to)));
   if (from != to || stride != 1)
-    short_cut_ = register_module("short_cut", nn::Sequential(Convolution(from, to, 1, stride, 0), nn::BatchNorm2d(to)));
+    short_cut_ =
+        register_module("short_cut", nn::Sequential(nn::Conv2d(Shape(from, to, 1, stride, 0)), nn::BatchNorm2d(to)));
 }
 
 torch::Tensor ResidualBlockImpl::forward(const torch::Tensor& input) {

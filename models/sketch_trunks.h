@@ -27,6 +27,15 @@ struct SketchTrunk {
 /// @throws Error if the picture is too small for the trunk.
 SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size);
 
+/// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
+/// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.
+class SketchConvolutionImpl : public torch::nn::Conv2dImpl {
+ public:
+  using Conv2dImpl::Conv2dImpl;
+  torch::Tensor forward(const torch::Tensor& sketches);
+};
+TORCH_MODULE(SketchConvolution);
+
 /// Two 3 x 3 convolutions with a short cut around them, which is a 1 x 1 convolution where the shape changes.
 class ResidualBlockImpl : public torch::nn::Module {
  public:

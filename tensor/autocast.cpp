@@ -8,7 +8,7 @@ namespace daumier::tensor {
 namespace {
 
 #if DAUMIER_TORCH_AT_LEAST(2, 4)
-bool IsOn(torch::DeviceType device) {
+bool Enabled(torch::DeviceType device) {
   return at::autocast::is_autocast_enabled(device);
 }
 void Turn(torch::DeviceType device, bool on) {
@@ -16,7 +16,7 @@ void Turn(torch::DeviceType device, bool on) {
   at::autocast::set_autocast_enabled(device, on);
 }
 #else
-bool IsOn(torch::DeviceType device) {
+bool Enabled(torch::DeviceType device) {
   return device == torch::kCPU ? at::autocast::is_cpu_enabled() : at::autocast::is_enabled();
 }
 void Turn(torch::DeviceType device, bool on) {
@@ -32,7 +32,11 @@ void Turn(torch::DeviceType device, bool on) {
 
 }  // namespace
 
-Autocast::Autocast(const torch::Device& device, bool on) : device_(device.type()), was_on_(IsOn(device_)) {
+bool Autocast::IsOn(const torch::Device& device) {
+  return Enabled(device.type());
+}
+
+Autocast::Autocast(const torch::Device& device, bool on) : device_(device.type()), was_on_(Enabled(device_)) {
   at::autocast::increment_nesting();
   Turn(device_, on);
 }

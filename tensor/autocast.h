@@ -14,6 +14,8 @@ class Autocast {
   Autocast(const Autocast&) = delete;
   Autocast& operator=(const Autocast&) = delete;
 
+  static bool IsOn(const torch::Device& device);
+
  private:
   torch::DeviceType device_;
   bool was_on_;
