@@ -1,6 +1,6 @@
-// The networks of the table side by side: a training step of 32 sketches through the vertex loss in both precisions, and 1 or 32 sketches
-// to vertices, by LibTorch and, exported, by ONNX Runtime (the median of 21 answers). Heads as large as ICT's; "full"
-// is the printed network at 256 x 256, the others are those of configs/sketch/.
+// The networks of the table side by side: a training step of 32 sketches through the vertex loss in both precisions,
+// and 1 or 32 sketches to vertices, by LibTorch and, exported, by ONNX Runtime (the median of 21 answers). Heads as
+// large as ICT's; "full" is the printed network at 256 x 256, the others are those of configs/sketch/.
 #include "core/files.h"
 #include "export/onnx_export.h"
 #include "export/onnx_runtime.h"

@@ -3,9 +3,9 @@
 
 namespace daumier::tensor {
 
-/// While it lives, LibTorch's convolutions and matrix products on `device` read bfloat16 (8 bits of mantissa) and sum in
-/// float32, if `on`; weights, normalisations and gradients of weights stay float32. With AMX or a GPU's tensor cores a
-/// product is several times as fast; a processor without bfloat16 instructions gets slower. What comes out of such
+/// While it lives, LibTorch's convolutions and matrix products on `device` read bfloat16 (8 bits of mantissa) and sum
+/// in float32, if `on`; weights, normalisations and gradients of weights stay float32. With AMX or a GPU's tensor cores
+/// a product is several times as fast; a processor without bfloat16 instructions gets slower. What comes out of such
 /// layers is bfloat16. Guards of one thread may be nested; each leaves what it found.
 class Autocast {
  public:
@@ -14,6 +14,7 @@ class Autocast {
   Autocast(const Autocast&) = delete;
   Autocast& operator=(const Autocast&) = delete;
 
+  /// Of this thread.
   static bool IsOn(const torch::Device& device);
 
  private:

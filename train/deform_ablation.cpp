@@ -1,7 +1,6 @@
 #include "train/deform_ablation.h"
 
 #include "core/error.h"
-#include "core/manifest.h"
 #include "core/options.h"
 #include "eval/deform_comparison.h"
 #include "eval/deform_eval.h"
@@ -14,7 +13,6 @@
 #include <torch/torch.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace daumier::train {
 namespace {
@@ -36,30 +34,15 @@ const Json& FindLine(const Json& metrics, const std::string& name) {
 Json DeformAblation::ResolvedConfig(Json config, uint64_t seed, const std::string& split,
                                     const std::string& where) const {
   config.merge_patch({{"seed", seed}, {"split", {{"kind", split}}}});
-  auto options = ParseOptions<DeformTrainingOptions>(config, where);
-  for (std::string* folder : {&options.data.faces, &options.data.points}) {
-    if (folder->empty()) throw UsageError(fmt::format("{}: it needs data.faces=FOLDER and data.points=FOLDER", where));
-    *folder = fs::absolute(*folder).lexically_normal().string();
-  }
-  return ToJson(options);
+  return ToJson(ParseTraining<DeformTrainingOptions>(config, where));
 }
 
 Json DeformAblation::ResolvedEval(const Json& eval, const std::string& where) const {
   return ToJson(ParseOptions<eval::DeformEvalOptions>(eval, where));
 }
 
-bool DeformAblation::Finished(const fs::path& run, const Json& config) const {
-  Json without_paths = config;
-  without_paths.erase("data");
-  OpenRunFolder(run, /*resume=*/true, without_paths,
-                {{"faces", DataHash(config.at("data").at("faces").get<std::string>())},
-                 {"points", DataHash(config.at("data").at("points").get<std::string>())}});
-  return ReadManifest(run, "run").counts.contains("best_epoch");
-}
-
-void DeformAblation::Train(const Json& config, const fs::path& run) const {
-  const bool begun = fs::exists(run / "resolved.toml") || fs::exists(run / "manifest.json");
-  TrainDeform(config, run, begun, device_);
+void DeformAblation::TrainRun(const Json& config, const fs::path& run, bool resume, const std::string& device) const {
+  TrainDeform(config, run, resume, device);
 }
 
 void DeformAblation::Evaluate(const fs::path& run, const Json& eval, const fs::path& report) const {
@@ -67,24 +50,12 @@ void DeformAblation::Evaluate(const fs::path& run, const Json& eval, const fs::p
 }
 
 double DeformAblation::InferMs(const fs::path& run) const {
-  constexpr int kRuns = 51;
   const models::DeformRun loaded = models::LoadDeformRun(run);
-  std::vector<double> ms;
-  for (int i = 0; i < kRuns; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    models::SurfaceDecoder(loaded.network, loaded.codes[0]).Vertices();
-    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  return eval::Percentile(ms, 50);
+  return MedianMs([&] { models::SurfaceDecoder(loaded.network, loaded.codes[0]).Vertices(); });
 }
 
 std::vector<std::string> DeformAblation::baselines() const {
   return eval::DeformBaselineNames();
-}
-
-bool DeformAblation::HasLine(const Json& metrics, const std::string& line) const {
-  const Json& table = metrics.at("table");
-  return std::any_of(table.begin(), table.end(), [&](const Json& entry) { return entry.at("name") == line; });
 }
 
 AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& line, const std::string&) const {
@@ -113,11 +84,6 @@ AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& 
   } catch (const Json::exception& error) {
     throw Error(fmt::format("the metrics of a deformable model's run are malformed: {}", error.what()));
   }
-}
-
-std::string DeformAblation::TestedOn(const Json& metrics) const {
-  return fmt::format("{} faces of {}, faces {}, data {}", metrics.at("num_faces").dump(), metrics.at("split").dump(),
-                     Sha256(metrics.at("faces").dump()).substr(0, 12), metrics.at("data_hash").dump());
 }
 
 void DeformAblation::WriteSheet(const std::vector<AblationPicture>& rows, const fs::path& file) const {

@@ -22,18 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-DeformTrainingOptions ParseDeformOptions(const Json& config) {
-  auto options = ParseOptions<DeformTrainingOptions>(config, "training config");
-  for (std::string* folder : {&options.data.faces, &options.data.points}) {
-    if (folder->empty()) {
-      throw UsageError(
-          "a training of a deformable model needs data.faces=FOLDER and data.points=FOLDER, made by `daumier dataset`");
-    }
-    *folder = fs::absolute(*folder).lexically_normal().string();
-  }
-  return options;
-}
-
 /// The factor of the rows of a linear model, by validation; codes begin with a deviation of 0.01.
 void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
   constexpr double kCodeDeviation = 0.01;
@@ -75,7 +63,7 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 }  // namespace
 
 TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
-  const DeformTrainingOptions options = ParseDeformOptions(config);
+  const DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::ParseDevice(device);
   const faces::FaceDatabase faces(options.data.faces);
   const datasets::PointDatabase points(options.data.points);

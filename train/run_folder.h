@@ -1,6 +1,7 @@
 #pragma once
 #include "core/json.h"
 #include "core/manifest.h"
+#include "core/options.h"
 #include "datasets/read/splits.h"
 #include "train/trainer.h"
 
@@ -12,6 +13,16 @@ namespace daumier::train {
 
 /// The weights of the least validation error, which checksums in the manifest name.
 inline constexpr const char* kBestFile = "best/model.safetensors";
+
+/// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
+Json WithAbsoluteData(Json config, const std::string& where);
+
+/// The options of a training with WithAbsoluteData. @throws UsageError as ParseOptions.
+template <class Options>
+Options ParseTraining(const Json& config, const std::string& where) {
+  const Json resolved = ToJson(ParseOptions<Options>(config, where));
+  return ParseOptions<Options>(WithAbsoluteData(resolved, where), where);
+}
 
 /// What differs between two configs, a line a dotted key: "optimiser.learning_rate is 0.001 there and 0.01 now".
 std::vector<std::string> ConfigDifferences(const Json& there, const Json& now);

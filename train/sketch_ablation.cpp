@@ -1,8 +1,6 @@
 #include "train/sketch_ablation.h"
 
 #include "core/error.h"
-#include "core/files.h"
-#include "core/manifest.h"
 #include "core/options.h"
 #include "eval/sketch_comparison.h"
 #include "eval/sketch_eval.h"
@@ -14,47 +12,23 @@
 #include <torch/utils.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace daumier::train {
-namespace {
 
 namespace fs = std::filesystem;
-
-Json WithoutPaths(Json config) {
-  config.erase("data");
-  return config;
-}
-
-}  // namespace
 
 Json SketchAblation::ResolvedConfig(Json config, uint64_t seed, const std::string& split,
                                     const std::string& where) const {
   config.merge_patch({{"seed", seed}, {"split", {{"kind", split}}}});
-  auto options = ParseOptions<SketchTrainingOptions>(config, where);
-  for (std::string* folder : {&options.data.faces, &options.data.sketches}) {
-    if (folder->empty())
-      throw UsageError(fmt::format("{}: it needs data.faces=FOLDER and data.sketches=FOLDER", where));
-    *folder = fs::absolute(*folder).lexically_normal().string();
-  }
-  return ToJson(options);
+  return ToJson(ParseTraining<SketchTrainingOptions>(config, where));
 }
 
 Json SketchAblation::ResolvedEval(const Json& eval, const std::string& where) const {
   return ToJson(ParseOptions<eval::SketchEvalOptions>(eval, where));
 }
 
-bool SketchAblation::Finished(const fs::path& run, const Json& config) const {
-  const Json& data = config.at("data");
-  OpenRunFolder(run, /*resume=*/true, WithoutPaths(config),
-                {{"faces", DataHash(data.at("faces").get<std::string>())},
-                 {"sketches", DataHash(data.at("sketches").get<std::string>())}});
-  return ReadManifest(run, "run").counts.contains("best_epoch");
-}
-
-void SketchAblation::Train(const Json& config, const fs::path& run) const {
-  const bool begun = fs::exists(run / "resolved.toml") || fs::exists(run / "manifest.json");
-  TrainSketch(config, run, begun, device_);
+void SketchAblation::TrainRun(const Json& config, const fs::path& run, bool resume, const std::string& device) const {
+  TrainSketch(config, run, resume, device);
 }
 
 void SketchAblation::Evaluate(const fs::path& run, const Json& eval, const fs::path& report) const {
@@ -62,28 +36,16 @@ void SketchAblation::Evaluate(const fs::path& run, const Json& eval, const fs::p
 }
 
 double SketchAblation::InferMs(const fs::path& run) const {
-  constexpr int kRuns = 51;
   const at::NoGradGuard no_grad;
   models::SketchNetwork network = models::LoadSketchRun(run).network;
   const models::SketchNetworkOptions& options = network->options();
   const models::SketchInput sketch{torch::zeros({1, 1, options.resolution, options.resolution}),
                                    torch::zeros({1, 4, options.num_points}), torch::zeros({1, network->num_shape()})};
-  std::vector<double> ms;
-  for (int i = 0; i < kRuns; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    network->Decode(network->forward(sketch));
-    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  return eval::Percentile(ms, 50);
+  return MedianMs([&] { network->Decode(network->forward(sketch)); });
 }
 
 std::vector<std::string> SketchAblation::baselines() const {
   return {"mean face", "nearest neighbour", "ridge regression", "limit of the model"};
-}
-
-bool SketchAblation::HasLine(const Json& metrics, const std::string& line) const {
-  const Json& table = metrics.at("table");
-  return std::any_of(table.begin(), table.end(), [&](const Json& entry) { return entry.at("name") == line; });
 }
 
 AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& line,
@@ -116,11 +78,6 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
   } catch (const Json::exception& error) {
     throw Error(fmt::format("the metrics of a sketch run are malformed: {}", error.what()));
   }
-}
-
-std::string SketchAblation::TestedOn(const Json& metrics) const {
-  return fmt::format("{} faces of {}, faces {}, data {}", metrics.at("num_faces").dump(), metrics.at("split").dump(),
-                     Sha256(metrics.at("faces").dump()).substr(0, 12), metrics.at("data_hash").dump());
 }
 
 void SketchAblation::WriteSheet(const std::vector<AblationPicture>& rows, const fs::path& file) const {

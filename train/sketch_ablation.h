@@ -1,38 +1,32 @@
 #pragma once
-#include "train/ablation_task.h"
+#include "train/database_ablation.h"
 
 #include <string>
 
 namespace daumier::train {
 
 /// An ablation of sketch networks: runs of TrainSketch, reports of eval::EvaluateSketchRun, errors in millimetres.
-class SketchAblation : public AblationTask {
+class SketchAblation : public DatabaseAblation {
  public:
-  /// device: of the training, "cpu" or "cuda".
-  explicit SketchAblation(std::string device = "cpu") : device_(std::move(device)) {}
+  using DatabaseAblation::DatabaseAblation;
 
   /// `split` is split.kind. Paths of data are made absolute.
   Json ResolvedConfig(Json config, uint64_t seed, const std::string& split, const std::string& where) const override;
   Json ResolvedEval(const Json& eval, const std::string& where) const override;
   std::vector<std::string> references() const override { return {"recover_with"}; }
 
-  bool Finished(const std::filesystem::path& run, const Json& config) const override;
-  void Train(const Json& config, const std::filesystem::path& run) const override;
   void Evaluate(const std::filesystem::path& run, const Json& eval, const std::filesystem::path& report) const override;
   double InferMs(const std::filesystem::path& run) const override;
 
-  std::string unit() const override { return "mm"; }
-  std::string validation_metric() const override { return "mean_vertex_error_mm"; }
   std::vector<std::string> baselines() const override;
-  bool HasLine(const Json& metrics, const std::string& line) const override;
   /// By default the report's own result: the network with the shape input that metrics.json tells. Its face errors
   /// alone are known.
   AblationMeasure Measure(const Json& metrics, const std::string& line, const std::string& shape_input) const override;
-  std::string TestedOn(const Json& metrics) const override;
   void WriteSheet(const std::vector<AblationPicture>& rows, const std::filesystem::path& file) const override;
 
- private:
-  std::string device_;
+ protected:
+  void TrainRun(const Json& config, const std::filesystem::path& run, bool resume,
+                const std::string& device) const override;
 };
 
 }  // namespace daumier::train

@@ -16,16 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SketchTrainingOptions ParseSketchOptions(const Json& config) {
-  SketchTrainingOptions options = ParseOptions<SketchTrainingOptions>(config, "training config");
-  for (std::string* folder : {&options.data.faces, &options.data.sketches}) {
-    if (folder->empty())
-      throw UsageError("a sketch training needs data.faces=FOLDER and data.sketches=FOLDER, made by `daumier dataset`");
-    *folder = fs::absolute(*folder).lexically_normal().string();
-  }
-  return options;
-}
-
 /// Which data these are; sketches have to be of these faces.
 Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchDatabase& sketches) {
   const std::string faces_hash = DataHash(options.data.faces);
@@ -72,7 +62,7 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 }  // namespace
 
 TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
-  const SketchTrainingOptions options = ParseSketchOptions(config);
+  const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::ParseDevice(device);
   const faces::FaceDatabase faces(options.data.faces);
   const datasets::SketchDatabase sketches(options.data.sketches);

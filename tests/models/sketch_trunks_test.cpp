@@ -1,5 +1,6 @@
 #include "models/sketch_trunks.h"
 
+#include "tensor/autocast.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_networks.h"
 
@@ -11,6 +12,15 @@ namespace {
 std::vector<int64_t> ConvolutionSizes(const SketchNetworkOptions& options) {
   SketchTrunk trunk = MakeSketchTrunk(options, 6);
   return trunk.convolutions->forward(torch::rand({2, 1, options.resolution, options.resolution})).sizes().vec();
+}
+
+TEST(SketchConvolution, StaysInFloat32AndAnswersAsAutocastPromises) {
+  torch::manual_seed(1);
+  SketchConvolution convolution(torch::nn::Conv2dOptions(1, 4, 5).stride(2));
+  const torch::Tensor sketches = torch::rand({2, 1, 16, 16}), exact = convolution->forward(sketches);
+  EXPECT_EQ(exact.scalar_type(), torch::kFloat32);
+  const tensor::Autocast guard(torch::kCPU, true);
+  EXPECT_TRUE(torch::equal(convolution->forward(sketches), exact.to(torch::kBFloat16)));
 }
 
 TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {

@@ -28,9 +28,11 @@ TEST(Autocast, LeavesWhatItFound) {
   const torch::Tensor numbers = torch::randn({4, 4});
   const auto type = [&] { return torch::mm(numbers, numbers).scalar_type(); };
   EXPECT_EQ(type(), torch::kFloat32);
+  EXPECT_FALSE(Autocast::IsOn(torch::kCPU));
   {
     const Autocast outer(torch::kCPU, true);
     EXPECT_EQ(type(), torch::kBFloat16);
+    EXPECT_TRUE(Autocast::IsOn(torch::kCPU));
     {
       const Autocast inner(torch::kCPU, false);
       EXPECT_EQ(type(), torch::kFloat32);

@@ -22,6 +22,19 @@ void WriteRun(const std::filesystem::path& folder) {
   WriteManifest(folder, manifest);
 }
 
+TEST(WithAbsoluteData, MakesFoldersAbsoluteOrSaysWhichAreNotTold) {
+  const Json config = {{"epochs", 2}, {"data", {{"faces", "a/../b"}, {"points", "/c"}}}};
+  const Json absolute = WithAbsoluteData(config, "row 'a'");
+  EXPECT_EQ(absolute["data"]["faces"], (std::filesystem::current_path() / "b").string());
+  EXPECT_EQ(absolute["data"]["points"], "/c");
+  EXPECT_EQ(absolute["epochs"], 2);
+  Json missing = config;
+  missing["data"]["points"] = "";
+  EXPECT_THROW(WithAbsoluteData(missing, "row 'a'"), UsageError);
+  testing::ExpectError([&] { WithAbsoluteData(missing, "row 'a'"); },
+                       "row 'a': it needs data.faces=FOLDER and data.points=FOLDER");
+}
+
 TEST(ConfigDifferences, NamesDottedKeysAndBothValues) {
   Json now = kConfig;
   now["optimiser"]["learning_rate"] = 0.01;
