@@ -70,7 +70,8 @@ models::SketchNetwork MakeNetwork(const models::SketchNetworkOptions& options) {
 
 models::SketchInput MakeInput(const models::SketchNetwork& network, int64_t batch) {
   const int64_t side = network->options().resolution;
-  return {(torch::rand({batch, 1, side, side}) < 0.05).to(torch::kFloat32),
+  const auto layout = torch::dtype(torch::kFloat32).memory_format(torch::MemoryFormat::ChannelsLast);
+  return {torch::empty({batch, 1, side, side}, layout).copy_(torch::rand({batch, 1, side, side}) < 0.05),
           2 * torch::rand({batch, 4, network->options().num_points}) - 1,
           network->ShapeOf(torch::randn({batch, network->num_shape()}))};
 }

@@ -10,7 +10,7 @@ namespace daumier::eval {
 struct SketchEvalOptions {
   std::string split = "test";
   double strength = 0;
-  std::string recover_with;
+  std::string recover_with = {};
   bool baselines = true, fit = false, refine = false;
 
   template <class V>

@@ -46,13 +46,6 @@ int64_t Stack(nn::Sequential& branch, int64_t from, int layers, int width) {
   return from;
 }
 
-/// The same pictures with channels last, the layout in which convolutions and pooling are fastest and which they hand
-/// on. Of one channel Tensor::contiguous would leave it as it is.
-torch::Tensor ChannelsLast(const torch::Tensor& images) {
-  const auto options = images.options().memory_format(torch::MemoryFormat::ChannelsLast);
-  return torch::empty(images.sizes(), options).copy_(images);
-}
-
 torch::Tensor Through(nn::Sequential& layers, const torch::Tensor& input) {
   return layers->is_empty() ? input : layers->forward(input);
 }
@@ -126,7 +119,7 @@ SketchNetworkImpl::BranchFeatures SketchNetworkImpl::Features(const SketchInput&
   }
   if (options_.reads_image()) {
     tensor::CheckShape(input.images, {tensor::kAny, 1, options_.resolution, options_.resolution}, "images");
-    features = trunk_.convolutions->forward(ChannelsLast(input.images));
+    features = trunk_.convolutions->forward(input.images);
   } else if (options_.reads_points()) {
     tensor::CheckShape(input.points, {tensor::kAny, 4, options_.num_points}, "points");
     features = trunk_.convolutions->forward(input.points);

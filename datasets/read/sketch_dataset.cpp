@@ -84,7 +84,10 @@ SketchBatch SketchDataset::Get(std::span<const int> samples, int64_t epoch) cons
     };
     rows = {chosen(kept_.ink), chosen(kept_.points), chosen(kept_.shape)};
   }
-  if (rows.ink.defined()) batch.images = rows.ink.to(torch::kFloat32).div_(255);
+  if (rows.ink.defined()) {
+    const auto layout = torch::dtype(torch::kFloat32).memory_format(torch::MemoryFormat::ChannelsLast);
+    batch.images = torch::empty(rows.ink.sizes(), layout).copy_(rows.ink).div_(255);
+  }
   batch.points = rows.points;
   batch.shape = rows.shape;
   return batch;

@@ -22,7 +22,9 @@ struct SketchReading {
 
 /// What the reading asks for; the rest is undefined. faces: (B) int64, indices of the face database.
 struct SketchBatch {
-  torch::Tensor images;  ///< (B, 1, R, R) float32, ink = 1, paper = 0.
+  /// (B, 1, R, R) float32, ink = 1, paper = 0; told to have channels last, which of one channel is the same memory, for
+  /// convolutions hand on the layout that they are given, and are faster in this one.
+  torch::Tensor images;
   torch::Tensor
       points;  ///< (B, 4, P) float32: x and y from -1 to 1 over the canvas, cosine and sine of the double angle.
   torch::Tensor shape;  ///< (B, Ku + Kv) float32, u and v of the 2-D model.

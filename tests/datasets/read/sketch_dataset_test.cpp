@@ -41,6 +41,7 @@ TEST_F(SketchDatasetTest, ImagesAreTheRasterisedStrokesWithInkOne) {
   const SketchBatch batch = dataset.Get(std::vector<int>{2, 0});
   ASSERT_EQ(batch.images.sizes(), (std::vector<int64_t>{2, 1, 64, 64}));
   EXPECT_EQ(batch.images.scalar_type(), torch::kFloat32);
+  EXPECT_EQ(batch.images.suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
   EXPECT_EQ(batch.faces[0].item<int64_t>(), 5);
   EXPECT_EQ(batch.faces[1].item<int64_t>(), 3);
   for (const auto& [row, face] : {std::pair{0, 5}, {1, 3}}) {
