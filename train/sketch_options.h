@@ -69,8 +69,8 @@ struct SketchTrainingOptions {
     visit("curve_weight", curve_weight, Range{1, 1000},
           "Weight of the vertices of feature curves in the vertex loss; all others weigh 1.");
     visit("precision", precision, Choices{{"float32", "bfloat16"}},
-          "Of the network's convolutions and matrix products in a step; bfloat16 is several times as fast on "
-          "processors with AMX and on GPUs. Weights, losses, validation and all that reads a run are float32.");
+          "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
+          "Weights, losses, validation and all that reads a run are float32.");
     visit("seed", seed, Range{0, 9e15},
           "Of the split, the first weights, the order of the samples and their augmentation.");
   }
