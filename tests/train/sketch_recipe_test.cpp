@@ -41,6 +41,13 @@ class SketchRecipeTest : public ::testing::Test {
     return SketchRecipe(options_, faces_, sketches_, split_, models_, torch::kCPU);
   }
 
+  void SetNetwork(const models::SketchNetworkOptions& network) {
+    options_.network = network;
+    models_.basis = network.residual == 0
+                        ? faces::FaceBasis()
+                        : datasets::FitBasisOnTraining(faces_, split_, models_.bilinear, network.residual, 1);
+  }
+
   static std::unique_ptr<testing::TempDir> folder_;
   faces::FaceDatabase faces_;
   datasets::SketchDatabase sketches_;
@@ -197,10 +204,7 @@ TEST_F(SketchRecipeTest, EveryKindOfNetworkTakesAStepInEachStage) {
   options_.sketch.augmentation.strength = 1;
   for (const auto& [name, network] : testing::SmallSketchNetworks()) {
     SCOPED_TRACE(name);
-    options_.network = network;
-    models_.basis = network.residual == 0
-                        ? faces::FaceBasis()
-                        : datasets::FitBasisOnTraining(faces_, split_, models_.bilinear, network.residual, 1);
+    SetNetwork(network);
     SketchRecipe recipe = MakeRecipe("gram");
     for (int stage = 0; stage < 3; ++stage) {
       recipe.EnterStage(stage);
@@ -216,10 +220,7 @@ TEST_F(SketchRecipeTest, Bfloat16RoundsTheStepAndNothingElse) {
   options_.stages = {.classification = 0.3, .regression = 0.3};
   for (const auto& [name, network] : testing::SmallSketchNetworks()) {
     SCOPED_TRACE(name);
-    options_.network = network;
-    models_.basis = network.residual == 0
-                        ? faces::FaceBasis()
-                        : datasets::FitBasisOnTraining(faces_, split_, models_.bilinear, network.residual, 1);
+    SetNetwork(network);
     std::vector<double> losses, validations;
     for (const char* precision : {"float32", "bfloat16"}) {
       options_.precision = precision;
