@@ -20,7 +20,7 @@ struct EvalArguments {
   eval::SketchEvalOptions sketch;
   eval::OtherFacesOptions other;
   eval::DeformEvalOptions deform;
-  bool as_json = false;
+  bool baselines = true, as_json = false;
   std::vector<CLI::Option*> of_sketches, of_deform;  ///< What only one product knows.
 };
 
@@ -35,10 +35,13 @@ void RefuseOptions(const std::vector<CLI::Option*>& options, const std::string& 
 Json EvaluateSketch(EvalArguments& arguments, const std::filesystem::path& out) {
   if (arguments.faces.empty()) {
     arguments.sketch.split = arguments.split;
+    arguments.sketch.baselines = arguments.baselines;
     return eval::EvaluateSketchRun(arguments.run, out, arguments.sketch);
   }
   if (arguments.other.sketches.empty())
     throw UsageError("a sketch run is measured on other faces by their sketches: give --sketches, too");
+  if (!arguments.baselines)
+    throw UsageError("--no-baselines is for the run's own faces: on other faces a sketch run has no costly baseline");
   arguments.other.faces = arguments.faces;
   arguments.other.strength = arguments.sketch.strength;
   return eval::EvaluateOnOtherFaces(arguments.run, out, arguments.other);
@@ -47,6 +50,7 @@ Json EvaluateSketch(EvalArguments& arguments, const std::filesystem::path& out) 
 Json EvaluateDeform(EvalArguments& arguments, const std::filesystem::path& out) {
   arguments.deform.split = arguments.split;
   arguments.deform.faces = arguments.faces;
+  arguments.deform.baselines = arguments.baselines;
   return eval::EvaluateDeformRun(arguments.run, out, arguments.deform);
 }
 
@@ -75,11 +79,12 @@ Verb EvalVerb() {
       "eval", "Errors of a run beside the free baselines, with pictures", [](CLI::App& command) {
         auto arguments = std::make_shared<EvalArguments>();
         command.add_option("run", arguments->run, "Run folder")->required();
-        command.add_option("--split", arguments->split, "test, validation or train")
-            ->check(CLI::IsMember({"test", "validation", "train"}))
-            ->capture_default_str();
         auto* faces = command.add_option("--faces", arguments->faces,
                                          "Measure on all of these faces instead, which the run was not trained on");
+        command.add_option("--split", arguments->split, "test, validation or train")
+            ->check(CLI::IsMember({"test", "validation", "train"}))
+            ->capture_default_str()
+            ->excludes(faces);
         auto* sketches = command.add_option("--sketches", arguments->other.sketches,
                                             "The sketches of these faces, for a sketch run");
         sketches->needs(faces);
@@ -90,11 +95,16 @@ Verb EvalVerb() {
                             "Augment the sketches: 0 not, 1 as in training, 2 strongly")
                 ->check(CLI::Range(0.0, 4.0))
                 ->capture_default_str(),
-            command.add_option("--recover-with", arguments->sketch.recover_with,
-                               "Run whose faces shape-level numbers are recovered with, for a network that reads them"),
-            command.add_flag("--fit", arguments->sketch.fit, "Also fit the bilinear model to the labelled strokes"),
-            command.add_flag("--refine", arguments->sketch.refine,
-                             "Also match the contours of the network's faces with the strokes")};
+            command
+                .add_option("--recover-with", arguments->sketch.recover_with,
+                            "Run whose faces shape-level numbers are recovered with, for a network that reads them")
+                ->excludes(faces),
+            command.add_flag("--fit", arguments->sketch.fit, "Also fit the bilinear model to the labelled strokes")
+                ->excludes(faces),
+            command
+                .add_flag("--refine", arguments->sketch.refine,
+                          "Also match the contours of the network's faces with the strokes; with --faces always done")
+                ->excludes(faces)};
         arguments->of_deform = {
             command
                 .add_option("--max-faces", arguments->deform.max_faces,
@@ -106,6 +116,8 @@ Verb EvalVerb() {
                             "Of a deformable model: find the codes of so many of these by Adam, too")
                 ->check(CLI::NonNegativeNumber)
                 ->capture_default_str()};
+        command.add_flag("!--no-baselines", arguments->baselines,
+                         "Measure the network alone, without mean face, nearest neighbour, linear models and limits");
         command.add_option("--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
         command.add_flag("--json", arguments->as_json, "Machine-readable");
         return [arguments] { Evaluate(*arguments); };

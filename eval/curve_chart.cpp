@@ -18,9 +18,9 @@ constexpr double kLeft = 58.0, kRight = 620.0, kLegend = 644.0, kLegendLine = 19
 /// How far the axis goes on above the largest of the least values.
 constexpr double kHeadroom = 1.6;
 
-/// Told apart also by readers who see fewer colours, on white and on black.
-constexpr std::array<const char*, 10> kColours = {"#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee",
-                                                  "#aa3377", "#999933", "#882255", "#44aa99", "#888888"};
+/// Told apart also by readers who see fewer colours, on white and on black [Tol 2021, bright].
+constexpr std::array<const char*, 7> kColours = {"#4477aa", "#ee6677", "#228833", "#ccbb44",
+                                                 "#66ccee", "#aa3377", "#888888"};
 
 constexpr const char* kStyle = R"(
 .curve { fill: none; stroke-width: 1.8; stroke-linejoin: round; } .title { font-weight: 600; }

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "datasets/build/identity_sliders.h"
 #include "datasets/build/interpolation.h"
 
 #include <algorithm>
@@ -10,14 +11,6 @@ namespace daumier::datasets {
 namespace {
 
 using geometry::Vector3;
-
-/// The weights of identity shapes that every person has; 0 if they have none, or not equally many.
-int NumIdentityWeights(const faces::FaceDatabase& database) {
-  const auto count = database.identity_weights(0).size();
-  for (int person = 1; person < database.num_persons(); ++person)
-    if (database.identity_weights(person).size() != count) return 0;
-  return static_cast<int>(count);
-}
 
 /// A face of the grid as an interpolation that goes nowhere, any other as it was made.
 Interpolation Origin(const faces::FaceDatabase& database, int face) {
@@ -71,7 +64,8 @@ Eigen::RowVectorXf MeasureAttributes(const faces::FaceTemplate& face_template, c
 std::vector<std::string> FaceAttributeNames(const faces::FaceDatabase& database) {
   std::vector<std::string> names = MeasuredAttributeNames();
   names.insert(names.end(), {"exaggeration", "caricature"});
-  for (int k = 0; k < NumIdentityWeights(database); ++k) names.push_back(fmt::format("identity_{}", k));
+  const std::vector<std::string> sliders = SlidersOf(database).names;
+  names.insert(names.end(), sliders.begin(), sliders.end());
   return names;
 }
 
@@ -83,7 +77,7 @@ AttributeTable FaceAttributes(const faces::FaceDatabase& database) {
   const faces::FaceTemplate& face_template = database.face_template();
   const std::vector<int>& region = face_template.annotation.regions.at("face");
   const auto num_measured = Eigen::Index(MeasuredAttributeNames().size());
-  const int num_weights = NumIdentityWeights(database);
+  const IdentitySliders sliders = SlidersOf(database);
   OnAllCores(database.num_faces(), [&](int64_t index) {
     const auto face = static_cast<int>(index);
     const geometry::Points points = database.points(face);
@@ -97,11 +91,13 @@ AttributeTable FaceAttributes(const faces::FaceDatabase& database) {
     row.head(num_measured) = MeasureAttributes(face_template, points);
     row[num_measured] = static_cast<float>(distance / HeightToHairline(face_template.annotation, points));
     row[num_measured + 1] = Mix(exaggerated(a), exaggerated(b), identity_share) >= 0.5 ? 1 : 0;
-    if (num_weights == 0) return;
-    const auto weights_a = database.identity_weights(a.person), weights_b = database.identity_weights(b.person);
-    for (int k = 0; k < num_weights; ++k) {
-      row[num_measured + 2 + k] = static_cast<float>(Mix(weights_a[size_t(k)], weights_b[size_t(k)], identity_share));
-    }
+    if (sliders.names.empty()) return;
+    const auto weights = [&](int person) {
+      const auto numbers = database.identity_weights(person);
+      return Eigen::Map<const Eigen::VectorXf>(numbers.data(), Eigen::Index(numbers.size()));
+    };
+    const Eigen::VectorXf mixed = (1 - identity_share) * weights(a.person) + identity_share * weights(b.person);
+    row.tail(Eigen::Index(sliders.names.size())) = (sliders.from_weights * mixed).transpose();
   });
   return table;
 }

@@ -30,12 +30,11 @@ struct AttributeTable {
 /// - exaggeration: the mean distance over the region `face` from the same person's level 0 with the same expression, as
 ///   a share of h; 0 for regular faces.
 /// - caricature: 1 where the face's level is exaggerated (its gamma is above 0), else 0.
-/// - identity_0, identity_1 ...: the person's weights of the source's identity shapes (of MakeHuman its sliders), where
-///   every person has equally many.
+/// - the person's sliders (identity_sliders.h), of MakeHuman its own: "age", "nose/nose-hump-morehump" ...
 /// An interpolated face is compared to one that is interpolated like it between the level 0 of both persons; its
-/// weights are mixed by its share of identity, and it is a caricature if its parents are by at least half of that
+/// sliders are mixed by its share of identity, and it is a caricature if its parents are by at least half of that
 /// mixture.
-/// @throws Error as MeasureAttributes.
+/// @throws Error as MeasureAttributes and SlidersOf.
 AttributeTable FaceAttributes(const faces::FaceDatabase& database);
 /// Their names alone.
 std::vector<std::string> FaceAttributeNames(const faces::FaceDatabase& database);

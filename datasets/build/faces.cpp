@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "datasets/build/faces_plan.h"
 #include "datasets/build/given_faces.h"
+#include "datasets/build/identity_sliders.h"
 #include "datasets/build/interpolation.h"
 #include "datasets/build/person_faces.h"
 #include "faces/face_database.h"
@@ -55,6 +56,7 @@ void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, cons
   std::vector<std::string> names;
   for (const faces::Expression& expression : expressions) names.push_back(expression.name);
   ShardedBuild build = PlanFaces(model.face_template, options, options.num_persons, names);
+  build.manifest.details["identity_controls"] = IdentityControlsToJson(model.identity_controls);
   if (options.levels == "parts") build.manifest.details["parts"] = faces::FacePartNames();
   const PersonFacesMaker maker(model, expressions, options);
   build.write_shard = [&](int person, const std::filesystem::path& file) {

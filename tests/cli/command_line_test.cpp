@@ -99,6 +99,12 @@ TEST(CommandLine, EvalRefusesOptionsOfAnotherProduct) {
   const ProcessResult sketch = Daumier({"eval", folder.path(), "--max-faces", "3"});
   EXPECT_EQ(sketch.exit_code, 2);
   EXPECT_THAT(sketch.err, HasSubstr("--max-faces is no option of a run of kind 'sketch'"));
+  for (const char* of_own_faces : {"--refine", "--fit", "--no-baselines"}) {
+    const ProcessResult other =
+        Daumier({"eval", folder.path(), "--faces", "others", "--sketches", "sketches", of_own_faces});
+    EXPECT_EQ(other.exit_code, 2) << of_own_faces;
+    EXPECT_THAT(other.err, HasSubstr(of_own_faces));
+  }
   manifest.details["product"] = "deform";
   WriteManifest(folder.path(), manifest);
   const ProcessResult deform = Daumier({"eval", folder.path(), "--refine"});
@@ -147,6 +153,11 @@ TEST_F(Pipeline, RunsFromFacesToOnnx) {
   }
   EXPECT_EQ(metrics.at("num_faces").get<int>(), 6);  // one person x two levels x three expressions
   EXPECT_TRUE(std::filesystem::exists(folder_ / "run/report/index.html"));
+  const ProcessResult alone = Daumier({"eval", run, "--no-baselines", "--out", folder_ / "alone", "--json"});
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  const Json alone_metrics = Json::parse(alone.out);
+  EXPECT_EQ(alone_metrics.at("mean_vertex_error_mm"), metrics.at("mean_vertex_error_mm"));
+  EXPECT_TRUE(alone_metrics.at("ridge_mm").is_null());
 
   const ProcessResult exported = Daumier({"export", run, "--out", folder_ / "onnx"});
   ASSERT_EQ(exported.exit_code, 0) << exported.err;

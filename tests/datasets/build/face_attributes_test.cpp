@@ -135,11 +135,11 @@ TEST_F(FaceAttributesTest, ExaggerationIsTheMeanDistanceFromTheRegularFace) {
   }
 }
 
-TEST_F(FaceAttributesTest, WeightsOfIdentityShapesAreThePersons) {
+TEST_F(FaceAttributesTest, SlidersAreThePersons) {
   const auto weights = database_->identity_weights(1);
   ASSERT_GT(weights.size(), 1u);
-  EXPECT_EQ(At(Face(1, 1, "laugh"), "identity_0"), weights[0]);
-  EXPECT_EQ(At(Face(1, 0, "smile"), "identity_1"), weights[1]);
+  EXPECT_EQ(At(Face(1, 1, "laugh"), "shape_0"), weights[0]);
+  EXPECT_EQ(At(Face(1, 0, "smile"), "shape_1"), weights[1]);
 }
 
 TEST_F(FaceAttributesTest, InterpolatedFacesAreMixedLikeTheirParents) {
@@ -148,7 +148,7 @@ TEST_F(FaceAttributesTest, InterpolatedFacesAreMixedLikeTheirParents) {
     const Interpolation origin = ReadInterpolation(*database_, face);
     const float s = origin.identity_share;
     const auto a = database_->identity_weights(origin.a.person), b = database_->identity_weights(origin.b.person);
-    EXPECT_NEAR(At(face, "identity_0"), (1 - s) * a[0] + s * b[0], 1e-5);
+    EXPECT_NEAR(At(face, "shape_0"), (1 - s) * a[0] + s * b[0], 1e-5);
     const float exaggerated = (1 - s) * float(origin.a.level) + s * float(origin.b.level);
     EXPECT_EQ(At(face, "caricature"), exaggerated >= 0.5f ? 1 : 0);
     if (origin.a.level + origin.b.level == 0) {
