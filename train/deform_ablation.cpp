@@ -89,6 +89,7 @@ AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& 
 void DeformAblation::WriteSheet(const std::vector<AblationPicture>& rows, const fs::path& file) const {
   const Json& metrics = rows.front().metrics;
   std::vector<eval::ComparedDeformRun> runs;
+  runs.reserve(rows.size());
   for (const AblationPicture& row : rows)
     runs.push_back({row.name, row.run, ParseOptions<eval::DeformEvalOptions>(row.eval)});
   render::WriteImage(

@@ -87,9 +87,9 @@ TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, b
   const int64_t num_parameters = recipe.decoder().network()->num_parameters();
   log::Info("Training {} parameters and a code of {} for each of {} faces", num_parameters, options.network.latent,
             recipe.num_samples());
-  const TrainingSummary summary = options.network.kind == "linear"
-                                      ? TrainLinear(recipe, options, run_directory)
-                                      : Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  TrainingSummary summary = options.network.kind == "linear"
+                                ? TrainLinear(recipe, options, run_directory)
+                                : Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   FinishRun(run_directory, summary, num_parameters);
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());

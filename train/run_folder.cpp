@@ -17,7 +17,7 @@ void AppendDifferences(const std::string& prefix, const Json& there, const Json&
   for (const Json* side : {&there, &now})
     for (const auto& [key, value] : side->items()) keys.insert(key);
   for (const std::string& key : keys) {
-    const std::string dotted = prefix.empty() ? key : prefix + "." + key;
+    const std::string dotted = prefix.empty() ? key : fmt::format("{}.{}", prefix, key);
     if (!there.contains(key)) {
       lines.push_back(fmt::format("{} is missing there and {} now", dotted, now[key].dump()));
     } else if (!now.contains(key)) {

@@ -79,7 +79,7 @@ TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, b
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
   log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
-  const TrainingSummary summary = Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  TrainingSummary summary = Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   FinishRun(run_directory, summary, recipe.network()->num_parameters());
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());
