@@ -99,17 +99,25 @@ TEST(CommandLine, EvalRefusesOptionsOfAnotherProduct) {
   const ProcessResult sketch = Daumier({"eval", folder.path(), "--max-faces", "3"});
   EXPECT_EQ(sketch.exit_code, 2);
   EXPECT_THAT(sketch.err, HasSubstr("--max-faces is no option of a run of kind 'sketch'"));
-  for (const char* of_own_faces : {"--refine", "--fit", "--no-baselines"}) {
-    const ProcessResult other =
-        Daumier({"eval", folder.path(), "--faces", "others", "--sketches", "sketches", of_own_faces});
-    EXPECT_EQ(other.exit_code, 2) << of_own_faces;
-    EXPECT_THAT(other.err, HasSubstr(of_own_faces));
-  }
   manifest.details["product"] = "deform";
   WriteManifest(folder.path(), manifest);
   const ProcessResult deform = Daumier({"eval", folder.path(), "--refine"});
   EXPECT_EQ(deform.exit_code, 2);
   EXPECT_THAT(deform.err, HasSubstr("--refine is no option of a run of kind 'deform'"));
+}
+
+TEST(CommandLine, EvalRefusesWhatOtherFacesDoNotUse) {
+  for (const std::vector<std::string>& of_own_faces :
+       {std::vector<std::string>{"--split", "validation"}, {"--recover-with", "run"}, {"--refine"}, {"--fit"}}) {
+    std::vector<std::string> arguments{"eval", "run", "--faces", "others", "--sketches", "sketches"};
+    arguments.insert(arguments.end(), of_own_faces.begin(), of_own_faces.end());
+    const ProcessResult result = Daumier(arguments);
+    EXPECT_EQ(result.exit_code, 2) << of_own_faces[0];
+    EXPECT_THAT(result.err, HasSubstr("--faces excludes " + of_own_faces[0]));
+  }
+  const ProcessResult alone = Daumier({"eval", "run", "--faces", "others", "--sketches", "sketches", "--no-baselines"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("--no-baselines is for the run's own faces"));
 }
 
 /// Content of every file below a folder, by name.
