@@ -1,6 +1,6 @@
 // Fitting the bilinear model through Gram matrices beside the SVD of the unfoldings, and projecting a face.
 #include "core/random.h"
-#include "faces/bilinear_model.h"
+#include "faces/bilinear_projector.h"
 
 #include <benchmark/benchmark.h>
 #include <Eigen/SVD>

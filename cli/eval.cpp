@@ -40,10 +40,9 @@ Json EvaluateSketch(EvalArguments& arguments, const std::filesystem::path& out) 
   }
   if (arguments.other.sketches.empty())
     throw UsageError("a sketch run is measured on other faces by their sketches: give --sketches, too");
-  if (!arguments.baselines)
-    throw UsageError("--no-baselines is for the run's own faces: on other faces a sketch run has no costly baseline");
   arguments.other.faces = arguments.faces;
   arguments.other.strength = arguments.sketch.strength;
+  arguments.other.baselines = arguments.baselines;
   return eval::EvaluateOnOtherFaces(arguments.run, out, arguments.other);
 }
 
@@ -117,7 +116,7 @@ Verb EvalVerb() {
                 ->check(CLI::NonNegativeNumber)
                 ->capture_default_str()};
         command.add_flag("!--no-baselines", arguments->baselines,
-                         "Measure the network alone, without mean face, nearest neighbour, linear models and limits");
+                         "Leave out what takes time to fit: nearest neighbour, linear models, limits");
         command.add_option("--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
         command.add_flag("--json", arguments->as_json, "Machine-readable");
         return [arguments] { Evaluate(*arguments); };

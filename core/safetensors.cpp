@@ -176,14 +176,14 @@ const ArrayView& SafetensorsFile::at(const std::string& name) const {
   throw Error(fmt::format("{} has no array '{}'; it has: {}", path_.string(), name, fmt::join(names, ", ")));
 }
 
-void SafetensorsWriter::AddBytes(const std::string& name, Dtype dtype, std::vector<int64_t> shape, const void* data,
-                                 size_t num_bytes) {
+void SafetensorsWriter::AddBytes(const std::string& name, Dtype dtype, const std::vector<int64_t>& shape,
+                                 const void* data, size_t num_bytes) {
   DAUMIER_CHECK(name != kMetadataKey, "the array name '{}' is reserved", name);
   DAUMIER_CHECK(arrays_.count(name) == 0, "array '{}' is added twice", name);
   const uint64_t needed = NumBytes(shape, dtype);
   DAUMIER_CHECK(num_bytes == needed, "array '{}' of shape [{}] needs {} bytes, got {}", name, fmt::join(shape, ", "),
                 needed, num_bytes);
-  arrays_[name] = {dtype, std::move(shape), std::string(static_cast<const char*>(data), num_bytes)};
+  arrays_[name] = {dtype, shape, std::string(static_cast<const char*>(data), num_bytes)};
 }
 
 std::string SafetensorsWriter::Write(const std::filesystem::path& path) const {

@@ -83,11 +83,12 @@ class SafetensorsWriter {
   static constexpr int kFormatVersion = 1;
 
   template <class T>
-  void Add(const std::string& name, std::vector<int64_t> shape, std::span<const T> values) {
-    AddBytes(name, DtypeOf<T>(), std::move(shape), values.data(), values.size_bytes());
+  void Add(const std::string& name, const std::vector<int64_t>& shape, std::span<const T> values) {
+    AddBytes(name, DtypeOf<T>(), shape, values.data(), values.size_bytes());
   }
   /// @throws Error if the name is taken or reserved, or if the bytes do not fill the shape.
-  void AddBytes(const std::string& name, Dtype dtype, std::vector<int64_t> shape, const void* data, size_t num_bytes);
+  void AddBytes(const std::string& name, Dtype dtype, const std::vector<int64_t>& shape, const void* data,
+                size_t num_bytes);
   void SetMetadata(const std::string& key, const std::string& value) { metadata_[key] = value; }
   /// Returns the SHA-256 of what was written. @throws Error as WriteFileAtomically.
   std::string Write(const std::filesystem::path& path) const;

@@ -6,8 +6,11 @@
 #include "core/manifest.h"
 #include "core/parallel.h"
 #include "datasets/read/sketch_variation.h"
+#include "eval/baselines.h"
 #include "eval/face_pictures.h"
 #include "eval/metrics.h"
+#include "eval/sketch_run_data.h"
+#include "faces/bilinear_projector.h"
 #include "faces/face_database.h"
 #include "fitting/contour_refinement.h"
 #include "fitting/sketch_predictor.h"
@@ -19,6 +22,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 namespace daumier::eval {
 namespace {
@@ -75,6 +79,28 @@ class OtherFaces {
     });
   }
 
+  /// Fitted on the faces that the run was trained on.
+  void MeasureBaselines() {
+    if (!same_topology_ || variation_.augmentation.strength > 0) return;
+    const std::optional<SketchRunData> own = OwnData();
+    if (!own) return;
+    log::Info("Fitting the free baselines on {} training faces", own->split.train.size());
+    const SketchSamples samples{[&](int face) { return own->faces.vertices(face); },
+                                [&](int face) { return own->sketches.curve_points(face); }};
+    const NearestNeighbour nearest(samples, own->split.train);
+    AddRow("nearest neighbour", [&](int face) {
+      const auto vertices = samples.vertices(nearest.Nearest(sketches_.curve_points(face)));
+      return PredictedFace{{}, {}, {vertices.begin(), vertices.end()}};
+    });
+    const RidgeFit ridge = FitRidge(samples, own->split.train, own->split.validation, region(), DefaultRidgeLambdas());
+    AddRow("ridge regression", [&](int face) {
+      const std::vector<float> points = sketches_.curve_points(face);
+      const FaceRows answer =
+          ridge.model.Predict(Eigen::Map<const FaceRows>(points.data(), 1, Eigen::Index(points.size())));
+      return PredictedFace{{}, {}, {answer.data(), answer.data() + answer.size()}};
+    });
+  }
+
   Json Table() const {
     Json table = Json::array();
     for (const Row& row : rows_) {
@@ -127,6 +153,16 @@ class OtherFaces {
   const models::SketchRun& run() const { return predictor_.run(); }
 
  private:
+  /// None where they have moved.
+  std::optional<SketchRunData> OwnData() const {
+    try {
+      return OpenSketchRunData(predictor_.run().directory);
+    } catch (const Error& error) {
+      log::Info("Without ridge regression and nearest neighbour, which read the training faces: {}", error.what());
+      return std::nullopt;
+    }
+  }
+
   const std::vector<int>& region() const { return faces_.face_template().annotation.regions.at("face"); }
 
   datasets::AugmentedSketch Seen(int face) const {
@@ -206,6 +242,7 @@ Json EvaluateOnOtherFaces(const fs::path& run_directory, const fs::path& out_dir
                           const OtherFacesOptions& options) {
   OtherFaces other(run_directory, options);
   other.Measure();
+  if (options.baselines) other.MeasureBaselines();
   const Json hashes = {{"faces", DataHash(options.faces)}, {"sketches", DataHash(options.sketches)}};
   const Json metrics = {{"num_faces", other.faces().num_faces()},
                         {"same_topology", other.same_topology()},

@@ -6,6 +6,7 @@
 #include "eval/baselines.h"
 #include "eval/metrics.h"
 #include "eval/sketch_fits.h"
+#include "faces/bilinear_projector.h"
 
 #include <algorithm>
 #include <limits>

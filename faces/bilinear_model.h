@@ -1,7 +1,6 @@
 #pragma once
 #include "core/options.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <filesystem>
@@ -54,30 +53,6 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
 
 /// 3V coordinates. @throws Error if u or v has the wrong length.
 Eigen::VectorXf Reconstruct(const BilinearModel& model, const Eigen::VectorXf& u, const Eigen::VectorXf& v);
-
-struct BilinearProjection {
-  Eigen::VectorXf u, v;
-  Eigen::VectorXf vertices;  ///< Reconstruct(model, u, v)
-};
-
-/// The u and v nearest to a face in the least-squares sense over `weights` (3V, >= 0, or empty for ones), by
-/// alternating solves from the fitted expression whose start is best. The free scale between u and v is set so that v
-/// is as long as that expression and points to its side. Keeps G = C W C^T, so that one projection costs no product
-/// with the core beyond C W g. Keeps a reference to `model`. @throws Error if the weights or a face have another size.
-class BilinearProjector {
- public:
-  explicit BilinearProjector(const BilinearModel& model, const Eigen::VectorXf& coordinate_weights = {});
-  BilinearProjection Project(std::span<const float> face) const;
-
- private:
-  Eigen::MatrixXd IdentityGram(const Eigen::VectorXd& v) const;
-  Eigen::MatrixXd ExpressionGram(const Eigen::VectorXd& u) const;
-
-  const BilinearModel* model_;
-  Eigen::VectorXd weights_;
-  Eigen::MatrixXd gram_;
-  std::vector<Eigen::LDLT<Eigen::MatrixXd>> starts_;  ///< Of IdentityGram(v), one a fitted expression.
-};
 
 /// One safetensors file (docs/formats.md); atomic. Returns its checksum.
 std::string WriteBilinearModel(const std::filesystem::path& file, const BilinearModel& model);

@@ -8,6 +8,7 @@
 #include "tensor/eigen.h"
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
+#include "train/coefficient_targets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -163,18 +164,10 @@ void SketchRecipe::PrecomputeClasses(const std::vector<int>& identities) {
 void SketchRecipe::PrecomputeCoefficients(const std::vector<int>& identities, const faces::BilinearModel& bilinear) {
   const std::span<const int> faces = training_.faces();
   tensor::RowMajorMatrix<float> u(faces.size(), bilinear.num_identity), v(faces.size(), bilinear.num_expression);
-  const faces::BilinearProjector projector(bilinear);
+  const CoefficientTargets targets(faces_, identities, bilinear);
   Eigen::Index row = 0;
   ForEachInOrder(
-      int(faces.size()),
-      [&](int sample) -> faces::BilinearProjection {
-        const int face = faces[size_t(sample)];
-        if (face >= faces_.num_grid_faces()) return projector.Project(faces_.vertices(face));
-        const auto found = std::lower_bound(identities.begin(), identities.end(), face / faces_.num_expressions());
-        return {bilinear.identity_factors.row(found - identities.begin()),
-                bilinear.expression_factors.row(face % faces_.num_expressions()),
-                {}};
-      },
+      int(faces.size()), [&](int sample) { return targets.Of(faces[size_t(sample)]); },
       [&](const faces::BilinearProjection& face) {
         u.row(row) = face.u.transpose();
         v.row(row++) = face.v.transpose();

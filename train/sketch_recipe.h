@@ -39,8 +39,8 @@ TORCH_MODULE(SketchClassifier);
 /// in the same way, but not with the epoch, and are seen in the exact view. Its stages [Han et al. 2017, section 4.4]:
 ///   classification   cross-entropy of identity (person x level) and expression; an interpolated face has neither, and
 ///                    counts as 0
-///   regression       squared distance of u and v, standardised, from those that the bilinear model was fitted with (of
-///                    an interpolated face: its projection), convolutions frozen
+///   regression       squared distance of u and v, standardised, from those that the bilinear model was fitted with
+///                    (train/coefficient_targets.h), convolutions frozen
 ///   tuning           the vertex loss; the only one of a training without shares for the others
 /// The validation's mean_vertex_error_mm is the one of eval/metrics.h over the region `face`. Databases and models have
 /// to outlive it.

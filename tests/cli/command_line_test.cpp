@@ -115,9 +115,6 @@ TEST(CommandLine, EvalRefusesWhatOtherFacesDoNotUse) {
     EXPECT_EQ(result.exit_code, 2) << of_own_faces[0];
     EXPECT_THAT(result.err, HasSubstr("--faces excludes " + of_own_faces[0]));
   }
-  const ProcessResult alone = Daumier({"eval", "run", "--faces", "others", "--sketches", "sketches", "--no-baselines"});
-  EXPECT_EQ(alone.exit_code, 2);
-  EXPECT_THAT(alone.err, HasSubstr("--no-baselines is for the run's own faces"));
 }
 
 /// Content of every file below a folder, by name.

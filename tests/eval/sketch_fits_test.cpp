@@ -1,6 +1,7 @@
 #include "eval/sketch_fits.h"
 
 #include "eval/metrics.h"
+#include "faces/bilinear_projector.h"
 #include "tests/eval/sketch_run_fixture.h"
 
 namespace daumier::eval {

@@ -1,50 +1,18 @@
 #include "faces/bilinear_model.h"
 
 #include "core/files.h"
-#include "core/random.h"
+#include "tests/faces/random_tensor.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/SVD>
 
-#include <set>
-
 namespace daumier::faces {
 namespace {
 
 using testing::ExpectError;
 using testing::TempDir;
-
-/// A tensor of faces in memory, some of them held out.
-struct Tensor {
-  int num_identities, num_expressions, num_coordinates;
-  Eigen::MatrixXf faces;  ///< 3V x (I * E), column i * E + e
-  std::set<std::pair<int, int>> held_out = {};
-
-  auto face(int i, int e) const { return faces.col(i * num_expressions + e); }
-  std::span<const float> Read(int i, int e) const {
-    if (held_out.count({i, e}) > 0) return {};
-    return {face(i, e).data(), static_cast<size_t>(num_coordinates)};
-  }
-  BilinearModel Fit(int num_identity, int num_expression) const {
-    return FitBilinear(num_identities, num_expressions, num_coordinates, [this](int i, int e) { return Read(i, e); },
-                       {.num_identity = num_identity, .num_expression = num_expression});
-  }
-};
-
-Eigen::MatrixXf RandomMatrix(int rows, int columns, Rng& rng) {
-  return Eigen::MatrixXf::NullaryExpr(rows, columns, [&rng] { return static_cast<float>(rng.Normal()); });
-}
-
-/// A mean face of some 10 cm, and of each further bilinear component a tenth of the one before.
-Tensor RandomTensor(int num_identities, int num_expressions, int num_coordinates, uint64_t seed) {
-  Rng rng(seed);
-  Tensor tensor{num_identities, num_expressions, num_coordinates,
-                RandomMatrix(num_coordinates, num_identities * num_expressions, rng)};
-  tensor.faces.colwise() += Eigen::VectorXf(RandomMatrix(num_coordinates, 1, rng) * 10.0f);
-  return tensor;
-}
 
 /// T = C x2 U x3 V with a random core of the given ranks.
 Tensor BilinearTensor(int num_identities, int num_expressions, int num_coordinates, int ku, int kv, uint64_t seed) {
@@ -63,10 +31,6 @@ Tensor BilinearTensor(int num_identities, int num_expressions, int num_coordinat
     }
   }
   return tensor;
-}
-
-Eigen::VectorXf FittedFace(const BilinearModel& model, int i, int e) {
-  return Reconstruct(model, model.identity_factors.row(i), model.expression_factors.row(e));
 }
 
 double MaxError(const BilinearModel& model, const Tensor& tensor) {
@@ -246,72 +210,6 @@ TEST(BilinearModel, DamagedFilesAreRefused) {
   odd.core.conservativeResize(11, 30);
   WriteBilinearModel(file, odd);
   ExpectError([&] { ReadBilinearModel(file); }, "11 rows");
-}
-
-TEST(BilinearProjector, FittedFaceIsReturned) {
-  const Tensor tensor = RandomTensor(10, 6, 90, 13);
-  const BilinearModel model = tensor.Fit(5, 4);
-  const BilinearProjector projector(model);
-  for (const auto& [i, e] : {std::pair{0, 0}, {3, 5}, {9, 2}}) {
-    const Eigen::VectorXf face = FittedFace(model, i, e);
-    const BilinearProjection projection = projector.Project({face.data(), static_cast<size_t>(face.size())});
-    EXPECT_LT((projection.vertices - face).cwiseAbs().maxCoeff(), 1e-3);
-    EXPECT_LT((projection.u - model.identity_factors.row(i).transpose()).norm(), 1e-3);
-    EXPECT_LT((projection.v - model.expression_factors.row(e).transpose()).norm(), 1e-3);
-  }
-}
-
-TEST(BilinearProjector, VIsAsLongAsAFittedExpressionAndOnItsSide) {
-  const Tensor tensor = RandomTensor(10, 6, 90, 14);
-  const BilinearModel model = tensor.Fit(5, 4);
-  Rng rng(15);
-  const Eigen::VectorXf face = RandomMatrix(90, 1, rng) * 10;
-  const BilinearProjection projection = BilinearProjector(model).Project({face.data(), 90});
-  EXPECT_LT((model.expression_factors.rowwise().norm().array() - projection.v.norm()).abs().minCoeff(), 1e-5);
-  EXPECT_GE((model.expression_factors * projection.v).maxCoeff(), 0);
-  EXPECT_EQ(projection.vertices, Reconstruct(model, projection.u, projection.v));
-}
-
-TEST(BilinearProjector, NoNeighbourIsCloser) {
-  const Tensor tensor = RandomTensor(10, 6, 90, 16);
-  const BilinearModel model = tensor.Fit(5, 4);
-  Rng rng(17);
-  const Eigen::VectorXf weights = RandomMatrix(90, 1, rng).cwiseAbs();
-  const Eigen::VectorXf face = tensor.face(4, 2) + RandomMatrix(90, 1, rng);
-  const auto error = [&](const Eigen::VectorXf& u, const Eigen::VectorXf& v) {
-    return (Reconstruct(model, u, v) - face).cwiseAbs2().cwiseProduct(weights).sum();
-  };
-  const BilinearProjection best = BilinearProjector(model, weights).Project({face.data(), 90});
-  const float least = error(best.u, best.v);
-  for (int trial = 0; trial < 50; ++trial) {
-    EXPECT_GE(error(best.u + RandomMatrix(5, 1, rng) * 0.05f, best.v + RandomMatrix(4, 1, rng) * 0.01f), least - 1e-3f);
-  }
-  for (int i = 0; i < 10; ++i) {
-    for (int e = 0; e < 6; ++e) {
-      EXPECT_GE(error(model.identity_factors.row(i), model.expression_factors.row(e)), least);
-    }
-  }
-}
-
-TEST(BilinearProjector, CoordinatesOfWeightZeroDoNotMatter) {
-  const Tensor tensor = RandomTensor(10, 6, 90, 18);
-  const BilinearModel model = tensor.Fit(5, 4);
-  Eigen::VectorXf weights = Eigen::VectorXf::Ones(90);
-  weights.head(10).setZero();
-  Eigen::VectorXf face = FittedFace(model, 2, 3);
-  const Eigen::VectorXf truth = face;
-  face.head(10).setConstant(50);
-  const BilinearProjection projection = BilinearProjector(model, weights).Project({face.data(), 90});
-  EXPECT_LT((projection.vertices - truth).cwiseAbs().maxCoeff(), 1e-3);
-}
-
-TEST(BilinearProjector, RefusesOtherSizes) {
-  const BilinearModel model = RandomTensor(6, 5, 30, 19).Fit(3, 3);
-  const std::vector<float> face(27);
-  ExpectError([&] { BilinearProjector(model).Project(face); }, "face has 27 coordinates");
-  ExpectError([&] { BilinearProjector(model, Eigen::VectorXf::Ones(29)); }, "29 weights");
-  ExpectError([&] { BilinearProjector(model, -Eigen::VectorXf::Ones(30)); }, "negative weight");
-  ExpectError([&] { Reconstruct(model, Eigen::VectorXf::Ones(2), Eigen::VectorXf::Ones(3)); }, "u has 2");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/safetensors.h"
+#include "faces/bilinear_projector.h"
 #include "faces/curve_encoder.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
