@@ -42,6 +42,7 @@ DeformRow MakeDeformRow(const std::string& name, const std::vector<SurfaceErrors
   const std::vector<double> vertex_errors = column(&SurfaceErrors::mean_vertex_error);
   row.interval = PersonBootstrap(vertex_errors, groups, seed);
   row.mean.mean_vertex_error = Mean(vertex_errors);
+  row.face_errors = vertex_errors;
   for (const auto what : {&SurfaceErrors::p95_vertex_error, &SurfaceErrors::surface_sample_error,
                           &SurfaceErrors::normal_error_degrees, &SurfaceErrors::flipped_triangles})
     row.mean.*what = Mean(column(what));
@@ -66,7 +67,8 @@ Json DeformTableJson(const std::vector<DeformRow>& rows, const ModelUnit& unit) 
                      {"normal_error_degrees", mean.normal_error_degrees},
                      {"flipped_triangles", mean.flipped_triangles},
                      {"self_intersections", OrNull(mean.self_intersections)},
-                     {"seconds", OrNull(mean.seconds)}});
+                     {"seconds", OrNull(mean.seconds)},
+                     {"face_errors", row.face_errors}});
   }
   return table;
 }

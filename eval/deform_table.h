@@ -35,7 +35,8 @@ struct DeformRow {
   std::string name;
   int num_faces = 0;
   SurfaceErrors mean;
-  Interval interval{0, 0};  ///< 95 %, by PersonBootstrap.
+  Interval interval{0, 0};               ///< 95 %, by PersonBootstrap.
+  std::vector<double> face_errors = {};  ///< Mean vertex errors, model units.
 };
 
 /// groups: whom each face shows. What was told of some faces alone is the mean of these. @throws Error if there is no
@@ -45,7 +46,7 @@ DeformRow MakeDeformRow(const std::string& name, const std::vector<SurfaceErrors
 
 /// A list of objects: name, num_faces, error, error_low, error_high, p95, surface_sample_error (model units), error_mm,
 /// percent_of_head_height, normal_error_degrees, flipped_triangles, self_intersections and seconds (null where they
-/// were not measured).
+/// were not measured), face_errors (model units).
 Json DeformTableJson(const std::vector<DeformRow>& rows, const ModelUnit& unit);
 /// The same for a page.
 ReportTable DeformReportTable(const std::vector<DeformRow>& rows, const ModelUnit& unit);

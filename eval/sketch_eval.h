@@ -41,9 +41,9 @@ struct SketchEvalOptions {
 /// p90_vertex_error_mm, mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm; also interval_mm,
 /// interocular_share, augmentation_strength, shape_error_px (given, predicted, recovered), ridge_lambda, regions_mm
 /// (mean of the network over the annotation's eyes, mouth and nose, and elsewhere in the face), table (TableJson of all
-/// rows), data_hash, seconds, and of each face in order faces, groups (whom it shows, as far as the split tells persons
-/// apart) and face_errors_mm (the network's). @throws Error as OpenSketchRunData, or if recover_with is a run on other
-/// data or reads shape-level numbers itself; UsageError if the side is empty.
+/// rows, with the errors of each face), data_hash, seconds, and of each face in order faces, groups (whom it shows, as
+/// far as the split tells persons apart) and face_errors_mm (the network's). @throws Error as OpenSketchRunData, or if
+/// recover_with is a run on other data or reads shape-level numbers itself; UsageError if the side is empty.
 Json EvaluateSketchRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory,
                        const SketchEvalOptions& options = {});
 

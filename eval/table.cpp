@@ -22,6 +22,7 @@ ErrorRow MakeErrorRow(const std::string& name, std::span<const double> errors_mm
   std::vector<double> shares(errors_mm.size());
   for (size_t face = 0; face < shares.size(); ++face) shares[face] = errors_mm[face] / interocular_mm[face];
   row.interocular_share = Mean(shares);
+  row.face_errors_mm.assign(errors_mm.begin(), errors_mm.end());
   return row;
 }
 
@@ -78,7 +79,8 @@ Json TableJson(const std::vector<ErrorRow>& rows) {
                     {"p50", row.p50_mm},
                     {"p90", row.p90_mm},
                     {"p99", row.p99_mm},
-                    {"interocular_share", row.interocular_share}});
+                    {"interocular_share", row.interocular_share},
+                    {"face_errors_mm", row.face_errors_mm}});
   }
   return list;
 }
@@ -94,7 +96,8 @@ std::vector<ErrorRow> TableFromJson(const Json& list) {
                       .p50_mm = entry.at("p50").get<double>(),
                       .p90_mm = entry.at("p90").get<double>(),
                       .p99_mm = entry.at("p99").get<double>(),
-                      .interocular_share = entry.at("interocular_share").get<double>()});
+                      .interocular_share = entry.at("interocular_share").get<double>(),
+                      .face_errors_mm = entry.value("face_errors_mm", std::vector<double>())});
     }
   } catch (const Json::exception& error) {
     throw Error(fmt::format("a table of errors is malformed: {}", error.what()));

@@ -17,6 +17,7 @@ struct ErrorRow {
   Interval interval_mm{0, 0};
   double p50_mm = 0, p90_mm = 0, p99_mm = 0;
   double interocular_share = 0;  ///< Mean over faces of error / distance of the outer eye corners of the true face.
+  std::vector<double> face_errors_mm = {};
 };
 
 /// errors_mm and interocular_mm: one a face, in millimetres; persons: one a face. @throws Error if the lengths differ.
@@ -29,9 +30,10 @@ std::vector<std::vector<std::string>> TableCells(const std::vector<ErrorRow>& ro
 std::string TableText(const std::vector<ErrorRow>& rows);
 std::string TableMarkdown(const std::vector<ErrorRow>& rows);
 
-/// A list of objects: name, shape_input, error, error_low, error_high, p50, p90, p99 (mm), interocular_share.
+/// A list of objects: name, shape_input, error, error_low, error_high, p50, p90, p99 (mm), interocular_share,
+/// face_errors_mm.
 Json TableJson(const std::vector<ErrorRow>& rows);
-/// Undoes TableJson. @throws Error if a key is missing.
+/// Undoes TableJson; errors of faces may be missing. @throws Error if another key is.
 std::vector<ErrorRow> TableFromJson(const Json& list);
 
 }  // namespace daumier::eval

@@ -29,7 +29,7 @@ Json Merged(Json base, const Json& over) {
 
 /// Moves the keys that an ablation has of its own from the overrides into its config.
 void TakeOwnOverrides(Json& overrides, Json& config) {
-  for (const char* key : {"base", "seeds", "splits", "evaluate", "eval"}) {
+  for (const char* key : {"base", "compare_to", "seeds", "splits", "evaluate", "eval"}) {
     if (!overrides.contains(key)) continue;
     config.merge_patch({{key, overrides[key]}});
     overrides.erase(key);
@@ -112,6 +112,7 @@ Ablation LoadAblation(const fs::path& file, const std::vector<std::string>& over
   }
   CheckNames(ablation.rows, where);
   CheckKinds(ablation);
+  if (!ablation.options.compare_to.empty()) ablation.row(ablation.options.compare_to, where + ": compare_to");
   WorkingOrder(ablation, references);
   return ablation;
 }

@@ -9,7 +9,7 @@
 namespace daumier::train {
 
 struct AblationOptions {
-  std::string base;
+  std::string base, compare_to;
   std::vector<uint64_t> seeds = {1};
   std::vector<std::string> splits = {"person"};
   bool evaluate = true;
@@ -17,6 +17,8 @@ struct AblationOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("base", base, Text{}, "Config of the run of every row; a path relative to this file.");
+    visit("compare_to", compare_to, Text{},
+          "The row that differences are to; by default the first that tells the errors of its faces.");
     visit("seeds", seeds, Range{0, 9e15}, "Every row is trained once with each.");
     visit("splits", splits, Text{}, "Every row is trained once on each; the first is the headline.");
     visit("evaluate", evaluate, Flag{},
@@ -67,12 +69,12 @@ struct Ablation {
   const AblationRow& row(const std::string& name, const std::string& who_asks) const;
 };
 
-/// Reads an ablation config; of the overrides, `seeds`, `splits`, `evaluate`, `base` and `eval.*` are the ablation's
-/// own, all others override the config of every row, the row's own words included. `references` are the keys of `eval`
-/// that name another row, whose run the evaluation needs.
+/// Reads an ablation config; of the overrides, `seeds`, `splits`, `evaluate`, `base`, `compare_to` and `eval.*` are
+/// the ablation's own, all others override the config of every row, the row's own words included. `references` are the
+/// keys of `eval` that name another row, whose run the evaluation needs.
 /// @throws UsageError as LoadConfig and ParseOptions, if there is no row, a row has no name or one that another row
-/// has, a row that another one needs is not there (naming the nearest), rows need each other in a circle, or a row
-/// trains nothing though no row is evaluated.
+/// has, a row that another one needs or that is compared to is not there (naming the nearest), rows need each other in
+/// a circle, or a row trains nothing though no row is evaluated.
 Ablation LoadAblation(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                       const std::vector<std::string>& references);
 

@@ -139,7 +139,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
     }
   }
   CompareAtEqualTime(trained, runs, task, results);
-  const Json table = AblationTableJson(results, task.unit());
+  const Json table = AblationTableJson(results, task.unit(), ablation.options.compare_to);
   WriteFileAtomically(directory / "table.md", AblationMarkdown(table));
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
   const bool has_curves = WriteCurves(trained, ablation, runs, task, directory);

@@ -195,7 +195,8 @@ std::vector<Column> ColumnsOf(const Json& table, const std::string& split) {
 
 }  // namespace
 
-Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit) {
+Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit,
+                       const std::string& compare_to) {
   Json table = Json::array();
   std::vector<std::string> splits;
   for (const AblationResult& result : results)
@@ -213,8 +214,9 @@ Json AblationTableJson(const std::vector<AblationResult>& results, const std::st
         same->push_back(&result);
       }
     }
-    const auto told = std::find_if(rows.begin(), rows.end(),
-                                   [](const Results& row) { return !row.front()->measure.face_errors.empty(); });
+    const auto told = std::find_if(rows.begin(), rows.end(), [&](const Results& row) {
+      return compare_to.empty() ? !row.front()->measure.face_errors.empty() : row.front()->name == compare_to;
+    });
     const Results references = told == rows.end() ? Results{} : *told;
     for (const std::vector<Results>* list : {&baselines, &rows})
       for (const Results& row : *list) table.push_back(RowJson(row, references, unit));
@@ -260,7 +262,7 @@ std::string AblationFootnote() {
   return "Errors are means over test faces and then over seeds. 95 % intervals come from a bootstrap over persons, "
          "each "
          "with all of its test faces of all seeds; seeds are not resampled, and errors of each seed stand in "
-         "table.json. The difference is to the first row whose errors are known face by face, and paired by faces. The "
+         "table.json. The difference is to one row, and paired by faces. The "
          "paper's figures are of the paper's "
          "own data. Milliseconds are the median of single faces on the CPU. Validation errors are the least of each "
          "training.";

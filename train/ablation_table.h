@@ -37,11 +37,13 @@ struct AblationResult {
 ///   `errors`, one a seed; steps, costs and further numbers likewise error_low, error_high  95 % interval. Of one seed:
 ///   the report's own. Of several: a bootstrap over persons
 ///                          (eval::PersonBootstrap) of all test faces of all seeds; seeds are not resampled
-///   difference             error minus the error of `difference_to`, the split's first row that tells its face errors:
+///   difference             error minus the error of `difference_to`, the row `compare_to`, or where it is empty the
+///                          split's first row that tells its face errors:
 ///                          the mean over the test faces of all seeds that both have, and the same bootstrap of these
 ///                          paired differences
 /// @throws Error if two results on one split and seed have a different number of faces.
-Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit);
+Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit,
+                       const std::string& compare_to = "");
 
 /// One table a split, for people. @throws Error if a key is missing.
 std::vector<eval::ReportTable> AblationTables(const Json& table);

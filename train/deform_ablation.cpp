@@ -76,8 +76,9 @@ AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& 
                     {"seconds_a_face", row.at("seconds")},
                     {"num_faces", row.at("num_faces")},
                     {"data_hash", metrics.at("data_hash")}};
-    if (measure.of_run) {
-      for (const Json& error : metrics.at("face_errors")) measure.face_errors.push_back(mm * error.get<double>());
+    // A line of some of the faces alone is compared with no other.
+    if (row.at("num_faces") == metrics.at("num_faces")) {
+      for (const Json& error : row.at("face_errors")) measure.face_errors.push_back(mm * error.get<double>());
       measure.groups = metrics.at("groups").get<std::vector<int>>();
     }
     return measure;

@@ -64,16 +64,14 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
         .error = found->at("error").get<double>(),
         .interval = eval::Interval{found->at("error_low").get<double>(), found->at("error_high").get<double>()}};
     for (const auto& [key, value] : found->items())
-      if (key != "name" && key.substr(0, 5) != "error") measure.more[key] = value;
+      if (key != "name" && key != "face_errors_mm" && key.substr(0, 5) != "error") measure.more[key] = value;
     measure.more["num_faces"] = metrics.at("num_faces");
     measure.more["data_hash"] = metrics.at("data_hash");
     measure.of_run = name == network;
-    measure.more["regions_mm"] = nullptr;
-    if (name == network && found->at("shape_input") == result) {
-      measure.more["regions_mm"] = metrics.at("regions_mm");
-      measure.face_errors = metrics.at("face_errors_mm").get<std::vector<double>>();
-      measure.groups = metrics.at("groups").get<std::vector<int>>();
-    }
+    const bool is_result = name == network && found->at("shape_input") == result;
+    measure.more["regions_mm"] = is_result ? metrics.at("regions_mm") : Json();
+    measure.face_errors = found->at("face_errors_mm").get<std::vector<double>>();
+    measure.groups = metrics.at("groups").get<std::vector<int>>();
     return measure;
   } catch (const Json::exception& error) {
     throw Error(fmt::format("the metrics of a sketch run are malformed: {}", error.what()));

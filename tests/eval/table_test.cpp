@@ -47,6 +47,7 @@ TEST(Table, JsonHasAnObjectARow) {
   EXPECT_EQ(list[0]["error_low"], 2.0);
   EXPECT_EQ(list[0]["error_high"], 2.0);
   EXPECT_EQ(list[0]["p90"], 2.8);
+  EXPECT_EQ(list[0]["face_errors_mm"], Json::array({1.0, 3.0}));
 }
 
 TEST(Table, FromJsonUndoesJson) {

@@ -67,6 +67,7 @@ TEST_F(AblationConfigTest, RefusesARowThatNeedsOneThatIsNotThere) {
   ExpectRefused("[[rows]]\nname = 'PixelCNN'\n[[rows]]\nname = 'b'\neval.recover_with = 'PixelCN'\n",
                 "row 'b': there is no row 'PixelCN'; did you mean 'PixelCNN'?");
   ExpectRefused("[[rows]]\nname = 'a'\n[[rows]]\nname = 'b'\nfrom = 'c'\n", "there is no row 'c'");
+  ExpectRefused("compare_to = 'b'\n[[rows]]\nname = 'a'\n", "compare_to: there is no row 'b'");
 }
 
 TEST_F(AblationConfigTest, RefusesWordsThatWouldDoNothing) {

@@ -63,6 +63,18 @@ TEST(AblationTable, DifferencesArePairedFaceByFace) {
       "they cannot be compared");
 }
 
+TEST(AblationTable, DifferencesAreToTheRowThatIsNamedBaselinesIncluded) {
+  AblationResult mean_face = MakeResult("mean face", 1, {8, 9});
+  mean_face.baseline = true;
+  const std::vector<AblationResult> results = {MakeResult("a", 1, {1, 3}), mean_face, MakeResult("b", 1, {2, 5})};
+  const Json table = AblationTableJson(results, "mm", "b");
+  EXPECT_EQ(table[0]["difference"], 5.0) << "of the mean face";
+  EXPECT_EQ(table[1]["difference"], -1.5);
+  EXPECT_TRUE(table[2]["difference"].is_null());
+  EXPECT_EQ(table[1]["difference_to"], "b");
+  EXPECT_TRUE(AblationTableJson(results, "mm", "not done yet")[1]["difference"].is_null());
+}
+
 TEST(AblationTable, WhatIsUnknownIsNull) {
   AblationResult fit = MakeResult("fit", 1, {1, 3});
   fit.cost.reset();

@@ -76,6 +76,10 @@ TEST_F(DeformAblationTest, TrainsAndMeasuresEveryRow) {
   for (const char* key : {"error_high", "p95", "surface_sample_error_mm", "percent_of_head_height", "parameters",
                           "train_seconds", "infer_ms", "equal_seconds"})
     EXPECT_GT(siren[key].get<double>(), 0) << key;
+  EXPECT_NEAR(table[1]["difference"].get<double>(), table[1]["error"].get<double>() - siren["error"].get<double>(),
+              1e-9)
+      << "free baselines tell their faces, too";
+  EXPECT_TRUE(by_adam["difference"].is_null()) << "of one face alone";
   EXPECT_EQ(components["steps"], 0) << "nothing is trained by steps";
   EXPECT_EQ(table[5]["equal_seconds"], siren["equal_seconds"]);
   // Whoever was the first to end has been validated by then.
