@@ -28,6 +28,7 @@ Json MeanOf(const std::vector<Json>& values) {
   Json mean = Json::object();
   for (const auto& [key, ignored] : values[0].items()) {
     std::vector<Json> entries;
+    entries.reserve(values.size());
     for (const Json& value : values) entries.push_back(value.value(key, Json()));
     mean[key] = MeanOf(entries);
   }
@@ -240,6 +241,7 @@ std::vector<eval::ReportTable> AblationTables(const Json& table) {
     if (const Json to = row.value("difference_to", Json()); to.is_string())
       std::replace(header.begin(), header.end(), std::string(kDifference), "against " + to.get<std::string>());
     std::vector<std::string> cells;
+    cells.reserve(columns.size());
     for (const Column& column : columns) cells.push_back(column.cell(row));
     tables.back().rows.push_back(std::move(cells));
   }
