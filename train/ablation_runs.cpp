@@ -169,8 +169,12 @@ AblationMeasure AblationRuns::Validation(const Place& place) const {
 AblationResult AblationRuns::Result(const Place& place) const {
   const AblationRowOptions& row = place.row.options;
   AblationResult result{.name = row.name, .split = place.split, .seed = place.seed, .paper = row.paper};
-  result.measure =
-      ablation_.options.evaluate ? task_.Measure(Metrics(place), row.line, row.shape_input) : Validation(place);
+  try {
+    result.measure =
+        ablation_.options.evaluate ? task_.Measure(Metrics(place), row.line, row.shape_input) : Validation(place);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", place.Describe(), error.what()));
+  }
   if (result.measure.of_run) result.cost = Cost(place);
   return result;
 }

@@ -78,6 +78,10 @@ AblationMeasure DeformAblation::Measure(const Json& metrics, const std::string& 
                     {"data_hash", metrics.at("data_hash")}};
     // A line of some of the faces alone is compared with no other.
     if (row.at("num_faces") == metrics.at("num_faces")) {
+      DAUMIER_CHECK(
+          row.contains("face_errors"),
+          "its report comes from an earlier version, without the errors of each face: delete it, and the same "
+          "command makes it anew");
       for (const Json& error : row.at("face_errors")) measure.face_errors.push_back(mm * error.get<double>());
       measure.groups = metrics.at("groups").get<std::vector<int>>();
     }

@@ -70,6 +70,9 @@ AblationMeasure SketchAblation::Measure(const Json& metrics, const std::string& 
     measure.of_run = name == network;
     const bool is_result = name == network && found->at("shape_input") == result;
     measure.more["regions_mm"] = is_result ? metrics.at("regions_mm") : Json();
+    DAUMIER_CHECK(found->contains("face_errors_mm"),
+                  "its report comes from an earlier version, without the errors of each face: delete it, and the same "
+                  "command makes it anew");
     measure.face_errors = found->at("face_errors_mm").get<std::vector<double>>();
     measure.groups = metrics.at("groups").get<std::vector<int>>();
     return measure;

@@ -154,6 +154,9 @@ TEST(SketchAblationMeasure, ReadsALineByItsNameAndShapeInput) {
   EXPECT_EQ(task.Measure(metrics, "fit", "").error, 6);
   EXPECT_EQ(task.Measure(metrics, "fit", "").groups, (std::vector<int>{0, 1}));
   testing::ExpectError([&] { task.Measure(metrics, "ridge", ""); }, "no line 'ridge'");
+  Json earlier = metrics;
+  for (Json& row : earlier["table"]) row.erase("face_errors_mm");
+  testing::ExpectError([&] { task.Measure(earlier, "", ""); }, "delete it, and the same command makes it anew");
   testing::ExpectError([&] { task.Measure(Json::object(), "", ""); }, "malformed");
 }
 
