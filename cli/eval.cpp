@@ -115,8 +115,9 @@ Verb EvalVerb() {
                             "Of a deformable model: find the codes of so many of these by Adam, too")
                 ->check(CLI::NonNegativeNumber)
                 ->capture_default_str()};
-        command.add_flag("!--no-baselines", arguments->baselines,
-                         "Leave out what takes time to fit: nearest neighbour, linear models, limits");
+        command.add_flag(
+            "!--no-baselines", arguments->baselines,
+            "Leave out the free baselines; with --faces those of a sketch run that read its training faces");
         command.add_option("--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
         command.add_flag("--json", arguments->as_json, "Machine-readable");
         return [arguments] { Evaluate(*arguments); };

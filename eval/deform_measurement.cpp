@@ -87,7 +87,6 @@ void DeformMeasurement::MeasureNetwork(const std::string& name, const fitting::C
   result_ = rows_.size() - 1;
   codes_ = torch::stack(codes);
   mean_error_map_ = map;
-  for (const SurfaceErrors& one : errors) face_errors_.push_back(one.mean_vertex_error);
 }
 
 const std::vector<std::string>& DeformBaselineNames() {

@@ -43,7 +43,7 @@ class DeformMeasurement {
   /// one face or the mean of all. @throws Error if there is none yet.
   const DeformRow& result() const;
   const torch::Tensor& codes() const { return codes_; }
-  const std::vector<double>& face_errors() const { return face_errors_; }
+  const std::vector<double>& face_errors() const { return result().face_errors; }
   const torch::Tensor& mean_error_map() const { return mean_error_map_; }
   /// What the result makes of face i, (V, 3).
   torch::Tensor Predicted(int i) const;
@@ -68,7 +68,6 @@ class DeformMeasurement {
   std::vector<DeformRow> rows_;
   std::optional<size_t> result_;
   torch::Tensor codes_, mean_error_map_;
-  std::vector<double> face_errors_;
 };
 
 }  // namespace daumier::eval

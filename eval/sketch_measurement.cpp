@@ -130,8 +130,8 @@ void SketchMeasurement::MeasureNetwork() {
            }));
   }
   result_ = rows_.size();
-  result_errors_mm_ = Errors([this](auto faces) { return PredictResult(faces); }, &mean_error_map_);
-  AddRow("network", !reads_shape ? "none" : can_recover() ? "recovered" : "given", result_errors_mm_);
+  const auto errors_mm = Errors([this](auto faces) { return PredictResult(faces); }, &mean_error_map_);
+  AddRow("network", !reads_shape ? "none" : can_recover() ? "recovered" : "given", errors_mm);
 }
 
 SketchAnswers SketchMeasurement::AskResult(std::span<const int> faces) const {

@@ -34,7 +34,7 @@ class SketchMeasurement {
   double ridge_lambda() const { return ridge_lambda_; }
   const Json& shape_error_px() const { return shape_error_px_; }
   /// Of the result: one a face; one a vertex, mean over faces, NaN outside of the region `face`; one a region.
-  const std::vector<double>& errors_mm() const { return result_errors_mm_; }
+  const std::vector<double>& errors_mm() const { return result().face_errors_mm; }
   Eigen::VectorXd mean_error_map() const { return InFaceOnly(mean_error_map_); }
   std::map<std::string, double> region_errors_mm() const;
 
@@ -79,7 +79,7 @@ class SketchMeasurement {
   Json shape_error_px_ = Json::object();
   std::set<int> persons_;    ///< Who is seen.
   std::vector<int> groups_;  ///< Of each test face: what is resampled as one.
-  std::vector<double> interocular_mm_, result_errors_mm_, mean_error_map_;
+  std::vector<double> interocular_mm_, mean_error_map_;
   std::vector<ErrorRow> rows_;
   size_t result_ = 0;
   double ridge_lambda_ = 0;
