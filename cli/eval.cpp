@@ -103,6 +103,10 @@ Verb EvalVerb() {
             command
                 .add_flag("--refine", arguments->sketch.refine,
                           "Also match the contours of the network's faces with the strokes; with --faces always done")
+                ->excludes(faces),
+            command
+                .add_flag("--deform", arguments->sketch.deform,
+                          "Also do that and then move the faces' surfaces onto the strokes; with --faces always done")
                 ->excludes(faces)};
         arguments->of_deform = {
             command

@@ -10,7 +10,7 @@ Verb PredictVerb() {
             struct Arguments {
               std::filesystem::path run, out;
               std::vector<std::filesystem::path> inputs;
-              bool keep_frame = false, no_refine = false;
+              bool keep_frame = false, no_refine = false, deform = false;
             };
             auto arguments = std::make_shared<Arguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
@@ -22,11 +22,14 @@ Verb PredictVerb() {
                              "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");
             command.add_flag("--no-refine", arguments->no_refine,
                              "Keep the network's own face; otherwise its contours are drawn to the strokes");
+            command.add_flag("--deform", arguments->deform,
+                             "Then move the face's surface onto the strokes, beyond what the model of faces can say");
             command.add_option("--out", arguments->out, "Folder to write")->required();
             return [arguments] {
               fitting::PredictOptions options;
               options.framing = arguments->keep_frame ? fitting::Framing::kKeep : fitting::Framing::kFit;
               options.refine = !arguments->no_refine;
+              options.deform = arguments->deform;
               fitting::PredictSketches(arguments->run, arguments->inputs, arguments->out, options);
             };
           }};

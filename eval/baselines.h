@@ -12,6 +12,10 @@ namespace daumier::eval {
 /// Faces (or coordinates), row a face.
 using FaceRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+inline std::span<const float> RowSpan(const FaceRows& rows, size_t row) {
+  return {rows.data() + Eigen::Index(row) * rows.cols(), size_t(rows.cols())};
+}
+
 /// Where the baselines read, face by face.
 struct SketchSamples {
   std::function<std::span<const float>(int face)> vertices;  ///< 3V coordinates in cm.

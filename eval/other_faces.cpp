@@ -14,6 +14,7 @@
 #include "faces/face_database.h"
 #include "fitting/contour_refinement.h"
 #include "fitting/sketch_predictor.h"
+#include "fitting/stroke_deformation.h"
 #include "fitting/stroke_distance.h"
 #include "render/sheet.h"
 #include "render/stroke_overlay.h"
@@ -40,6 +41,12 @@ struct Row {
   std::vector<double> errors_px;
 };
 
+geometry::Points PointsOf(const PredictedFace& face) {
+  return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+             face.vertices.data(), Eigen::Index(face.vertices.size() / 3), 3)
+      .cast<double>();
+}
+
 class OtherFaces {
  public:
   OtherFaces(const fs::path& run, const OtherFacesOptions& options)
@@ -47,7 +54,9 @@ class OtherFaces {
         faces_(options.faces),
         sketches_(options.sketches),
         seed_(predictor_.run().manifest.seed),
-        refiner_(predictor_.run().models.bilinear, predictor_.curves()) {
+        refiner_(predictor_.run().models.bilinear, predictor_.curves()),
+        deformer_(predictor_.run().face_template.triangles, predictor_.run().face_template.num_vertices(),
+                  predictor_.curves()) {
     DAUMIER_CHECK(sketches_.manifest().details.value("faces_data_hash", "") == DataHash(options.faces),
                   "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
                   options.sketches, options.faces);
@@ -69,6 +78,8 @@ class OtherFaces {
     Predict();
     AddRow("network", [&](int face) { return predicted_[size_t(face)]; });
     AddRow("network, refined", [&](int face) { return Refined(face); });
+    AddRow("network, deformed", [&](int face) { return Deformed(Refined(face), face); });
+    AddRow("mean face, deformed", [&](int face) { return Deformed(mean_face, face); });
     if (!same_topology_) return;
     Eigen::VectorXf weights = Eigen::VectorXf::Zero(bilinear.num_coordinates());
     for (const int vertex : region()) weights.segment<3>(3 * vertex).setOnes();
@@ -129,23 +140,22 @@ class OtherFaces {
         {"95th percentile", order[size_t(std::ceil(0.95 * double(last)))]},
         {"worst", order[last]},
         {"first", 0}};
-    render::SheetStyle style{
-        .column_titles = {"sketch, curves of the refined face", "true face", "network", "network"}};
+    render::SheetStyle style{.column_titles = {"sketch, curves of the deformed face", "true face", "network",
+                                               "network, deformed", "network, deformed"}};
     std::vector<render::SheetCell> cells;
     for (const auto& [what, face] : chosen) {
       style.row_titles.push_back(
           fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
-      const auto& vertices = predicted_[size_t(face)].vertices;
-      const geometry::Points points = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-                                          vertices.data(), Eigen::Index(vertices.size() / 3), 3)
-                                          .cast<double>();
+      const PredictedFace deformed = Deformed(Refined(face), face);
+      const geometry::Points network = PointsOf(predicted_[size_t(face)]), moved = PointsOf(deformed);
       const faces::FaceTemplate& own = predictor_.run().face_template;
-      cells.push_back({render::DrawnWithCurves(Seen(face).strokes, predictor_.CurvesOf(Refined(face)), kCell)});
+      cells.push_back({render::DrawnWithCurves(Seen(face).strokes, predictor_.CurvesOf(deformed), kCell)});
       cells.push_back({FrontView(faces_.face_template(), faces_.points(face), render::FrameOf(faces_.points(face)))});
-      cells.push_back({FrontView(own, points, render::FrameOf(points))});
-      cells.push_back({SideView(own, points, render::FrameOf(points))});
+      cells.push_back({FrontView(own, network, render::FrameOf(network))});
+      cells.push_back({FrontView(own, moved, render::FrameOf(moved))});
+      cells.push_back({SideView(own, moved, render::FrameOf(moved))});
     }
-    return render::MakeSheet(cells, 4, style);
+    return render::MakeSheet(cells, 5, style);
   }
 
   bool same_topology() const { return same_topology_; }
@@ -179,6 +189,10 @@ class OtherFaces {
   }
 
   PredictedFace Refined(int face) const { return refiner_.Refine(predicted_[size_t(face)], Seen(face).strokes); }
+  PredictedFace Deformed(PredictedFace start, int face) const {
+    start.vertices = deformer_.Deform(start.vertices, Seen(face).strokes);
+    return start;
+  }
 
   void Predict() {
     for (int begin = 0; begin < faces_.num_faces(); begin += int(kBlock)) {
@@ -215,6 +229,7 @@ class OtherFaces {
   const datasets::SketchDatabase sketches_;
   const uint64_t seed_;
   const fitting::ContourRefiner refiner_;
+  const fitting::StrokeDeformer deformer_;
   datasets::SketchVariation variation_;
   bool same_topology_ = false;
   std::vector<int> groups_;

@@ -11,7 +11,7 @@ struct SketchEvalOptions {
   std::string split = "test";
   double strength = 0;
   std::string recover_with = {};
-  bool baselines = true, fit = false, refine = false;
+  bool baselines = true, fit = false, refine = false, deform = false;
 
   template <class V>
   void Visit(V&& visit) {
@@ -25,6 +25,7 @@ struct SketchEvalOptions {
           "strength alone.");
     visit("fit", fit, Flag{}, "Also fit the bilinear model to the labelled strokes, with and without its prior.");
     visit("refine", refine, Flag{}, "Also match the contours of the network's faces with the strokes.");
+    visit("deform", deform, Flag{}, "Also do that and then move the faces' surfaces onto the strokes.");
   }
 };
 
@@ -36,14 +37,16 @@ struct SketchEvalOptions {
 /// with given and, if recover_with is told, with recovered ones, which then are the run's result. With `strength` > 0
 /// sketches are augmented, each once; baselines then read the curve points that the shape-level numbers rebuild, since
 /// strokes are missing. `fit` adds rows of morphable-model fitting (eval/sketch_fits.h), `refine` one of the result
-/// after contour matching. Writes into `out_directory` metrics.json (returned), table.md, a report with pictures
-/// (eval/report.h) and a manifest. metrics.json: num_faces, num_persons, split, shape_input, mean_vertex_error_mm,
-/// p90_vertex_error_mm, mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm; also interval_mm,
-/// interocular_share, augmentation_strength, shape_error_px (given, predicted, recovered), ridge_lambda, regions_mm
-/// (mean of the network over the annotation's eyes, mouth and nose, and elsewhere in the face), table (TableJson of all
-/// rows, with the errors of each face), data_hash, seconds, and of each face in order faces, groups (whom it shows, as
-/// far as the split tells persons apart) and face_errors_mm (the network's). @throws Error as OpenSketchRunData, or if
-/// recover_with is a run on other data or reads shape-level numbers itself; UsageError if the side is empty.
+/// after contour matching, `deform` that row and one of its faces moved onto the strokes
+/// (fitting/stroke_deformation.h). Writes into `out_directory` metrics.json (returned), table.md, a report with
+/// pictures (eval/report.h) and a manifest. metrics.json: num_faces, num_persons, split, shape_input,
+/// mean_vertex_error_mm, p90_vertex_error_mm, mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm;
+/// also interval_mm, interocular_share, augmentation_strength, shape_error_px (given, predicted, recovered),
+/// ridge_lambda, regions_mm (mean of the network over the annotation's eyes, mouth and nose, and elsewhere in the
+/// face), table (TableJson of all rows, with the errors of each face), data_hash, seconds, and of each face in order
+/// faces, groups (whom it shows, as far as the split tells persons apart) and face_errors_mm (the network's). @throws
+/// Error as OpenSketchRunData, or if recover_with is a run on other data or reads shape-level numbers itself;
+/// UsageError if the side is empty.
 Json EvaluateSketchRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory,
                        const SketchEvalOptions& options = {});
 

@@ -82,4 +82,19 @@ FaceRows RefinedRow::Refine(std::span<const int> faces, const SketchAnswers& ans
   return rows;
 }
 
+DeformedRow::DeformedRow(const SketchRunData& data, const SketchReader& reader)
+    : reader_(reader), deformer_(data.run.face_template.triangles, data.faces.num_vertices(), CurvesOf(data)) {}
+
+FaceRows DeformedRow::Deform(std::span<const int> faces, const FaceRows& start) const {
+  FaceRows deformed(start.rows(), start.cols());
+  Eigen::Index next = 0;
+  ForEachInOrder(
+      int(faces.size()),
+      [&](int i) { return deformer_.Deform(RowSpan(start, size_t(i)), reader_.Seen(faces[size_t(i)]).strokes); },
+      [&](const std::vector<float>& face) {
+        deformed.row(next++) = Eigen::Map<const Eigen::RowVectorXf>(face.data(), start.cols());
+      });
+  return deformed;
+}
+
 }  // namespace daumier::eval

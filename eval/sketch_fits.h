@@ -3,6 +3,7 @@
 #include "eval/sketch_reader.h"
 #include "fitting/contour_refinement.h"
 #include "fitting/morphable_fit.h"
+#include "fitting/stroke_deformation.h"
 
 #include <span>
 
@@ -40,6 +41,20 @@ class RefinedRow {
  private:
   const SketchReader& reader_;
   fitting::ContourRefiner refiner_;
+};
+
+/// Surfaces moved onto the same strokes (fitting/stroke_deformation.h).
+class DeformedRow {
+ public:
+  /// All arguments have to outlive it.
+  DeformedRow(const SketchRunData& data, const SketchReader& reader);
+
+  /// start: num_faces x 3V, cm, as is what comes back.
+  FaceRows Deform(std::span<const int> faces, const FaceRows& start) const;
+
+ private:
+  const SketchReader& reader_;
+  fitting::StrokeDeformer deformer_;
 };
 
 }  // namespace daumier::eval

@@ -25,10 +25,6 @@ Eigen::VectorXf AsVector(std::span<const float> face) {
   return Eigen::Map<const Eigen::VectorXf>(face.data(), Eigen::Index(face.size()));
 }
 
-std::span<const float> RowSpan(const FaceRows& rows, size_t row) {
-  return {rows.row(Eigen::Index(row)).data(), size_t(rows.cols())};
-}
-
 /// One prediction a face, worked out by all cores.
 FaceRows Rows(std::span<const int> faces, Eigen::Index num_coordinates,
               const std::function<Eigen::VectorXf(int face)>& predict) {
@@ -142,11 +138,17 @@ SketchAnswers SketchMeasurement::AskResult(std::span<const int> faces) const {
 }
 
 void SketchMeasurement::MeasureFits() {
-  if (options_.refine) {
+  if (options_.refine || options_.deform) {
     log::Info("Matching contours of {} faces", test_.size());
     const RefinedRow refined(data_, reader_);
     AddRow("network, refined", result().shape_input,
            Errors([&](auto faces) { return refined.Refine(faces, AskResult(faces)); }));
+    if (options_.deform) {
+      log::Info("Moving the surfaces of {} faces onto the strokes", test_.size());
+      const DeformedRow deformed(data_, reader_);
+      AddRow("network, deformed", result().shape_input,
+             Errors([&](auto faces) { return deformed.Deform(faces, refined.Refine(faces, AskResult(faces))); }));
+    }
   }
   if (!options_.fit) return;
   log::Info("Fitting the bilinear model to the strokes of {} faces", test_.size());

@@ -1,7 +1,7 @@
 #include "fitting/curve_recovery.h"
 
 #include "core/error.h"
-#include "fitting/stroke_segments.h"
+#include "fitting/curve_pull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,33 +10,6 @@
 
 namespace daumier::fitting {
 namespace {
-
-using Eigen::Vector2f;
-
-/// Where curve points are drawn to, and how strongly.
-struct Pull {
-  std::vector<float> points;   ///< 2K, on the canvas.
-  std::vector<float> weights;  ///< K; 0: nothing is within reach.
-};
-
-Pull PullOf(const SegmentGrid& strokes, const CurveOffsets& offsets, const Eigen::VectorXf& curves, float reach,
-            float least_cosine) {
-  Pull pull{{curves.data(), curves.data() + curves.size()}, std::vector<float>(size_t(offsets.back()), 0.0f)};
-  for (size_t curve = 0; curve + 1 < offsets.size(); ++curve) {
-    const int first = offsets[curve], last = offsets[curve + 1] - 1;
-    for (int k = first; k <= last; ++k) {
-      const Vector2f point = curves.segment<2>(2 * k);
-      const Vector2f direction =
-          Unit(curves.segment<2>(2 * std::min(k + 1, last)) - curves.segment<2>(2 * std::max(k - 1, first)));
-      const auto snapped = strokes.Nearest(point, direction, reach, least_cosine);
-      if (!snapped) continue;
-      const float share = (*snapped - point).squaredNorm() / (reach * reach);
-      pull.weights[size_t(k)] = (1 - share) * (1 - share);
-      pull.points[2 * size_t(k)] = snapped->x(), pull.points[2 * size_t(k) + 1] = snapped->y();
-    }
-  }
-  return pull;
-}
 
 void CheckOffsets(const CurveOffsets& offsets, const faces::CurveEncoder& encoder) {
   DAUMIER_CHECK(!offsets.empty() && offsets.front() == 0 && offsets.back() == encoder.num_points(),
@@ -58,8 +31,8 @@ faces::CurveCode FollowStrokes(const faces::CurveEncoder& encoder, const CurveOf
   faces::CurveCode code = start;
   float reach = float(options.reach_px);
   for (int snap = 0; snap < options.snaps; ++snap, reach *= 0.5f) {
-    Pull pull = PullOf(grid, offsets, code.points + moved, reach, least_cosine);
-    if (std::none_of(pull.weights.begin(), pull.weights.end(), [](float weight) { return weight > 0; })) break;
+    CurvePull pull = PullOf(grid, offsets, code.points + moved, reach, least_cosine);
+    if (!pull.any()) break;
     Eigen::Map<Eigen::VectorXf>(pull.points.data(), moved.size()) -= moved;
     code = encoder.Encode(pull.points, pull.weights, &code);
   }
@@ -78,7 +51,7 @@ std::vector<render::Stroke> PlaceOnCurves(const std::vector<render::Stroke>& str
   std::vector<render::Stroke> placed = strokes;
   for (int round = 0; round < rounds; ++round) {
     const SegmentGrid grid(SegmentsOf(placed), float(options.reach_px));
-    const Pull pull = PullOf(grid, offsets, target, float(options.reach_px), least_cosine);
+    const CurvePull pull = PullOf(grid, offsets, target, float(options.reach_px), least_cosine);
     const auto drawn = [&](size_t k) { return Complex(pull.points[2 * k], pull.points[2 * k + 1]); };
     const auto curve = [&](size_t k) { return Complex(curves[2 * k], curves[2 * k + 1]); };
     double sum = 0, spread = 0;

@@ -14,6 +14,7 @@
 #include "render/stroke_overlay.h"
 #include "render/svg.h"
 
+#include <optional>
 #include <set>
 
 namespace daumier::fitting {
@@ -68,7 +69,11 @@ class DrawingPrediction {
   DrawingPrediction(SketchPredictor& predictor, const PredictOptions& options)
       : predictor_(predictor),
         options_(options),
-        refiner_(predictor.run().models.bilinear, predictor.curves(), options.refinement) {}
+        refiner_(predictor.run().models.bilinear, predictor.curves(), options.refinement) {
+    const faces::FaceTemplate& face_template = predictor.run().face_template;
+    if (options.deform)
+      deformer_.emplace(face_template.triangles, face_template.num_vertices(), predictor.curves(), options.deformation);
+  }
 
   Prediction Predict(const NamedDrawing& named) {
     const bool fit = options_.framing == Framing::kFit;
@@ -83,7 +88,8 @@ class DrawingPrediction {
     result.strokes = render::Place(framed.strokes, placement);
     const Strokes before = render::Place(framed.strokes, framed.placement);
     const std::vector<PredictedFace> faces = predictor_.Predict({before, result.strokes});
-    const PredictedFace face = options_.refine ? refiner_.Refine(faces[1], result.strokes) : faces[1];
+    PredictedFace face = options_.refine ? refiner_.Refine(faces[1], result.strokes) : faces[1];
+    if (deformer_) face.vertices = deformer_->Deform(face.vertices, result.strokes);
     result.curves = predictor_.CurvesOf(face);
     result.face = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
                       face.vertices.data(), Eigen::Index(face.vertices.size() / 3), 3)
@@ -116,6 +122,7 @@ class DrawingPrediction {
   SketchPredictor& predictor_;
   const PredictOptions& options_;
   ContourRefiner refiner_;
+  std::optional<StrokeDeformer> deformer_;
 };
 
 }  // namespace
@@ -147,7 +154,9 @@ void PredictSketches(const fs::path& run_directory, const std::vector<fs::path>&
   Manifest manifest;
   manifest.kind = "predictions";
   manifest.verb = "predict";
-  manifest.config = {{"framing", options.framing == Framing::kFit ? "fit" : "keep"}, {"refine", options.refine}};
+  manifest.config = {{"framing", options.framing == Framing::kFit ? "fit" : "keep"},
+                     {"refine", options.refine},
+                     {"deform", options.deform}};
   manifest.seed = run.manifest.seed;
   manifest.sources = run.manifest.sources;
   manifest.counts = {{"drawings", predictions.size()}};

@@ -1,6 +1,7 @@
 #pragma once
 #include "fitting/contour_refinement.h"
 #include "fitting/frame_search.h"
+#include "fitting/stroke_deformation.h"
 #include "render/drawing.h"
 #include "render/framing.h"
 
@@ -19,9 +20,11 @@ render::Placement SheetPlacement(const render::Drawing& drawing);
 
 struct PredictOptions {
   Framing framing = Framing::kFit;
-  bool refine = true;  ///< Whether contours are matched after the network (ContourRefiner).
+  bool refine = true;   ///< Whether contours are matched after the network (ContourRefiner).
+  bool deform = false;  ///< Whether the surface is moved onto the strokes after that (StrokeDeformer).
   FrameSearchOptions search = {};
   ContourRefinementOptions refinement = {};
+  StrokeDeformationOptions deformation = {};
 };
 
 /// `daumier predict`: for every drawing of the files (render::ReadDrawings) a mesh NAME.obj, the strokes as the network

@@ -107,8 +107,11 @@ TEST(CommandLine, EvalRefusesOptionsOfAnotherProduct) {
 }
 
 TEST(CommandLine, EvalRefusesWhatOtherFacesDoNotUse) {
-  for (const std::vector<std::string>& of_own_faces :
-       {std::vector<std::string>{"--split", "validation"}, {"--recover-with", "run"}, {"--refine"}, {"--fit"}}) {
+  for (const std::vector<std::string>& of_own_faces : {std::vector<std::string>{"--split", "validation"},
+                                                       {"--recover-with", "run"},
+                                                       {"--refine"},
+                                                       {"--deform"},
+                                                       {"--fit"}}) {
     std::vector<std::string> arguments{"eval", "run", "--faces", "others", "--sketches", "sketches"};
     arguments.insert(arguments.end(), of_own_faces.begin(), of_own_faces.end());
     const ProcessResult result = Daumier(arguments);

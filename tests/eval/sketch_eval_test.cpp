@@ -79,13 +79,14 @@ TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumb
 }
 
 TEST_F(SketchEvalTest, FitsAndRefinesWhereItIsAskedTo) {
-  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "fits", {.fit = true, .refine = true});
+  const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "fits", {.fit = true, .deform = true});
   std::map<std::string, std::string> input;
   for (const Json& row : metrics.at("table")) input[row.at("name")] = row.at("shape_input");
   EXPECT_EQ(input.at("network, refined"), "none");
+  EXPECT_EQ(input.at("network, deformed"), "none");
   EXPECT_EQ(input.at("morphable model fit"), "given");
   EXPECT_EQ(input.at("morphable model fit without prior"), "given");
-  EXPECT_EQ(metrics.at("table").size(), 11u);
+  EXPECT_EQ(metrics.at("table").size(), 12u);
 }
 
 TEST_F(SketchEvalTest, WithoutBaselinesTheNetworkAloneIsMeasured) {

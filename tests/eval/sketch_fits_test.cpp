@@ -52,7 +52,7 @@ TEST_F(SketchFitsTest, TheChosenFitIsTheBestOfItsListOnValidationFaces) {
   }
 }
 
-TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelps) {
+TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelpsAndDeformingItMore) {
   const RefinedRow refined(data_, reader_);
   const auto faces = std::span(data_.split.train).first(4);
   // Wrong by a little: what the model makes of the true coefficients, pulled towards the mean.
@@ -68,7 +68,9 @@ TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelps) {
     answers.faces.row(i) =
         faces::Reconstruct(model, answers.u.row(i).transpose(), answers.v.row(i).transpose()).transpose();
   }
-  EXPECT_LT(MeanError(refined.Refine(faces, answers), faces), MeanError(answers.faces, faces));
+  const FaceRows rows = refined.Refine(faces, answers);
+  EXPECT_LT(MeanError(rows, faces), MeanError(answers.faces, faces));
+  EXPECT_LT(MeanError(DeformedRow(data_, reader_).Deform(faces, rows), faces), MeanError(rows, faces));
 }
 
 }  // namespace

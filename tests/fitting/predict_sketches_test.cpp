@@ -74,6 +74,20 @@ TEST(PredictSketches, TheNetworksOwnFaceIsKeptIfWished) {
   EXPECT_EQ(distance.at("before"), distance.at("after"));
 }
 
+TEST(PredictSketches, ADeformedSurfaceIsNearerToTheDrawing) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  render::WriteSvg(folder / "face.svg", Circles(), {"line"});
+  const auto after = [&](bool deform) {
+    const auto out = folder / (deform ? "deformed" : "refined");
+    PredictSketches(folder / "run", {folder / "face.svg"}, out, {.framing = Framing::kKeep, .deform = deform});
+    const Manifest manifest = ReadManifest(out, "predictions");
+    EXPECT_EQ(manifest.config.at("deform"), deform);
+    return manifest.details.at("drawings").at("face").at("two_way_distance_px").at("after").get<double>();
+  };
+  EXPECT_LT(after(true), after(false));
+}
+
 TEST(PredictSketches, NamesTheBadPictureAndWritesNothing) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
