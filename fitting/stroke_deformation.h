@@ -15,9 +15,9 @@
 namespace daumier::fitting {
 
 struct StrokeDeformationOptions {
-  int rounds = 6;
-  double first_weight = 1e-4, last_weight = 0.1;
-  double first_reach_px = 24, last_reach_px = 8;
+  int rounds = 10;
+  double first_weight = 1e-5, last_weight = 0.1;
+  double first_reach_px = 32, last_reach_px = 8;
   double max_angle = 30;
 
   template <class V>
