@@ -120,8 +120,12 @@ TEST(Lowering, ConvolutionGivesOneStrideAndTwoPadsADimension) {
   const auto example = Examples().at("aten::_convolution");
   const auto model = Export(example.weights, FunctionOf(example));
   for (const auto& attribute : model.graph().node(0).attribute()) {
-    if (attribute.name() == "strides") EXPECT_EQ(attribute.ints_size(), 2);
-    if (attribute.name() == "pads") EXPECT_EQ(attribute.ints_size(), 4);
+    if (attribute.name() == "strides") {
+      EXPECT_EQ(attribute.ints_size(), 2);
+    }
+    if (attribute.name() == "pads") {
+      EXPECT_EQ(attribute.ints_size(), 4);
+    }
   }
 }
 
@@ -135,7 +139,9 @@ TEST(Lowering, LinearLayerBecomesOneGemmOfItsStoredWeight) {
   EXPECT_EQ(gemm.input(1), "weight");
   EXPECT_EQ(gemm.input(2), "bias");
   for (const auto& attribute : gemm.attribute()) {
-    if (attribute.name() == "transB") EXPECT_EQ(attribute.i(), 1);
+    if (attribute.name() == "transB") {
+      EXPECT_EQ(attribute.i(), 1);
+    }
   }
 }
 

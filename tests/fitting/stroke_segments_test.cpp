@@ -49,7 +49,9 @@ TEST(SegmentGrid, FindsWhatASearchThroughAllSegmentsFinds) {
     }
     const auto found = grid.Nearest(point, direction, kReach, kCosine);
     EXPECT_EQ(found.has_value(), best < kReach);
-    if (found) EXPECT_FLOAT_EQ((*found - point).norm(), best);
+    if (found) {
+      EXPECT_FLOAT_EQ((*found - point).norm(), best);
+    }
     num_found += found.has_value();
   }
   EXPECT_GT(num_found, 30);
