@@ -101,8 +101,8 @@ TEST_F(DeformAblationTest, RefusesWithoutDataAndUnknownOptionsNamingTheRow) {
 
 TEST(DeformAblationConfigs, AreParsed) {
   const DeformAblation task;
-  for (const char* file :
-       {"configs/deform/ablation_cpu.toml", "configs/deform/rates_cpu.toml", "configs/deform/schedules_cpu.toml", "configs/deform/subsets_cpu.toml"}) {
+  for (const char* file : {"configs/deform/ablation_cpu.toml", "configs/deform/rates_cpu.toml",
+                           "configs/deform/schedules_cpu.toml", "configs/deform/subsets_cpu.toml"}) {
     const Ablation ablation =
         LoadAblation(testing::SourceRoot() / file, {"data.faces=faces", "data.points=points"}, {});
     EXPECT_FALSE(PlanAblation(ablation, task, "absent").empty()) << file;
