@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "fitting/curve_pull.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
