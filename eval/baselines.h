@@ -1,4 +1,6 @@
 #pragma once
+#include "eval/face_rows.h"
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -8,13 +10,6 @@
 /// Predictors that cost nothing: what a network has to beat. All are fitted on the faces named as training faces and
 /// read no other; the ridge's one constant is chosen on validation faces.
 namespace daumier::eval {
-
-/// Faces (or coordinates), row a face.
-using FaceRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-inline std::span<const float> RowSpan(const FaceRows& rows, size_t row) {
-  return {rows.data() + Eigen::Index(row) * rows.cols(), size_t(rows.cols())};
-}
 
 /// Where the baselines read, face by face.
 struct SketchSamples {

@@ -16,6 +16,7 @@
 #include "fitting/sketch_predictor.h"
 #include "fitting/stroke_deformation.h"
 #include "fitting/stroke_distance.h"
+#include "geometry/coordinates.h"
 #include "render/sheet.h"
 #include "render/stroke_overlay.h"
 
@@ -40,12 +41,6 @@ struct Row {
   std::vector<double> errors_mm;  ///< One a face; empty for another topology.
   std::vector<double> errors_px;
 };
-
-geometry::Points PointsOf(const PredictedFace& face) {
-  return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-             face.vertices.data(), Eigen::Index(face.vertices.size() / 3), 3)
-      .cast<double>();
-}
 
 class OtherFaces {
  public:
@@ -147,7 +142,8 @@ class OtherFaces {
       style.row_titles.push_back(
           fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
       const PredictedFace deformed = Deformed(Refined(face), face);
-      const geometry::Points network = PointsOf(predicted_[size_t(face)]), moved = PointsOf(deformed);
+      const geometry::Points network = geometry::PointsFrom(predicted_[size_t(face)].vertices),
+                             moved = geometry::PointsFrom(deformed.vertices);
       const faces::FaceTemplate& own = predictor_.run().face_template;
       cells.push_back({render::DrawnWithCurves(Seen(face).strokes, predictor_.CurvesOf(deformed), kCell)});
       cells.push_back({FrontView(faces_.face_template(), faces_.points(face), render::FrameOf(faces_.points(face)))});

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "eval/comparison_sheet.h"
 #include "eval/sketch_measurement.h"
+#include "geometry/coordinates.h"
 #include "render/strokes.h"
 
 #include <algorithm>
@@ -31,8 +32,7 @@ double MeanError(const Eigen::VectorXd& error_mm) {
 ComparedPrediction PredictionOf(const ComparedSketch& shown, const SketchMeasurement& measurement) {
   const FaceRows predicted = measurement.PredictResult(std::span(&shown.face, 1));
   const Eigen::VectorXd error_mm = measurement.ErrorMap(predicted, shown.face);
-  return {Eigen::Map<const FaceRows>(predicted.data(), error_mm.size(), 3).cast<double>(), error_mm,
-          MeanError(error_mm)};
+  return {geometry::PointsFrom(RowSpan(predicted, 0)), error_mm, MeanError(error_mm)};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "eval/report.h"
 #include "eval/sketch_measurement.h"
 #include "eval/sketch_run_data.h"
+#include "geometry/coordinates.h"
 #include "render/strokes.h"
 
 #include <algorithm>
@@ -58,9 +59,7 @@ ReportSample SampleOf(const SketchMeasurement& measured, const std::string& what
   const auto seen = measured.Seen(face);
   sample.sketch = render::RasteriseStrokes(seen.strokes, render::kSketchCanvas, seen.style);
   sample.truth = measured.data().faces.points(face);
-  sample.prediction = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(prediction.data(),
-                                                                                                 sample.truth.rows(), 3)
-                          .cast<double>();
+  sample.prediction = geometry::PointsFrom(RowSpan(prediction, 0));
   sample.error_mm = measured.ErrorMap(prediction, face);
   return sample;
 }

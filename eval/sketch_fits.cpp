@@ -1,6 +1,5 @@
 #include "eval/sketch_fits.h"
 
-#include "core/parallel.h"
 #include "datasets/read/shape_numbers.h"
 #include "eval/metrics.h"
 
@@ -28,19 +27,13 @@ MorphableRow::MorphableRow(const SketchRunData& data, const SketchReader& reader
     : data_(data), reader_(reader), model_(fitting::ProjectModel(CurvesOf(data), data.run.models.bilinear)) {}
 
 FaceRows MorphableRow::Predict(std::span<const int> faces, const fitting::MorphableFitOptions& options) const {
-  FaceRows rows(Eigen::Index(faces.size()), 3 * Eigen::Index(data_.faces.num_vertices()));
-  Eigen::Index next = 0;
-  ForEachInOrder(
-      int(faces.size()),
-      [&](int i) {
-        const datasets::AugmentedSketch sketch = reader_.Seen(faces[size_t(i)]);
-        const auto fit = fitting::FitMorphable(
-            model_, datasets::PointsOf(sketch.moved, data_.sketches.feature_curves()),
-            EveryFourth(datasets::PointWeights(data_.sketches, sketch.moved, sketch.visible)), options);
-        return faces::Reconstruct(data_.run.models.bilinear, fit.u, fit.v);
-      },
-      [&](const Eigen::VectorXf& face) { rows.row(next++) = face.transpose(); });
-  return rows;
+  return RowsOnAllCores(faces.size(), 3 * Eigen::Index(data_.faces.num_vertices()), [&](int i) {
+    const datasets::AugmentedSketch sketch = reader_.Seen(faces[size_t(i)]);
+    const auto fit = fitting::FitMorphable(
+        model_, datasets::PointsOf(sketch.moved, data_.sketches.feature_curves()),
+        EveryFourth(datasets::PointWeights(data_.sketches, sketch.moved, sketch.visible)), options);
+    return faces::Reconstruct(data_.run.models.bilinear, fit.u, fit.v);
+  });
 }
 
 fitting::MorphableFitOptions MorphableRow::ChooseOptions(std::span<const int> validation, std::span<const int> region,
@@ -67,34 +60,22 @@ RefinedRow::RefinedRow(const SketchRunData& data, const SketchReader& reader)
     : reader_(reader), refiner_(data.run.models.bilinear, CurvesOf(data)) {}
 
 FaceRows RefinedRow::Refine(std::span<const int> faces, const SketchAnswers& answers) const {
-  FaceRows rows(answers.faces.rows(), answers.faces.cols());
-  Eigen::Index next = 0;
-  ForEachInOrder(
-      int(faces.size()),
-      [&](int i) {
-        const auto face = answers.faces.row(i);
-        return refiner_.Refine({answers.u.row(i), answers.v.row(i), {face.data(), face.data() + face.size()}},
-                               reader_.Seen(faces[size_t(i)]).strokes);
-      },
-      [&](const fitting::PredictedFace& refined) {
-        rows.row(next++) = Eigen::Map<const Eigen::RowVectorXf>(refined.vertices.data(), rows.cols());
-      });
-  return rows;
+  return RowsOnAllCores(faces.size(), answers.faces.cols(), [&](int i) {
+    const std::span<const float> face = RowSpan(answers.faces, size_t(i));
+    return refiner_
+        .Refine({answers.u.row(i), answers.v.row(i), {face.begin(), face.end()}},
+                reader_.Seen(faces[size_t(i)]).strokes)
+        .vertices;
+  });
 }
 
 DeformedRow::DeformedRow(const SketchRunData& data, const SketchReader& reader)
     : reader_(reader), deformer_(data.run.face_template.triangles, data.faces.num_vertices(), CurvesOf(data)) {}
 
 FaceRows DeformedRow::Deform(std::span<const int> faces, const FaceRows& start) const {
-  FaceRows deformed(start.rows(), start.cols());
-  Eigen::Index next = 0;
-  ForEachInOrder(
-      int(faces.size()),
-      [&](int i) { return deformer_.Deform(RowSpan(start, size_t(i)), reader_.Seen(faces[size_t(i)]).strokes); },
-      [&](const std::vector<float>& face) {
-        deformed.row(next++) = Eigen::Map<const Eigen::RowVectorXf>(face.data(), start.cols());
-      });
-  return deformed;
+  return RowsOnAllCores(faces.size(), start.cols(), [&](int i) {
+    return deformer_.Deform(RowSpan(start, size_t(i)), reader_.Seen(faces[size_t(i)]).strokes);
+  });
 }
 
 }  // namespace daumier::eval

@@ -1,5 +1,5 @@
 #pragma once
-#include "eval/baselines.h"
+#include "eval/face_rows.h"
 #include "eval/sketch_reader.h"
 #include "fitting/contour_refinement.h"
 #include "fitting/morphable_fit.h"

@@ -25,15 +25,9 @@ Eigen::VectorXf AsVector(std::span<const float> face) {
   return Eigen::Map<const Eigen::VectorXf>(face.data(), Eigen::Index(face.size()));
 }
 
-/// One prediction a face, worked out by all cores.
 FaceRows Rows(std::span<const int> faces, Eigen::Index num_coordinates,
               const std::function<Eigen::VectorXf(int face)>& predict) {
-  FaceRows rows(Eigen::Index(faces.size()), num_coordinates);
-  Eigen::Index next = 0;
-  ForEachInOrder(
-      int(faces.size()), [&](int i) { return predict(faces[size_t(i)]); },
-      [&](Eigen::VectorXf face) { rows.row(next++) = face.transpose(); });
-  return rows;
+  return RowsOnAllCores(faces.size(), num_coordinates, [&](int i) { return predict(faces[size_t(i)]); });
 }
 
 FaceRows RowsOf(const std::function<std::vector<float>(int face)>& numbers, std::span<const int> faces) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "eval/baselines.h"
+#include "eval/face_rows.h"
 #include "eval/sketch_run_data.h"
 
 #include <optional>

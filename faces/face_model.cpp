@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/alignment.h"
+#include "geometry/coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +57,7 @@ geometry::Points IdentityFace(const FaceModel& model, const Eigen::VectorXf& ide
                 identity_weights.size(), model.identity_shapes.cols());
   const geometry::Points& neutral = model.face_template.neutral;
   const Eigen::VectorXf offset = model.identity_shapes * identity_weights;
-  const geometry::Points face = neutral + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-                                              offset.data(), neutral.rows(), 3)
-                                              .cast<double>();
+  const geometry::Points face = neutral + geometry::PointsFrom({offset.data(), size_t(offset.size())});
   if (!model.align_identities) return face;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(neutral.rows());
   for (const int vertex : model.face_template.annotation.regions.at("face")) weights[vertex] = 1;

@@ -6,6 +6,7 @@
 #include "core/manifest.h"
 #include "fitting/face_surface.h"
 #include "fitting/sketch_predictor.h"
+#include "geometry/coordinates.h"
 #include "geometry/obj.h"
 #include "render/camera.h"
 #include "render/read_drawing.h"
@@ -91,9 +92,7 @@ class DrawingPrediction {
     PredictedFace face = options_.refine ? refiner_.Refine(faces[1], result.strokes) : faces[1];
     if (deformer_) face.vertices = deformer_->Deform(face.vertices, result.strokes);
     result.curves = predictor_.CurvesOf(face);
-    result.face = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-                      face.vertices.data(), Eigen::Index(face.vertices.size() / 3), 3)
-                      .cast<double>();
+    result.face = geometry::PointsFrom(face.vertices);
 
     const auto distance = [&](const Strokes& strokes, const PredictedFace& of) {
       return DistanceBetween(strokes, predictor_.CurvesOf(of)).two_way();
