@@ -67,7 +67,7 @@ class OtherFaces {
     const Eigen::VectorXf u = bilinear.identity_factors.colwise().mean(),
                           v = bilinear.expression_factors.colwise().mean();
     const Eigen::VectorXf mean = faces::Reconstruct(bilinear, u, v);
-    const PredictedFace mean_face{u, v, {mean.begin(), mean.end()}};
+    PredictedFace mean_face{u, v, {mean.begin(), mean.end()}};
     AddRow("mean face", [&](int) { return mean_face; });
     log::Info("Predicting {} faces by the network", faces_.num_faces());
     Predict();
@@ -255,12 +255,12 @@ Json EvaluateOnOtherFaces(const fs::path& run_directory, const fs::path& out_dir
   other.Measure();
   if (options.baselines) other.MeasureBaselines();
   const Json hashes = {{"faces", DataHash(options.faces)}, {"sketches", DataHash(options.sketches)}};
-  const Json metrics = {{"num_faces", other.faces().num_faces()},
-                        {"same_topology", other.same_topology()},
-                        {"augmentation_strength", options.strength},
-                        {"table", other.Table()},
-                        {"data_hash", hashes},
-                        {"run_data_hash", DataHash(run_directory)}};
+  Json metrics = {{"num_faces", other.faces().num_faces()},
+                  {"same_topology", other.same_topology()},
+                  {"augmentation_strength", options.strength},
+                  {"table", other.Table()},
+                  {"data_hash", hashes},
+                  {"run_data_hash", DataHash(run_directory)}};
   MakeDirectory(out_directory);
   WriteFileAtomically(out_directory / "metrics.json", metrics.dump(2) + "\n");
   WriteFileAtomically(out_directory / "table.md", TableText(metrics.at("table")));

@@ -132,7 +132,7 @@ Json EvaluateSketchRun(const fs::path& run_directory, const fs::path& out_direct
   SketchMeasurement measurement(data, options);
   measurement.Measure();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const Json metrics = MetricsOf(measurement, seconds);
+  Json metrics = MetricsOf(measurement, seconds);
 
   MakeDirectory(out_directory);
   WriteReport(out_directory, ReportOf(measurement, seconds));

@@ -195,7 +195,7 @@ void SketchMeasurement::MeasureBaselines() {
              return AsVector(samples.vertices(nearest.Nearest(samples.curve_points(face))));
            });
          }));
-  const Eigen::VectorXf mean_face = MeanFace(samples, data_.split.train);
+  Eigen::VectorXf mean_face = MeanFace(samples, data_.split.train);
   AddRow("mean face", "none",
          Errors([&](auto faces) { return Rows(faces, num_coordinates, [&](int) { return mean_face; }); }));
   log::Info("Projecting the true faces on the bilinear model");

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace daumier::eval {
 
@@ -27,7 +28,7 @@ class SketchReader {
   SketchAnswers Ask(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape = nullptr) const;
   /// The faces of Ask.
   FaceRows Predict(models::SketchNetwork network, std::span<const int> faces, const FaceRows* shape = nullptr) const {
-    return Ask(network, faces, shape).faces;
+    return Ask(std::move(network), faces, shape).faces;
   }
 
  private:
