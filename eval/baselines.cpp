@@ -17,18 +17,6 @@ namespace {
 /// Faces that are in memory at once: 256 faces of 34,000 coordinates in float64 are 70 MB.
 constexpr int kBlock = 256;
 
-FaceRows PointRows(const SketchSamples& samples, std::span<const int> faces) {
-  FaceRows rows;
-  for (size_t row = 0; row < faces.size(); ++row) {
-    const std::vector<float> points = samples.curve_points(faces[row]);
-    if (row == 0) rows.resize(Eigen::Index(faces.size()), Eigen::Index(points.size()));
-    DAUMIER_CHECK(Eigen::Index(points.size()) == rows.cols(), "sketch {} has {} curve coordinates, others have {}",
-                  faces[row], points.size(), rows.cols());
-    rows.row(Eigen::Index(row)) = Eigen::Map<const Eigen::RowVectorXf>(points.data(), rows.cols());
-  }
-  return rows;
-}
-
 Eigen::Map<const Eigen::RowVectorXf> AsRow(std::span<const float> face) {
   return {face.data(), Eigen::Index(face.size())};
 }
@@ -53,6 +41,18 @@ torch::Tensor CoordinateIndex(std::span<const int> region) {
 }
 
 }  // namespace
+
+FaceRows PointRows(const SketchSamples& samples, std::span<const int> faces) {
+  FaceRows rows;
+  for (size_t row = 0; row < faces.size(); ++row) {
+    const std::vector<float> points = samples.curve_points(faces[row]);
+    if (row == 0) rows.resize(Eigen::Index(faces.size()), Eigen::Index(points.size()));
+    DAUMIER_CHECK(Eigen::Index(points.size()) == rows.cols(), "sketch {} has {} curve coordinates, others have {}",
+                  faces[row], points.size(), rows.cols());
+    rows.row(Eigen::Index(row)) = Eigen::Map<const Eigen::RowVectorXf>(points.data(), rows.cols());
+  }
+  return rows;
+}
 
 Eigen::VectorXf MeanFace(const SketchSamples& samples, std::span<const int> train) {
   DAUMIER_CHECK(!train.empty(), "a mean face needs training faces");

@@ -17,6 +17,9 @@ struct SketchSamples {
   std::function<std::vector<float>(int face)> curve_points;  ///< 2P coordinates on the sketch canvas.
 };
 
+/// Curve points, row a face. @throws Error if two faces have not the same number.
+FaceRows PointRows(const SketchSamples& samples, std::span<const int> faces);
+
 /// The mean of the training faces, 3V.
 Eigen::VectorXf MeanFace(const SketchSamples& samples, std::span<const int> train);
 

@@ -30,12 +30,6 @@ FaceRows Rows(std::span<const int> faces, Eigen::Index num_coordinates,
   return RowsOnAllCores(faces.size(), num_coordinates, [&](int i) { return predict(faces[size_t(i)]); });
 }
 
-FaceRows RowsOf(const std::function<std::vector<float>(int face)>& numbers, std::span<const int> faces) {
-  FaceRows rows(Eigen::Index(faces.size()), Eigen::Index(numbers(faces[0]).size()));
-  for (size_t i = 0; i < faces.size(); ++i) rows.row(Eigen::Index(i)) = AsVector(numbers(faces[i])).transpose();
-  return rows;
-}
-
 /// What the sketches of a test are like: those of the training, augmented as asked for, in the exact view.
 datasets::SketchVariation TestVariation(const SketchRunData& data, double strength) {
   datasets::SketchVariation variation = data.sketch;
@@ -159,19 +153,15 @@ FaceRows SketchMeasurement::PredictWithoutShape(std::span<const int> faces) cons
 }
 
 FaceRows SketchMeasurement::GivenNumbers(std::span<const int> faces) const {
-  return RowsOf(
-      [this](int face) { return AsNumbers((codes_.empty() ? GivenCode(face) : codes_[size_t(face)]).numbers()); },
-      faces);
+  return Rows(faces, data_.run.network->num_shape(),
+              [this](int face) { return (codes_.empty() ? GivenCode(face) : codes_[size_t(face)]).numbers(); });
 }
 
 FaceRows SketchMeasurement::RecoveredNumbers(std::span<const int> faces) const {
   const FaceRows start = PredictWithoutShape(faces);
-  FaceRows numbers(start.rows(), data_.run.network->num_shape());
-  for (size_t i = 0; i < faces.size(); ++i) {
-    numbers.row(Eigen::Index(i)) =
-        shape_input_.Recovered(RowSpan(start, i), Seen(faces[i]).strokes).numbers().transpose();
-  }
-  return numbers;
+  return RowsOnAllCores(faces.size(), data_.run.network->num_shape(), [&](int i) {
+    return shape_input_.Recovered(RowSpan(start, size_t(i)), Seen(faces[size_t(i)]).strokes).numbers();
+  });
 }
 
 std::vector<float> SketchMeasurement::CurvePoints(int face) const {
@@ -187,7 +177,7 @@ void SketchMeasurement::MeasureBaselines() {
   const RidgeFit ridge = FitRidge(samples, data_.split.train, data_.split.validation, region_, DefaultRidgeLambdas());
   ridge_lambda_ = ridge.lambda;
   AddRow("ridge regression", "none",
-         Errors([&](auto faces) { return ridge.model.Predict(RowsOf(samples.curve_points, faces)); }));
+         Errors([&](auto faces) { return ridge.model.Predict(PointRows(samples, faces)); }));
   MeasureShapeInput();
   const NearestNeighbour nearest(samples, data_.split.train);
   AddRow("nearest neighbour", "none", Errors([&](auto faces) {

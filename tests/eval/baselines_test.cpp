@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
@@ -46,6 +47,15 @@ std::vector<int> Indices(int begin, int end) {
 }
 
 const std::vector<int> kRegion = {0, 1, 2};
+
+TEST(PointRows, HoldTheFacesInOrderAndAllOfOneLength) {
+  LinearWorld world(3, 4, 0, 12);
+  const std::vector<int> faces = {2, 0};
+  EXPECT_EQ(PointRows(world.samples(), faces), world.points(faces, Eigen::all));
+  SketchSamples samples = world.samples();
+  samples.curve_points = [](int face) { return std::vector<float>(size_t(face + 1)); };
+  testing::ExpectError([&] { PointRows(samples, faces); }, "sketch 0 has 1 curve coordinates, others have 3");
+}
 
 TEST(MeanFace, IsTheMeanOfTheTrainingFaces) {
   LinearWorld world(3, 2, 0, 1);
