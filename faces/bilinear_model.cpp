@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/safetensors.h"
+#include "faces/leading_eigenvectors.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -181,8 +182,7 @@ struct GramSums {
 Eigen::MatrixXf Factors(Eigen::MatrixXd gram, const Eigen::VectorXd& dots, double mean_square, int rank) {
   gram += dots.replicate(1, gram.cols()) + dots.transpose().replicate(gram.rows(), 1);
   gram.array() += mean_square;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);  // Reads the lower triangle.
-  Eigen::MatrixXd factors = solver.eigenvectors().rightCols(rank).rowwise().reverse();
+  Eigen::MatrixXd factors = FindLeadingEigenvectors(gram, rank).vectors;
   for (int k = 0; k < rank; ++k) {
     Eigen::Index largest;
     factors.col(k).cwiseAbs().maxCoeff(&largest);

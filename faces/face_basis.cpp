@@ -2,8 +2,7 @@
 
 #include "core/error.h"
 #include "core/safetensors.h"
-
-#include <Eigen/Eigenvalues>
+#include "faces/leading_eigenvectors.h"
 
 #include <algorithm>
 
@@ -31,11 +30,9 @@ FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<s
     const Eigen::Index width = std::min<Eigen::Index>(kBlock, num_coordinates - begin);
     gram.selfadjointView<Eigen::Lower>().rankUpdate(faces.middleCols(begin, width).cast<double>().eval());
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-  const Eigen::VectorXd variances = solver.eigenvalues().reverse().head(size);
+  const auto [variances, directions] = FindLeadingEigenvectors(gram, size);
   DAUMIER_CHECK(variances[size - 1] > kLeastShare * variances[0],
                 "{} directions cannot be fitted to faces that span fewer", size);
-  const Eigen::MatrixXd directions = solver.eigenvectors().rowwise().reverse().leftCols(size);
 
   FaceBasis basis;
   const Eigen::MatrixXf weights = (directions * variances.cwiseSqrt().cwiseInverse().asDiagonal()).cast<float>();
