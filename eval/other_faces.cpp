@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -38,7 +39,8 @@ constexpr size_t kBlock = 64;
 
 struct Row {
   std::string name;
-  std::vector<double> errors_mm;  ///< One a face; empty for another topology.
+  std::vector<double> errors_mm;   ///< One a face; empty for another topology.
+  std::vector<double> matched_mm;  ///< The same where the registered mesh is; empty where faces were not registered.
   std::vector<double> errors_px;
 };
 
@@ -60,6 +62,7 @@ class OtherFaces {
     const auto& other = faces_.face_template().triangles;
     same_topology_ = own.rows() == other.rows() && own == other;
     for (int face = 0; face < faces_.num_faces(); ++face) groups_.push_back(faces_.group(face));
+    registered_ = same_topology_ && !MatchedRegion(0).empty();
   }
 
   void Measure() {
@@ -71,9 +74,10 @@ class OtherFaces {
     AddRow("mean face", [&](int) { return mean_face; });
     log::Info("Predicting {} faces by the network", faces_.num_faces());
     Predict();
+    Refine();
     AddRow("network", [&](int face) { return predicted_[size_t(face)]; });
-    AddRow("network, refined", [&](int face) { return Refined(face); });
-    AddRow("network, deformed", [&](int face) { return Deformed(Refined(face), face); });
+    AddRow("network, refined", [&](int face) { return refined_[size_t(face)]; });
+    AddRow("network, deformed", [&](int face) { return Deformed(refined_[size_t(face)], face); });
     AddRow("mean face, deformed", [&](int face) { return Deformed(mean_face, face); });
     if (!same_topology_) return;
     Eigen::VectorXf weights = Eigen::VectorXf::Zero(bilinear.num_coordinates());
@@ -111,12 +115,9 @@ class OtherFaces {
     Json table = Json::array();
     for (const Row& row : rows_) {
       Json line{{"name", row.name}, {"curve_error_px", Mean(row.errors_px)}};
-      const bool measured = !row.errors_mm.empty();
-      const Interval interval = measured ? PersonBootstrap(row.errors_mm, groups_, seed_) : Interval{0, 0};
-      line["error"] = measured ? Json(Mean(row.errors_mm)) : Json();
-      line["error_low"] = measured ? Json(interval.low) : Json();
-      line["error_high"] = measured ? Json(interval.high) : Json();
-      line["p90"] = measured ? Json(Percentile(row.errors_mm, 90)) : Json();
+      AddErrors(row.errors_mm, "error", line);
+      line["p90"] = row.errors_mm.empty() ? Json() : Json(Percentile(row.errors_mm, 90));
+      if (registered_) AddErrors(row.matched_mm, "matched_error", line);
       table.push_back(line);
     }
     return table;
@@ -141,7 +142,7 @@ class OtherFaces {
     for (const auto& [what, face] : chosen) {
       style.row_titles.push_back(
           fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
-      const PredictedFace deformed = Deformed(Refined(face), face);
+      const PredictedFace deformed = Deformed(refined_[size_t(face)], face);
       const geometry::Points network = geometry::PointsFrom(predicted_[size_t(face)].vertices),
                              moved = geometry::PointsFrom(deformed.vertices);
       const faces::FaceTemplate& own = predictor_.run().face_template;
@@ -169,7 +170,29 @@ class OtherFaces {
     }
   }
 
+  /// KEY, KEY_low and KEY_high; null where there are no errors.
+  void AddErrors(const std::vector<double>& errors, const std::string& key, Json& line) const {
+    if (errors.empty()) {
+      line[key] = line[key + "_low"] = line[key + "_high"] = Json();
+      return;
+    }
+    const Interval interval = PersonBootstrap(errors, groups_, seed_);
+    line[key] = Mean(errors);
+    line[key + "_low"] = interval.low;
+    line[key + "_high"] = interval.high;
+  }
+
   const std::vector<int>& region() const { return faces_.face_template().annotation.regions.at("face"); }
+
+  /// Vertices of the region that have a match on the mesh that the face was registered onto.
+  std::vector<int> MatchedRegion(int face) const {
+    const std::span<const float> distances = faces_.match_distances(face);
+    std::vector<int> matched;
+    if (distances.empty()) return matched;
+    std::copy_if(region().begin(), region().end(), std::back_inserter(matched),
+                 [&](int vertex) { return !std::isnan(distances[size_t(vertex)]); });
+    return matched;
+  }
 
   datasets::AugmentedSketch Seen(int face) const {
     return datasets::VariedSketch(sketches_, face, variation_, seed_, 0);
@@ -184,7 +207,6 @@ class OtherFaces {
     return features;
   }
 
-  PredictedFace Refined(int face) const { return refiner_.Refine(predicted_[size_t(face)], Seen(face).strokes); }
   PredictedFace Deformed(PredictedFace start, int face) const {
     start.vertices = deformer_.Deform(start.vertices, Seen(face).strokes);
     return start;
@@ -199,22 +221,31 @@ class OtherFaces {
     }
   }
 
+  void Refine() {
+    ForEachInOrder(
+        faces_.num_faces(), [&](int face) { return refiner_.Refine(predicted_[size_t(face)], Seen(face).strokes); },
+        [&](PredictedFace face) { refined_.push_back(std::move(face)); });
+  }
+
   void AddRow(const std::string& name, const std::function<PredictedFace(int face)>& answer) {
     struct Errors {
-      double mm, px;
+      double mm, matched_mm, px;
     };
-    Row row{name, {}, {}};
+    Row row{name, {}, {}, {}};
     const double mm_per_cm = faces::MillimetresPerCm(faces_.face_template());
     ForEachInOrder(
         faces_.num_faces(),
         [&](int face) {
           const PredictedFace answered = answer(face);
-          const double mm =
-              same_topology_ ? MeanVertexError(answered.vertices, faces_.vertices(face), region(), mm_per_cm) : 0;
-          return Errors{mm, fitting::DistanceBetween(DrawnFeatures(face), predictor_.CurvesOf(answered)).two_way()};
+          const auto error = [&](const std::vector<int>& vertices) {
+            return MeanVertexError(answered.vertices, faces_.vertices(face), vertices, mm_per_cm);
+          };
+          return Errors{same_topology_ ? error(region()) : 0, registered_ ? error(MatchedRegion(face)) : 0,
+                        fitting::DistanceBetween(DrawnFeatures(face), predictor_.CurvesOf(answered)).two_way()};
         },
         [&](const Errors& errors) {
           if (same_topology_) row.errors_mm.push_back(errors.mm);
+          if (registered_) row.matched_mm.push_back(errors.matched_mm);
           row.errors_px.push_back(errors.px);
         });
     rows_.push_back(std::move(row));
@@ -228,21 +259,28 @@ class OtherFaces {
   const fitting::StrokeDeformer deformer_;
   datasets::SketchVariation variation_;
   bool same_topology_ = false;
+  bool registered_ = false;  ///< And of the run's own topology.
   std::vector<int> groups_;
-  std::vector<PredictedFace> predicted_;
+  std::vector<PredictedFace> predicted_, refined_;
   std::vector<Row> rows_;
 };
 
 std::string TableText(const Json& table) {
-  std::string text = "| predictor | mm | 95 % interval | p90 | curves, px |\n|---|---:|---:|---:|---:|\n";
+  const bool registered = table.front().contains("matched_error");
+  std::string text =
+      fmt::format("| predictor | mm | 95 % interval | p90 |{} curves, px |\n|---|---:|---:|---:|{}---:|\n",
+                  registered ? " mm where the mesh is | 95 % interval |" : "", registered ? "---:|---:|" : "");
   for (const Json& row : table) {
-    const auto number = [&](const char* key) {
+    const auto number = [&](const std::string& key) {
       return row.at(key).is_null() ? "-" : fmt::format("{:.3f}", row.at(key).get<double>());
     };
-    const std::string interval =
-        row.at("error").is_null() ? "-" : fmt::format("{} to {}", number("error_low"), number("error_high"));
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", row.at("name").get<std::string>(), number("error"), interval,
-                        number("p90"), number("curve_error_px"));
+    const auto with_interval = [&](const std::string& key) {
+      if (row.at(key).is_null()) return std::string("- | -");
+      return fmt::format("{} | {} to {}", number(key), number(key + "_low"), number(key + "_high"));
+    };
+    text += fmt::format("| {} | {} | {} |{} {} |\n", row.at("name").get<std::string>(), with_interval("error"),
+                        number("p90"), registered ? fmt::format(" {} |", with_interval("matched_error")) : "",
+                        number("curve_error_px"));
   }
   return text;
 }

@@ -86,6 +86,13 @@ SafetensorsFile OpenShard(const std::filesystem::path& path, const std::vector<i
   return shard;
 }
 
+/// @throws Error if the shard tells distances to a mesh, but not one a vertex.
+void CheckDistances(const SafetensorsFile& shard, const std::filesystem::path& path, int num_vertices) {
+  if (!shard.contains("distances")) return;
+  const size_t count = shard.at("distances").As<float>().size();
+  DAUMIER_CHECK(count == size_t(num_vertices), "{}: {} distances of {} vertices", path.string(), count, num_vertices);
+}
+
 /// Numbers the labels of `groups` in order of their first person; without them every person is its own group.
 std::vector<int> NumberGroups(const Json& details, int num_persons, const std::filesystem::path& directory) {
   std::vector<int> groups(std::max(0, num_persons));
@@ -181,8 +188,9 @@ FaceDatabase::FaceDatabase(const std::filesystem::path& directory, bool verify)
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
   }
   for (int person = 0; person < num_persons_; ++person) {
-    shards_.push_back(
-        OpenShard(directory / PersonShardName(person), {num_levels_, num_expressions(), num_vertices(), 3}));
+    const auto path = directory / PersonShardName(person);
+    shards_.push_back(OpenShard(path, {num_levels_, num_expressions(), num_vertices(), 3}));
+    CheckDistances(shards_.back(), path, num_vertices());
   }
   const int per_shard = num_levels_ * num_expressions();
   for (int begin = 0; begin < num_interpolated_; begin += per_shard) {
@@ -250,6 +258,12 @@ geometry::Points FaceDatabase::points(int face) const {
   const auto floats = vertices(face);
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
   return Eigen::Map<const Rows>(floats.data(), num_vertices(), 3).cast<double>();
+}
+
+std::span<const float> FaceDatabase::match_distances(int face) const {
+  DAUMIER_CHECK(face >= 0 && face < num_faces(), "face {} of a database of {} faces", face, num_faces());
+  const SafetensorsFile& shard = shards_[face / (num_levels_ * num_expressions())];
+  return shard.contains("distances") ? shard.at("distances").As<float>() : std::span<const float>();
 }
 
 }  // namespace daumier::faces

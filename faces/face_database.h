@@ -19,11 +19,12 @@ struct FaceId {
 };
 
 /// A folder of faces on disk: manifest.json (kind "faces"), template.safetensors, template.json, and a shard a person
-/// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`).
-/// Face index = (person * num_levels + level) * num_expressions + expression. Behind these, the grid, stand faces that
-/// were interpolated between two of them (shards/interpolated-00000.safetensors), as many a shard as a person has.
-/// The manifest holds counts {persons, levels, expressions, faces, vertices} and details {source, gammas, expressions},
-/// and where faces were imported also {names, groups}: a name of each person, and whom it shows in truth.
+/// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`, and
+/// where faces were registered `distances`). Face index = (person * num_levels + level) * num_expressions + expression.
+/// Behind these, the grid, stand faces that were interpolated between two of them
+/// (shards/interpolated-00000.safetensors), as many a shard as a person has. The manifest holds counts {persons,
+/// levels, expressions, faces, vertices} and details {source, gammas, expressions}, and where faces were imported also
+/// {names, groups}: a name of each person, and whom it shows in truth.
 class FaceDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its
@@ -57,6 +58,10 @@ class FaceDatabase {
   /// Vertices of a face, 3V floats (x0 y0 z0 x1 ...), mapped from disk.
   std::span<const float> vertices(int face) const;
   geometry::Points points(int face) const;
+  /// Of a registered face the distance of each vertex to the mesh that it was registered onto, V, cm; NaN where the
+  /// mesh has no match, so that the vertex follows the rest and tells nothing of the mesh. Empty where faces were not
+  /// registered.
+  std::span<const float> match_distances(int face) const;
 
   const FaceTemplate& face_template() const { return face_template_; }
   const std::vector<std::string>& expression_names() const { return expression_names_; }

@@ -1,11 +1,15 @@
 #include "eval/other_faces.h"
 
+#include "core/safetensors.h"
 #include "eval/baselines.h"
 #include "eval/metrics.h"
 #include "eval/sketch_run_data.h"
 #include "fitting/sketch_predictor.h"
 #include "tests/eval/sketch_run_fixture.h"
 #include "tests/support/expect_error.h"
+
+#include <cmath>
+#include <limits>
 
 namespace daumier::eval {
 namespace {
@@ -85,6 +89,59 @@ TEST_F(OtherFacesTest, RefiningAndDeformingBringTheCurvesNearer) {
   EXPECT_LT(table[3].at("curve_error_px"), table[2].at("curve_error_px"));
   EXPECT_EQ(table[4].at("name"), "mean face, deformed");
   EXPECT_LT(table[4].at("curve_error_px"), table[0].at("curve_error_px"));
+}
+
+/// Rewrites the faces as registered ones: of each, every third vertex has a match, beginning with the person's number.
+void MarkAsRegistered(const std::filesystem::path& directory) {
+  Manifest manifest = ReadManifest(directory, "faces");
+  const int num_persons = manifest.counts.at("persons"), num_vertices = manifest.counts.at("vertices");
+  for (int person = 0; person < num_persons; ++person) {
+    std::vector<float> distances(size_t(num_vertices), std::numeric_limits<float>::quiet_NaN());
+    for (int vertex = person % 3; vertex < num_vertices; vertex += 3) distances[size_t(vertex)] = 0.01f;
+    const std::string name = faces::PersonShardName(person);
+    const SafetensorsFile shard(directory / name);
+    SafetensorsWriter writer;
+    for (const auto& [key, array] : shard.arrays())
+      writer.AddBytes(key, array.dtype, array.shape, array.data, size_t(array.size()) * ItemSize(array.dtype));
+    writer.Add<float>("distances", {num_vertices}, distances);
+    manifest.checksums[name] = writer.Write(directory / name);
+  }
+  WriteManifest(directory, manifest);
+}
+
+TEST_F(OtherFacesTest, OfRegisteredFacesAlsoWhereTheMeshIs) {
+  testing::BuildSyntheticFaces(*folder_ / "registered", 2);
+  MarkAsRegistered(*folder_ / "registered");
+  testing::BuildSyntheticSketches(*folder_ / "registered", *folder_ / "registered_sketches");
+  const OtherFacesOptions options{.faces = (*folder_ / "registered").string(),
+                                  .sketches = (*folder_ / "registered_sketches").string(),
+                                  .baselines = false};
+  const Json table = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", options).at("table");
+  const faces::FaceDatabase faces(*folder_ / "registered");
+  const datasets::SketchDatabase sketches(*folder_ / "registered_sketches");
+  fitting::SketchPredictor predictor(*folder_ / "run");
+  double sum = 0;
+  for (int face = 0; face < faces.num_faces(); ++face) {
+    const std::vector<float> predicted = predictor.Predict({sketches.strokes(face)})[0].vertices;
+    const std::span<const float> truth = faces.vertices(face);
+    double of_face = 0;
+    int count = 0;
+    for (const int vertex : faces.face_template().annotation.regions.at("face")) {
+      if (vertex % 3 != faces.id(face).person) continue;
+      const size_t x = 3 * size_t(vertex);
+      of_face += std::hypot(predicted[x] - truth[x], predicted[x + 1] - truth[x + 1], predicted[x + 2] - truth[x + 2]);
+      ++count;
+    }
+    sum += of_face / count;
+  }
+  const double expected = sum / faces.num_faces() * faces::MillimetresPerCm(faces.face_template());
+  EXPECT_NEAR(table[1].at("matched_error").get<double>(), expected, 1e-3);
+  EXPECT_LE(table[1].at("matched_error_low").get<double>(), expected);
+  EXPECT_GE(table[1].at("matched_error_high").get<double>(), expected);
+  EXPECT_NE(ReadFile(*folder_ / "other/table.md").find("mm where the mesh is"), std::string::npos);
+  const Json own = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", Options()).at("table");
+  EXPECT_FALSE(own[1].contains("matched_error"));
+  EXPECT_EQ(ReadFile(*folder_ / "other/table.md").find("mm where the mesh is"), std::string::npos);
 }
 
 TEST_F(OtherFacesTest, RefusesSketchesOfOtherFaces) {

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace daumier::faces {
@@ -28,19 +30,23 @@ struct SampleDatabase {
     manifest_.counts = {{"persons", kPersons}, {"levels", kLevels}, {"expressions", kExpressions}};
     manifest_.details = {{"gammas", {0.0, 0.2}}, {"expressions", {"neutral", "smile", "frown"}}};
     manifest_.checksums = WriteFaceTemplate(directory_.path(), template_);
-    const int num_vertices = template_.num_vertices(), faces_per_person = kLevels * kExpressions;
-    for (int person = 0; person < kPersons; ++person) {
-      std::vector<float> vertices(size_t(faces_per_person) * 3 * num_vertices);
-      for (int face = 0; face < faces_per_person; ++face) {
-        const auto begin = vertices.begin() + face * 3 * num_vertices;
-        std::iota(begin, begin + 3 * num_vertices, static_cast<float>(person * faces_per_person + face));
-      }
-      SafetensorsWriter writer;
-      writer.Add<float>("vertices", {kLevels, kExpressions, num_vertices, 3}, vertices);
-      writer.Add<float>("identity_weights", {2}, std::vector<float>{float(person), 0.5f});
-      manifest_.checksums[PersonShardName(person)] = writer.Write(directory_ / PersonShardName(person));
-    }
+    for (int person = 0; person < kPersons; ++person) WritePerson(person);
     WriteManifest(directory_.path(), manifest_);
+  }
+
+  /// With distances to a mesh that the person was registered onto, or without.
+  void WritePerson(int person, const std::vector<float>& distances = {}) {
+    const int num_vertices = template_.num_vertices(), faces_per_person = kLevels * kExpressions;
+    std::vector<float> vertices(size_t(faces_per_person) * 3 * num_vertices);
+    for (int face = 0; face < faces_per_person; ++face) {
+      const auto begin = vertices.begin() + face * 3 * num_vertices;
+      std::iota(begin, begin + 3 * num_vertices, static_cast<float>(person * faces_per_person + face));
+    }
+    SafetensorsWriter writer;
+    writer.Add<float>("vertices", {kLevels, kExpressions, num_vertices, 3}, vertices);
+    writer.Add<float>("identity_weights", {2}, std::vector<float>{float(person), 0.5f});
+    if (!distances.empty()) writer.Add<float>("distances", {int64_t(distances.size())}, distances);
+    manifest_.checksums[PersonShardName(person)] = writer.Write(directory_ / PersonShardName(person));
   }
 
   /// Changes the bytes of a file of the database.
@@ -228,6 +234,27 @@ TEST_F(FaceDatabaseTest, ShardsOfAnotherShapeAreRefused) {
   manifest_.counts.erase("levels");
   WriteManifest(directory_.path(), manifest_);
   ExpectRefused("manifest.json: malformed");
+}
+
+TEST_F(FaceDatabaseTest, DistancesOfRegisteredFacesAreThoseOfTheirShard) {
+  EXPECT_TRUE(FaceDatabase(directory_.path()).match_distances(0).empty());
+  std::vector<float> distances(size_t(template_.num_vertices()), 0.5f);
+  distances[2] = std::numeric_limits<float>::quiet_NaN();
+  WritePerson(0, distances);
+  WriteManifest(directory_.path(), manifest_);
+  const FaceDatabase database(directory_.path());
+  const int last_of_first = kLevels * kExpressions - 1;
+  for (const int face : {0, last_of_first}) {
+    ASSERT_EQ(database.match_distances(face).size(), distances.size());
+    EXPECT_EQ(database.match_distances(face)[0], 0.5f);
+    EXPECT_TRUE(std::isnan(database.match_distances(face)[2]));
+  }
+  EXPECT_TRUE(database.match_distances(last_of_first + 1).empty());
+  ExpectError([&] { database.match_distances(database.num_faces()); }, "of a database of");
+  distances.pop_back();
+  WritePerson(0, distances);
+  WriteManifest(directory_.path(), manifest_);
+  ExpectRefused(fmt::format("{} distances of {} vertices", distances.size(), distances.size() + 1));
 }
 
 TEST_F(FaceDatabaseTest, ATemplateThatDoesNotFitIsRefused) {

@@ -11,6 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 namespace daumier::datasets {
 namespace {
 
@@ -52,6 +56,12 @@ TEST_F(RegisteredFaces, AreADatabaseInTheFrameOfTheTemplate) {
   const faces::FaceDatabase database(folder_ / "out");
   ASSERT_EQ(database.num_faces(), 3);
   EXPECT_LT((database.points(0) - face_.neutral).cwiseAbs().maxCoeff(), 1e-5);
+  const std::span<const float> distances = database.match_distances(0);  // The first mesh is the template itself.
+  ASSERT_EQ(distances.size(), size_t(face_.num_vertices()));
+  const auto near = std::count_if(distances.begin(), distances.end(), [](float cm) { return cm < 1e-3; });
+  const auto matched = std::count_if(distances.begin(), distances.end(), [](float cm) { return !std::isnan(cm); });
+  EXPECT_EQ(near, matched);
+  EXPECT_GT(2 * matched, face_.num_vertices());
   const Json quality = Json::parse(ReadFile(folder_ / "out/quality.json"));
   EXPECT_EQ(quality.at("meshes").at(2).at("name"), "odder");
   EXPECT_NEAR(quality.at("meshes").at(0).at("template_from_target").at("scale").get<double>(), 10, 1e-6);
