@@ -62,7 +62,7 @@ class OtherFaces {
     const auto& other = faces_.face_template().triangles;
     same_topology_ = own.rows() == other.rows() && own == other;
     for (int face = 0; face < faces_.num_faces(); ++face) groups_.push_back(faces_.group(face));
-    registered_ = same_topology_ && !MatchedRegion(0).empty();
+    registered_ = same_topology_ && !faces_.match_distances(0).empty();
   }
 
   void Measure() {
@@ -188,7 +188,6 @@ class OtherFaces {
   std::vector<int> MatchedRegion(int face) const {
     const std::span<const float> distances = faces_.match_distances(face);
     std::vector<int> matched;
-    if (distances.empty()) return matched;
     std::copy_if(region().begin(), region().end(), std::back_inserter(matched),
                  [&](int vertex) { return !std::isnan(distances[size_t(vertex)]); });
     return matched;
