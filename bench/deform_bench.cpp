@@ -2,15 +2,16 @@
 // the same template subdivided three times, and a step of training on 32 faces x 2,048 points.
 #include "core/log.h"
 #include "geometry/subdivision.h"
-#include "models/siren_deformations.h"
+#include "systems/deform/train/siren_deformations.h"
 #include "models/siren_field.h"
-#include "models/surface_decoder.h"
+#include "systems/deform/train/surface_decoder.h"
 #include "tensor/runtime.h"
 #include "tensor/torch_version.h"
 #include "train/optimiser.h"
 
 #include <benchmark/benchmark.h>
-#include <torch/torch.h>
+#include <torch/optim.h>
+#include <torch/utils.h>
 
 namespace {
 
@@ -23,9 +24,9 @@ torch::Tensor Places(int64_t count) {
   return torch::rand({count, 3}) * 2 - 1;
 }
 
-std::shared_ptr<models::HypernetworkDeformation> Network() {
+std::shared_ptr<deform::HypernetworkDeformation> Network() {
   torch::manual_seed(2);
-  return std::make_shared<models::HypernetworkDeformation>(models::DeformOptions{}, Places(kVertices),
+  return std::make_shared<deform::HypernetworkDeformation>(deform::DeformOptions{}, Places(kVertices),
                                                            faces::ModelFrame{});
 }
 
@@ -33,13 +34,13 @@ void DecodeFromCode(benchmark::State& state) {
   const at::NoGradGuard no_grad;
   const auto network = Network();
   const torch::Tensor code = 0.01 * torch::randn({128});
-  for (auto _ : state) benchmark::DoNotOptimize(models::SurfaceDecoder(network, code).Vertices());
+  for (auto _ : state) benchmark::DoNotOptimize(deform::SurfaceDecoder(network, code).Vertices());
 }
 BENCHMARK(DecodeFromCode)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void DecodeFromCachedParameters(benchmark::State& state) {
   const auto network = Network();
-  const models::SurfaceDecoder decoder(network, 0.01 * torch::randn({128}));
+  const deform::SurfaceDecoder decoder(network, 0.01 * torch::randn({128}));
   for (auto _ : state) benchmark::DoNotOptimize(decoder.Vertices());
 }
 BENCHMARK(DecodeFromCachedParameters)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -47,7 +48,7 @@ BENCHMARK(DecodeFromCachedParameters)->Unit(benchmark::kMillisecond)->UseRealTim
 /// The points of a fine surface, by our kernel or by operators on all points at once.
 void DecodeFine(benchmark::State& state, bool by_operators) {
   const at::NoGradGuard no_grad;
-  const models::SirenLayout siren;
+  const runtime::SirenLayout siren;
   const torch::Tensor parameters = Network()->SirenParameters(0.01 * torch::randn({1, 128})), points = Places(kFine);
   for (auto _ : state) {
     benchmark::DoNotOptimize(by_operators ? models::SirenFieldByOperations(siren, parameters, points)

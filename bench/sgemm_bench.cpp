@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 #include <dnnl.h>
-#include <torch/torch.h>
+#include <torch/utils.h>
 
 namespace daumier {
 namespace {

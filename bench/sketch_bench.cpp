@@ -7,12 +7,13 @@
 #include "faces/expression_transfer.h"
 #include "faces/source.h"
 #include "losses/vertex_loss.h"
-#include "models/sketch_network.h"
+#include "systems/sketch/train/network.h"
 #include "tensor/runtime.h"
 #include "tests/support/random_bilinear.h"
 
 #include <benchmark/benchmark.h>
-#include <torch/torch.h>
+#include <torch/optim.h>
+#include <torch/utils.h>
 
 #include <cstdlib>
 
@@ -98,9 +99,9 @@ void TrainingStep(benchmark::State& state) {
   tensor::SetUpTorch(1);
   torch::manual_seed(1);
   constexpr int kNumVertices = 4284;
-  const models::FittedModels models{
+  const sketch::FittedModels models{
       testing::RandomBilinear(kNumVertices, 50, 16, 1), testing::RandomBilinear(200, 50, 16, 2), {}};
-  models::SketchNetwork network(models::SketchNetworkOptions(), models);
+  sketch::SketchNetwork network(sketch::SketchNetworkOptions(), models);
   const losses::GramVertexLoss loss(network->basis(), torch::ones({kNumVertices}));
   const auto moments = loss.Moments(torch::randn({kBatch, 3 * kNumVertices}));
   torch::optim::Adam adam(network->parameters());

@@ -4,16 +4,17 @@
 #include "core/files.h"
 #include "export/onnx_export.h"
 #include "export/onnx_runtime.h"
-#include "export/sketch_export.h"
+#include "systems/sketch/train/export.h"
 #include "losses/vertex_loss.h"
-#include "models/sketch_network.h"
+#include "systems/sketch/train/network.h"
 #include "tensor/autocast.h"
 #include "tensor/runtime.h"
 #include "tests/support/random_bilinear.h"
 #include "tests/support/temp_dir.h"
 
 #include <benchmark/benchmark.h>
-#include <torch/torch.h>
+#include <torch/optim.h>
+#include <torch/utils.h>
 
 #include <map>
 
@@ -22,7 +23,7 @@ namespace {
 
 constexpr int kNumVertices = 10350;
 
-models::SketchNetworkOptions Half(const std::string& trunk, const std::string& shape_input = "none") {
+sketch::SketchNetworkOptions Half(const std::string& trunk, const std::string& shape_input = "none") {
   return {.trunk = trunk,
           .shape_input = shape_input,
           .resolution = 128,
@@ -34,11 +35,11 @@ models::SketchNetworkOptions Half(const std::string& trunk, const std::string& s
           .shape_hidden = 256};
 }
 
-std::map<std::string, models::SketchNetworkOptions> Networks() {
-  models::SketchNetworkOptions full = Half("alexnet", "late");
+std::map<std::string, sketch::SketchNetworkOptions> Networks() {
+  sketch::SketchNetworkOptions full = Half("alexnet", "late");
   full.resolution = 256, full.width = 96, full.hidden = 4096, full.branch = 1024, full.shape_hidden = 512;
   full.batch_norm = false;
-  const models::SketchNetworkOptions residual{.trunk = "residual",
+  const sketch::SketchNetworkOptions residual{.trunk = "residual",
                                               .resolution = 128,
                                               .width = 32,
                                               .hidden = 256,
@@ -46,7 +47,7 @@ std::map<std::string, models::SketchNetworkOptions> Networks() {
                                               .identity_layers = 1,
                                               .expression_layers = 1,
                                               .residual = 40};
-  models::SketchNetworkOptions points = residual;
+  sketch::SketchNetworkOptions points = residual;
   points.trunk = "points", points.hidden = 512, points.residual = 0;
   return {{"full", full},
           {"PixelShapeCNN", Half("alexnet", "late")},
@@ -57,18 +58,18 @@ std::map<std::string, models::SketchNetworkOptions> Networks() {
           {"demo", {}}};
 }
 
-models::SketchNetwork MakeNetwork(const models::SketchNetworkOptions& options) {
+sketch::SketchNetwork MakeNetwork(const sketch::SketchNetworkOptions& options) {
   torch::manual_seed(1);
-  models::FittedModels models{
+  sketch::FittedModels models{
       testing::RandomBilinear(kNumVertices, 50, 16, 1), testing::RandomBilinear(200, 50, 16, 2), {}};
   if (options.residual > 0) {
     models.basis.rows = models.bilinear.core.topRows(options.residual);
     models.basis.deviation = Eigen::VectorXf::Ones(options.residual);
   }
-  return models::SketchNetwork(options, models);
+  return sketch::SketchNetwork(options, models);
 }
 
-models::SketchInput MakeInput(const models::SketchNetwork& network, int64_t batch) {
+sketch::SketchInput MakeInput(const sketch::SketchNetwork& network, int64_t batch) {
   const int64_t side = network->options().resolution;
   const auto layout = torch::dtype(torch::kFloat32).memory_format(torch::MemoryFormat::ChannelsLast);
   return {torch::empty({batch, 1, side, side}, layout).copy_(torch::rand({batch, 1, side, side}) < 0.05),
@@ -76,16 +77,16 @@ models::SketchInput MakeInput(const models::SketchNetwork& network, int64_t batc
           network->ShapeOf(torch::randn({batch, network->num_shape()}))};
 }
 
-void TrainingStep(benchmark::State& state, const models::SketchNetworkOptions& options, bool bfloat16) {
+void TrainingStep(benchmark::State& state, const sketch::SketchNetworkOptions& options, bool bfloat16) {
   auto network = MakeNetwork(options);
   const int64_t batch = 32;
-  const models::SketchInput input = MakeInput(network, batch);
+  const sketch::SketchInput input = MakeInput(network, batch);
   const losses::GramVertexLoss loss(network->basis(), torch::ones({kNumVertices}));
   const auto moments = loss.Moments(torch::randn({batch, 3 * kNumVertices}));
   torch::optim::Adam adam(network->parameters());
   for (auto _ : state) {
     adam.zero_grad();
-    models::SketchNetworkImpl::BranchFeatures features;
+    sketch::SketchNetworkImpl::BranchFeatures features;
     {
       const tensor::Autocast precision(torch::kCPU, bfloat16);
       features = network->Features(input);
@@ -98,18 +99,18 @@ void TrainingStep(benchmark::State& state, const models::SketchNetworkOptions& o
   state.counters["parameters"] = double(network->num_parameters());
 }
 
-void Inference(benchmark::State& state, const models::SketchNetworkOptions& options) {
+void Inference(benchmark::State& state, const sketch::SketchNetworkOptions& options) {
   auto network = MakeNetwork(options);
   network->eval();
   const at::NoGradGuard no_grad;
-  const models::SketchInput input = MakeInput(network, state.range(0));
+  const sketch::SketchInput input = MakeInput(network, state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(network->Decode(network->forward(input)));
 }
 
-void InferenceInOnnxRuntime(benchmark::State& state, const models::SketchNetworkOptions& options) {
+void InferenceInOnnxRuntime(benchmark::State& state, const sketch::SketchNetworkOptions& options) {
   auto network = MakeNetwork(options);
   network->eval();
-  const exporting::ExportedFunction function = exporting::SketchFunction(network);
+  const exporting::ExportedFunction function = sketch::SketchFunction(network);
   const testing::TempDir folder;
   WriteFileAtomically(folder / "model.onnx", exporting::ExportToOnnx(*network, function).SerializeAsString());
   Rng rng(1);

@@ -3,7 +3,7 @@
 #include "tensor/runtime.h"
 
 #include <benchmark/benchmark.h>
-#include <torch/torch.h>
+#include <torch/utils.h>
 
 namespace daumier {
 namespace {

@@ -1,9 +1,9 @@
 #include "cli/verb.h"
 #include "core/files.h"
 #include "core/options.h"
-#include "train/ablation.h"
-#include "train/deform_ablation.h"
-#include "train/sketch_ablation.h"
+#include "ablation/ablation.h"
+#include "systems/deform/train/ablation.h"
+#include "systems/sketch/train/ablation.h"
 
 #include <fmt/core.h>
 
@@ -12,23 +12,23 @@
 namespace daumier::cli {
 namespace {
 
-std::string Describe(train::RowState state) {
+std::string Describe(ablation::RowState state) {
   switch (state) {
-    case train::RowState::kToTrain:
+    case ablation::RowState::kToTrain:
       return "to train";
-    case train::RowState::kToGoOn:
+    case ablation::RowState::kToGoOn:
       return "to go on with";
-    case train::RowState::kToEvaluate:
+    case ablation::RowState::kToEvaluate:
       return "to evaluate";
-    case train::RowState::kDone:
+    case ablation::RowState::kDone:
       return "done";
   }
   return "";
 }
 
-void PrintPlan(const std::vector<train::AblationStep>& steps, bool as_json) {
+void PrintPlan(const std::vector<ablation::AblationStep>& steps, bool as_json) {
   Json list = Json::array();
-  for (const train::AblationStep& step : steps) {
+  for (const ablation::AblationStep& step : steps) {
     if (!as_json) fmt::print("seed {}  {:<8} {:<28} {}\n", step.seed, step.split, step.row, Describe(step.state));
     list.push_back({{"row", step.row}, {"split", step.split}, {"seed", step.seed}, {"state", Describe(step.state)}});
   }
@@ -36,10 +36,10 @@ void PrintPlan(const std::vector<train::AblationStep>& steps, bool as_json) {
 }
 
 /// For the kind of runs that the base config tells by its `product`.
-std::unique_ptr<train::AblationTask> TaskOf(const ConfigArguments& config, const std::string& device) {
-  const train::Ablation ablation = train::LoadAblation(config.file, config.overrides, {});
-  if (ablation.rows.front().config.contains("product")) return std::make_unique<train::DeformAblation>(device);
-  return std::make_unique<train::SketchAblation>(device);
+std::unique_ptr<ablation::AblationTask> TaskOf(const ConfigArguments& config, const std::string& device) {
+  const ablation::Ablation ablation = ablation::LoadAblation(config.file, config.overrides, {});
+  if (ablation.rows.front().config.contains("product")) return std::make_unique<deform::DeformAblation>(device);
+  return std::make_unique<sketch::SketchAblation>(device);
 }
 
 }  // namespace
@@ -64,19 +64,19 @@ Verb AblateVerb() {
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
             command.add_flag("--dry-run", arguments->dry_run, "Say what is done and what would be, and do nothing");
             command.add_flag("--json", arguments->as_json, "Machine-readable");
-            command.footer("The table:\n" + HelpText<train::AblationOptions>() + "Each of its [[rows]]:\n" +
-                           HelpText<train::AblationRowOptions>() +
+            command.footer("The table:\n" + HelpText<ablation::AblationOptions>() + "Each of its [[rows]]:\n" +
+                           HelpText<ablation::AblationRowOptions>() +
                            "[config] and [eval] of the table or of a row override the base config and the defaults of "
                            "`daumier eval`; docs/formats.md tells more.");
             return [arguments] {
-              const std::unique_ptr<train::AblationTask> task = TaskOf(arguments->config, arguments->device);
-              const train::Ablation ablation =
-                  train::LoadAblation(arguments->config.file, arguments->config.overrides, task->references());
+              const std::unique_ptr<ablation::AblationTask> task = TaskOf(arguments->config, arguments->device);
+              const ablation::Ablation ablation =
+                  ablation::LoadAblation(arguments->config.file, arguments->config.overrides, task->references());
               if (arguments->dry_run) {
-                PrintPlan(train::PlanAblation(ablation, *task, arguments->out, arguments->only), arguments->as_json);
+                PrintPlan(ablation::PlanAblation(ablation, *task, arguments->out, arguments->only), arguments->as_json);
                 return;
               }
-              const Json table = train::RunAblation(ablation, *task, arguments->out, arguments->only);
+              const Json table = ablation::RunAblation(ablation, *task, arguments->out, arguments->only);
               if (arguments->as_json) {
                 fmt::print("{}\n", table.dump(2));
               } else {

@@ -6,7 +6,7 @@
 #include "datasets/build/points.h"
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
-#include "eval/gallery.h"
+#include "datasets/gallery/face_gallery.h"
 
 #include <memory>
 #include <optional>
@@ -73,7 +73,7 @@ std::function<void()> AddGallery(CLI::App& parent) {
     std::optional<datasets::SketchDatabase> sketches;
     if (!arguments->sketches.empty()) sketches.emplace(arguments->sketches);
     MakeDirectory(arguments->out);
-    eval::WriteGallery(database, sketches ? &*sketches : nullptr, arguments->out);
+    datasets::WriteGallery(database, sketches ? &*sketches : nullptr, arguments->out);
   };
 }
 

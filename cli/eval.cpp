@@ -1,10 +1,10 @@
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "eval/deform_eval.h"
-#include "eval/other_faces.h"
-#include "eval/sketch_eval.h"
-#include "models/deform_run.h"
+#include "systems/deform/train/evaluation.h"
+#include "systems/sketch/train/external_evaluation.h"
+#include "systems/sketch/train/evaluation.h"
+#include "systems/deform/train/run.h"
 
 #include <fmt/core.h>
 
@@ -17,9 +17,9 @@ namespace {
 struct EvalArguments {
   std::filesystem::path run, out;
   std::string split = "test", faces;
-  eval::SketchEvalOptions sketch;
-  eval::OtherFacesOptions other;
-  eval::DeformEvalOptions deform;
+  sketch::SketchEvalOptions sketch;
+  sketch::OtherFacesOptions other;
+  deform::DeformEvalOptions deform;
   bool baselines = true, as_json = false;
   std::vector<CLI::Option*> of_sketches, of_deform;  ///< What only one product knows.
 };
@@ -36,21 +36,21 @@ Json EvaluateSketch(EvalArguments& arguments, const std::filesystem::path& out) 
   if (arguments.faces.empty()) {
     arguments.sketch.split = arguments.split;
     arguments.sketch.baselines = arguments.baselines;
-    return eval::EvaluateSketchRun(arguments.run, out, arguments.sketch);
+    return sketch::EvaluateSketchRun(arguments.run, out, arguments.sketch);
   }
   if (arguments.other.sketches.empty())
     throw UsageError("a sketch run is measured on other faces by their sketches: give --sketches, too");
   arguments.other.faces = arguments.faces;
   arguments.other.strength = arguments.sketch.strength;
   arguments.other.baselines = arguments.baselines;
-  return eval::EvaluateOnOtherFaces(arguments.run, out, arguments.other);
+  return sketch::EvaluateOnOtherFaces(arguments.run, out, arguments.other);
 }
 
 Json EvaluateDeform(EvalArguments& arguments, const std::filesystem::path& out) {
   arguments.deform.split = arguments.split;
   arguments.deform.faces = arguments.faces;
   arguments.deform.baselines = arguments.baselines;
-  return eval::EvaluateDeformRun(arguments.run, out, arguments.deform);
+  return deform::EvaluateDeformRun(arguments.run, out, arguments.deform);
 }
 
 void Evaluate(EvalArguments& arguments) {
@@ -58,8 +58,8 @@ void Evaluate(EvalArguments& arguments) {
   const auto out = !arguments.out.empty() ? arguments.out : arguments.run / (other ? "other" : "report");
   // What is no run at all is refused by the product's own reader, which says what to do.
   const bool is_run = std::filesystem::exists(arguments.run / "manifest.json");
-  const std::string product = is_run ? models::ProductOf(ReadManifest(arguments.run, "run")) : "sketch";
-  const bool is_deform = product == models::kDeformProduct;
+  const std::string product = is_run ? deform::ProductOf(ReadManifest(arguments.run, "run")) : "sketch";
+  const bool is_deform = product == deform::kDeformProduct;
   RefuseOptions(is_deform ? arguments.of_sketches : arguments.of_deform, product);
   const Json metrics = is_deform ? EvaluateDeform(arguments, out) : EvaluateSketch(arguments, out);
   if (arguments.as_json) {

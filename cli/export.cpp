@@ -1,5 +1,5 @@
 #include "cli/verb.h"
-#include "export/deform_export.h"
+#include "systems/deform/train/export.h"
 
 #include <memory>
 
@@ -16,7 +16,7 @@ Verb ExportVerb() {
             command.add_option("--out", arguments->out, "Folder to write")->required();
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             return
-                [arguments] { PrintResult(exporting::ExportRun(arguments->run, arguments->out), arguments->as_json); };
+                [arguments] { PrintResult(deform::ExportRun(arguments->run, arguments->out), arguments->as_json); };
           }};
 }
 

@@ -1,5 +1,5 @@
 #include "cli/verb.h"
-#include "fitting/predict_sketches.h"
+#include "systems/sketch/train/predict_drawings.h"
 
 #include <memory>
 
@@ -26,11 +26,11 @@ Verb PredictVerb() {
                              "Then move the face's surface onto the strokes, beyond what the model of faces can say");
             command.add_option("--out", arguments->out, "Folder to write")->required();
             return [arguments] {
-              fitting::PredictOptions options;
-              options.framing = arguments->keep_frame ? fitting::Framing::kKeep : fitting::Framing::kFit;
+              sketch::PredictOptions options;
+              options.framing = arguments->keep_frame ? sketch::Framing::kKeep : sketch::Framing::kFit;
               options.refine = !arguments->no_refine;
               options.deform = arguments->deform;
-              fitting::PredictSketches(arguments->run, arguments->inputs, arguments->out, options);
+              sketch::PredictSketches(arguments->run, arguments->inputs, arguments->out, options);
             };
           }};
 }

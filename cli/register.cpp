@@ -3,7 +3,7 @@
 #include "core/files.h"
 #include "core/options.h"
 #include "datasets/build/registered_faces.h"
-#include "eval/registration_pictures.h"
+#include "datasets/gallery/registration_pictures.h"
 
 #include <memory>
 
@@ -32,11 +32,11 @@ void Register(const Arguments& arguments) {
   const faces::FaceDatabase database(arguments.out);
   if (arguments.write_meshes) {
     MakeDirectory(arguments.out / "meshes");
-    eval::WriteRegisteredMeshes(database, arguments.out / "meshes");
+    datasets::WriteRegisteredMeshes(database, arguments.out / "meshes");
   }
   if (arguments.write_pictures) {
     MakeDirectory(arguments.out / "pictures");
-    eval::WriteRegistrationPictures(database, arguments.inputs, arguments.out / "pictures");
+    datasets::WriteRegistrationPictures(database, arguments.inputs, arguments.out / "pictures");
   }
   PrintResult(Json::parse(ReadFile(arguments.out / "quality.json")).at("summary"), arguments.as_json);
 }

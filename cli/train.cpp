@@ -1,7 +1,7 @@
 #include "cli/verb.h"
 #include "core/options.h"
-#include "train/deform_training.h"
-#include "train/sketch_recipe.h"
+#include "systems/deform/train/training.h"
+#include "systems/sketch/train/training.h"
 
 #include <memory>
 
@@ -22,12 +22,12 @@ Verb TrainVerb() {
             command.add_option("--out", arguments->out, "Run folder")->required();
             command.add_flag("--resume", arguments->resume, "Go on from the last checkpoint of the run folder");
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.footer("Options of a sketch network:\n" + HelpText<train::SketchTrainingOptions>() +
+            command.footer("Options of a sketch network:\n" + HelpText<sketch::SketchTrainingOptions>() +
                            "Options of a deformable model, product = \"deform\":\n" +
-                           HelpText<train::DeformTrainingOptions>());
+                           HelpText<deform::DeformTrainingOptions>());
             return [arguments] {
               const Json config = arguments->config.Load();
-              const auto train = config.contains("product") ? train::TrainDeform : train::TrainSketch;
+              const auto train = config.contains("product") ? deform::TrainDeform : sketch::TrainSketch;
               train(config, arguments->out, arguments->resume, arguments->device);
             };
           }};

@@ -43,9 +43,12 @@ add_library(archive_libraries INTERFACE)
 target_link_libraries(archive_libraries INTERFACE LibArchive::LibArchive ZLIB::ZLIB ${HDF5_LIBRARY})
 target_include_directories(archive_libraries SYSTEM INTERFACE ${HDF5_INCLUDE_DIR})
 
+find_package(Ceres REQUIRED)
+add_library(solver_libraries INTERFACE)
+target_link_libraries(solver_libraries INTERFACE system_blas Ceres::ceres)
+
 if(NOT DAUMIER_SANITIZE)
   find_package(Torch REQUIRED)
-  find_package(Ceres REQUIRED)
   find_package(CLI11 REQUIRED)
   find_package(ONNX REQUIRED)
   if(NOT TARGET ONNX::onnx)  # Debian 12 exports the targets without a namespace.
@@ -61,8 +64,6 @@ if(NOT DAUMIER_SANITIZE)
     target_link_libraries(torch_libraries INTERFACE OpenMP::OpenMP_CXX)
   endif()
 
-  add_library(solver_libraries INTERFACE)
-  target_link_libraries(solver_libraries INTERFACE Ceres::ceres)
   add_library(onnx_libraries INTERFACE)
   target_link_libraries(onnx_libraries INTERFACE ONNX::onnx ONNX::onnx_proto)
   target_compile_definitions(onnx_libraries INTERFACE ONNX_NAMESPACE=onnx ONNX_ML=1)

@@ -14,7 +14,7 @@ std::string Field(const Json& entry, const char* name) {
   return entry.contains(name) ? Text(entry[name]) : "unknown";
 }
 
-std::string InputsAndOutputs(const models::SketchRun& run) {
+std::string InputsAndOutputs(const sketch::SketchRun& run) {
   const auto& network = *run.network;
   const auto& options = network.options();
   std::string text = "## Input and outputs\n\n| name | shape | meaning |\n|---|---|---|\n";
@@ -54,8 +54,8 @@ std::string InputsAndOutputs(const models::SketchRun& run) {
                     kBatchDimension, network.num_vertices(), options.residual > 0 ? ", plus the residual" : "");
 }
 
-std::string InputsAndOutputs(const models::DeformRun& run) {
-  const models::DeformNetwork& network = *run.network;
+std::string InputsAndOutputs(const deform::DeformRun& run) {
+  const deform::DeformNetwork& network = *run.network;
   const faces::ModelFrame frame = network.frame();
   std::string text = "## Input and outputs\n\n| name | shape | meaning |\n|---|---|---|\n";
   const int latent = network.options().latent;
@@ -116,7 +116,7 @@ std::string Exactness(const ParityReport& parity) {
 
 }  // namespace
 
-std::string ModelCard(const models::SketchRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
+std::string ModelCard(const sketch::SketchRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
   return fmt::format(
              "# Sketch to 3D face\n\n"
              "A network with {} trained parameters that turns a line drawing of a face into a 3D face of "
@@ -133,7 +133,7 @@ std::string ModelCard(const models::SketchRun& run, const ParityReport& parity, 
          "- It is a tool for drawing. It must not be used to identify or to judge people.\n";
 }
 
-std::string ModelCard(const models::DeformRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
+std::string ModelCard(const deform::DeformRun& run, const ParityReport& parity, const std::optional<Json>& metrics) {
   return fmt::format(
              "# Deformable 3D caricatures\n\n"
              "A model with {} parameters of kind '{}' that turns a code into a head of the '{}' topology, after Deep "

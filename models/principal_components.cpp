@@ -6,7 +6,8 @@
 #include "tensor/torch_version.h"
 
 #include <ATen/CPUGeneratorImpl.h>
-#include <torch/torch.h>
+#include <torch/linalg.h>
+#include <torch/utils.h>
 
 #include <algorithm>
 

@@ -12,7 +12,7 @@
 namespace daumier::models {
 namespace {
 
-void CheckShapes(const SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
+void CheckShapes(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
   tensor::CheckShape(parameters, {tensor::kAny, layout.num_parameters()}, "parameters");
   if (points.dim() == 2) {
     tensor::CheckShape(points, {tensor::kAny, 3}, "points");
@@ -32,9 +32,9 @@ struct Work {
 
   /// Calls work(kernel, siren, piece, first point, number of points) for all of them.
   template <class Call>
-  void ForEach(const SirenLayout& layout, const Call& call) const {
+  void ForEach(const runtime::SirenLayout& layout, const Call& call) const {
     at::parallel_for(0, num_sirens * num_pieces, 1, [&](int64_t begin, int64_t end) {
-      SirenKernel kernel(layout);
+      runtime::SirenKernel kernel(layout);
       for (int64_t i = begin; i < end; ++i) {
         const int64_t siren = i / num_pieces, piece = i % num_pieces;
         const int64_t first = num_points * piece / num_pieces, last = num_points * (piece + 1) / num_pieces;
@@ -46,19 +46,19 @@ struct Work {
   int64_t num_sirens, num_points, num_pieces, stride;
 };
 
-torch::Tensor Displacements(const SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
+torch::Tensor Displacements(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
   const Work work(parameters, points);
   torch::Tensor displacements = torch::empty({work.num_sirens, work.num_points, 3}, points.options());
   const float *const p = parameters.data_ptr<float>(), *const x = points.data_ptr<float>();
   float* const y = displacements.data_ptr<float>();
-  work.ForEach(layout, [&](SirenKernel& kernel, int64_t siren, int64_t, int64_t first, int64_t count) {
+  work.ForEach(layout, [&](runtime::SirenKernel& kernel, int64_t siren, int64_t, int64_t first, int64_t count) {
     kernel.Forward(p + siren * layout.num_parameters(), x + siren * work.stride + 3 * first, count,
                    y + 3 * (siren * work.num_points + first));
   });
   return displacements;
 }
 
-torch::Tensor ParameterGradient(const SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points,
+torch::Tensor ParameterGradient(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points,
                                 const torch::Tensor& displacement_gradient) {
   const Work work(parameters, points);
   torch::Tensor gradient =
@@ -66,7 +66,7 @@ torch::Tensor ParameterGradient(const SirenLayout& layout, const torch::Tensor& 
   const float *const p = parameters.data_ptr<float>(), *const x = points.data_ptr<float>(),
                      *const dy = displacement_gradient.data_ptr<float>();
   float* const dp = gradient.data_ptr<float>();
-  work.ForEach(layout, [&](SirenKernel& kernel, int64_t siren, int64_t piece, int64_t first, int64_t count) {
+  work.ForEach(layout, [&](runtime::SirenKernel& kernel, int64_t siren, int64_t piece, int64_t first, int64_t count) {
     kernel.Backward(p + siren * layout.num_parameters(), x + siren * work.stride + 3 * first, count,
                     dy + 3 * (siren * work.num_points + first),
                     dp + (siren * work.num_pieces + piece) * layout.num_parameters());
@@ -78,7 +78,7 @@ class KernelFunction : public torch::autograd::Function<KernelFunction> {
  public:
   static torch::Tensor forward(torch::autograd::AutogradContext* context, const torch::Tensor& parameters,
                                const torch::Tensor& points, int64_t width, int64_t hidden_layers, double omega) {
-    const SirenLayout layout{int(width), int(hidden_layers), omega};
+    const runtime::SirenLayout layout{int(width), int(hidden_layers), omega};
     context->saved_data["width"] = width;
     context->saved_data["hidden_layers"] = hidden_layers;
     context->saved_data["omega"] = omega;
@@ -89,7 +89,7 @@ class KernelFunction : public torch::autograd::Function<KernelFunction> {
   static torch::autograd::variable_list backward(torch::autograd::AutogradContext* context,
                                                  const torch::autograd::variable_list& gradients) {
     const auto saved = context->get_saved_variables();
-    const SirenLayout layout{int(context->saved_data["width"].toInt()),
+    const runtime::SirenLayout layout{int(context->saved_data["width"].toInt()),
                              int(context->saved_data["hidden_layers"].toInt()),
                              context->saved_data["omega"].toDouble()};
     return {ParameterGradient(layout, saved[0], saved[1], gradients[0].contiguous()), {}, {}, {}, {}};
@@ -98,7 +98,7 @@ class KernelFunction : public torch::autograd::Function<KernelFunction> {
 
 }  // namespace
 
-torch::Tensor SirenField(const SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
+torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
   CheckShapes(layout, parameters, points);
   const bool by_kernel = parameters.is_cpu() && parameters.scalar_type() == torch::kFloat32 &&
                          points.scalar_type() == torch::kFloat32 && !torch::jit::tracer::isTracing();
@@ -108,7 +108,7 @@ torch::Tensor SirenField(const SirenLayout& layout, const torch::Tensor& paramet
                                layout.omega);
 }
 
-torch::Tensor SirenFieldByOperations(const SirenLayout& layout, const torch::Tensor& parameters,
+torch::Tensor SirenFieldByOperations(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
                                      const torch::Tensor& points) {
   CheckShapes(layout, parameters, points);
   torch::Tensor features = points;

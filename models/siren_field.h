@@ -1,5 +1,5 @@
 #pragma once
-#include "models/siren_kernel.h"
+#include "runtime/siren_kernel.h"
 
 #include <torch/types.h>
 
@@ -9,13 +9,13 @@ namespace daumier::models {
 
 /// Displacements (B, N, 3) of points (N, 3), or (B, N, 3), by B SIRENs whose parameters (B, layout.num_parameters())
 /// stand in the order of `layout`. Differentiable by the parameters, not by the points. On the CPU in float32 by
-/// SirenKernel on all threads, elsewhere as SirenFieldByOperations. @throws Error if a shape disagrees, or if points
+/// runtime::SirenKernel on all threads, elsewhere as SirenFieldByOperations. @throws Error if a shape disagrees, or if points
 /// ask for a gradient.
-torch::Tensor SirenField(const SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points);
+torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points);
 
 /// The same number by LibTorch's operators, layer by layer, differentiable by both: for other devices, for float64, for
 /// tracing, and as a check.
-torch::Tensor SirenFieldByOperations(const SirenLayout& layout, const torch::Tensor& parameters,
+torch::Tensor SirenFieldByOperations(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
                                      const torch::Tensor& points);
 
 }  // namespace daumier::models

@@ -3,6 +3,10 @@
 #include "core/error.h"
 #include "tensor/autocast.h"
 
+#include <torch/nn/modules/activation.h>
+#include <torch/nn/modules/batchnorm.h>
+#include <torch/nn/modules/linear.h>
+#include <torch/nn/modules/pooling.h>
 #include <algorithm>
 #include <array>
 
@@ -37,7 +41,7 @@ nn::Sequential Features(int from, int hidden) {
   return nn::Sequential(nn::Flatten(), nn::Linear(from, hidden), nn::ReLU());
 }
 
-SketchTrunk Compact(const SketchNetworkOptions& options) {
+SketchTrunk Compact(const TrunkOptions& options) {
   nn::Sequential layers;
   int side = options.resolution, from = 1, to = options.width;
   while (side > kLastSide) {
@@ -49,7 +53,7 @@ SketchTrunk Compact(const SketchNetworkOptions& options) {
   return {layers, Features(from * side * side, options.hidden)};
 }
 
-SketchTrunk AlexNet(const SketchNetworkOptions& options) {
+SketchTrunk AlexNet(const TrunkOptions& options) {
   struct Layer {
     int channels, kernel, stride, padding;
     bool pooled;
@@ -75,7 +79,7 @@ SketchTrunk AlexNet(const SketchNetworkOptions& options) {
   return {layers, Features(from * side * side, options.hidden)};
 }
 
-SketchTrunk Residual(const SketchNetworkOptions& options) {
+SketchTrunk Residual(const TrunkOptions& options) {
   constexpr std::array<int, 3> kWidening = {2, 4, 6};
   nn::Sequential layers;
   PushNormalised(layers, 1, options.width, 7, 4, 3);
@@ -91,7 +95,7 @@ SketchTrunk Residual(const SketchNetworkOptions& options) {
   return {layers, Features(last * side * side, options.hidden)};
 }
 
-SketchTrunk Points(const SketchNetworkOptions& options) {
+SketchTrunk Points(const TrunkOptions& options) {
   nn::Sequential layers;
   int from = 4;
   for (const int widening : {2, 4, 16}) {
@@ -107,11 +111,11 @@ SketchTrunk Points(const SketchNetworkOptions& options) {
 
 }  // namespace
 
-SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size) {
-  if (options.trunk == "alexnet") return AlexNet(options);
-  if (options.trunk == "residual") return Residual(options);
-  if (options.trunk == "points") return Points(options);
-  if (options.trunk == "shape") return {nn::Sequential(), Features(shape_size, options.hidden)};
+SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size) {
+  if (options.kind == "alexnet") return AlexNet(options);
+  if (options.kind == "residual") return Residual(options);
+  if (options.kind == "points") return Points(options);
+  if (options.kind == "shape") return {nn::Sequential(), Features(shape_size, options.hidden)};
   return Compact(options);
 }
 

@@ -1,9 +1,21 @@
 #pragma once
-#include "models/sketch_options.h"
 
-#include <torch/nn.h>
+#include <torch/nn/module.h>
+#include <torch/nn/modules/container/sequential.h>
+#include <torch/nn/modules/conv.h>
+#include <torch/nn/pimpl.h>
 
 namespace daumier::models {
+
+/// Which trunk, and its size. kind: "compact", "alexnet", "residual", "points" or "shape"; resolution: side of the sketch
+/// in pixels; width: channels of the first convolution; batch_norm: of alexnet alone; hidden: output features.
+struct TrunkOptions {
+  std::string kind;
+  int resolution = 128;
+  int width = 16;
+  bool batch_norm = true;
+  int hidden = 256;
+};
 
 /// The part of a sketch network that comes before its branches, in two: what is frozen in the second step of training
 /// [Han et al. 2017, section 4.4], and the fully connected layers after it, whose output has options.hidden features.
@@ -25,7 +37,7 @@ struct SketchTrunk {
 ///   shape     nothing but the layer of features
 /// shape_size: length of the shape-level numbers, for trunk shape alone.
 /// @throws Error if the picture is too small for the trunk.
-SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size);
+SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size);
 
 /// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
 /// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/options.h"
+#include "core/training_options.h"
 #include "tensor/tensor_file.h"
 
 #include <torch/nn/module.h>
@@ -9,31 +9,6 @@
 #include <vector>
 
 namespace daumier::train {
-
-struct OptimiserOptions {
-  std::string kind = "adamw";
-  double learning_rate = 1e-3;
-  double weight_decay = 1e-4;
-  double beta1 = 0.9;
-  double beta2 = 0.999;
-  double clip_norm = 0;
-  double warm_up = 0.05;
-  double final_rate = 0.01;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("kind", kind, Choices{{"adamw", "sgd"}}, "AdamW, or gradient descent with momentum.");
-    visit("learning_rate", learning_rate, Range{0, 10}, "Step size at its peak, after the warm-up.");
-    visit("weight_decay", weight_decay, Range{0, 10},
-          "Share of a weight (not of a bias) that a step of rate 1 takes away.");
-    visit("beta1", beta1, Range{0, 0.9999}, "Memory of the mean gradient; the momentum of sgd.");
-    visit("beta2", beta2, Range{0, 0.999999}, "Memory of the mean squared gradient, of adamw alone.");
-    visit("clip_norm", clip_norm, Range{0, 1e6},
-          "Gradients are scaled down to this norm where they exceed it; 0: never.");
-    visit("warm_up", warm_up, Range{0, 1}, "Share of all steps in which the rate climbs linearly to its peak.");
-    visit("final_rate", final_rate, Range{0, 1}, "The rate at the end as a share of the peak; a cosine leads there.");
-  }
-};
 
 /// The step size of step 0, 1, ..., total_steps - 1. With W = ceil(warm_up * total_steps), p = learning_rate, f =
 /// final_rate:

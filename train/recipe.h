@@ -1,10 +1,11 @@
 #pragma once
-#include "tensor/tensor_file.h"
+#include "train/batch.h"
 
 #include <torch/nn/module.h>
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,15 +39,15 @@ class Recipe {
   /// The losses from now on are those of this stage. Called before the first step of a stage, and on resuming within
   /// it.
   virtual void EnterStage(int) {}
-  /// The loss of training samples, each in 0 .. num_samples - 1, as the epoch shows them, 0 the first. Deterministic
-  /// but for LibTorch's own generators.
-  virtual LossTerms Loss(const std::vector<int>& samples, int64_t epoch) = 0;
+  /// Reads training samples, each in 0 .. num_samples - 1, as the epoch shows them, 0 the first. A function of its
+  /// arguments alone. Loader threads call it while Loss runs.
+  virtual SampleBatch Read(std::span<const int> samples, int64_t epoch) const = 0;
+  /// The loss of what Read returned, moved to the device. Reads no data. Deterministic but for LibTorch's generators.
+  virtual LossTerms Loss(const Batch& batch) = 0;
   /// Numbers over the validation samples; the network is in evaluation mode and no gradient is kept.
   virtual std::map<std::string, double> Validate() = 0;
   /// Which of Validate's numbers chooses the best weights; smaller is better.
   virtual std::string metric() const = 0;
-  /// What the network saw, written where a loss is not a number.
-  virtual tensor::NamedTensors BatchTensors(const std::vector<int>& samples, int64_t epoch) = 0;
 };
 
 }  // namespace daumier::train

@@ -72,22 +72,6 @@ bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Js
   return true;
 }
 
-Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces,
-                            const datasets::Split& split) {
-  Manifest manifest;
-  manifest.kind = "run";
-  manifest.verb = "train";
-  manifest.config = std::move(config);
-  manifest.config.erase("data");
-  manifest.seed = seed;
-  manifest.sources = faces.manifest().sources;
-  manifest.counts = {{"training_faces", split.train.size()},
-                     {"validation_faces", split.validation.size()},
-                     {"test_faces", split.test.size()}};
-  manifest.details["split"] = datasets::SplitToJson(faces, split);
-  return manifest;
-}
-
 void FinishRun(const std::filesystem::path& directory, const TrainingSummary& summary, int64_t num_parameters) {
   Manifest manifest = ReadManifest(directory, "run");
   manifest.counts["parameters"] = num_parameters;

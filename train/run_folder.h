@@ -2,7 +2,6 @@
 #include "core/json.h"
 #include "core/manifest.h"
 #include "core/options.h"
-#include "datasets/read/splits.h"
 #include "train/trainer.h"
 
 #include <filesystem>
@@ -33,10 +32,6 @@ std::vector<std::string> ConfigDifferences(const Json& there, const Json& now);
 /// @throws UsageError if a run is there but `resume` is not asked for, if `resume` is but nothing is there, or if the
 /// run there has another config or other data, saying what differs.
 bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data);
-
-/// The manifest with which a training begins: its config without paths, seed, the sources of its faces, how many of
-/// them are on which side of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
-Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const datasets::Split& split);
 
 /// Says in the manifest of the run there how the training ended: parameters, steps, epochs, best epoch, the checksum of
 /// kBestFile. A run is finished once it holds `best_epoch`.

@@ -118,14 +118,15 @@ class Training {
 
   void TakeStep(const std::vector<int>& samples) {
     optimiser_.ZeroGradients();
-    const LossTerms loss = recipe_.Loss(samples, Epoch());
+    const Batch batch = ToDevice(recipe_.Read(samples, Epoch()), recipe_.device());
+    const LossTerms loss = recipe_.Loss(batch);
     last_loss_ = loss.total.item<double>();
     std::map<std::string, double> values{{"loss", last_loss_}};
     for (const auto& [name, part] : loss.parts) values[name] = part.item<double>();
-    for (const auto& [name, value] : values) CheckFinite(value, name, samples);
+    for (const auto& [name, value] : values) CheckFinite(value, name, batch);
     loss.total.backward();
     const double norm = optimiser_.GradientNorm();
-    CheckFinite(norm, "gradient", samples);
+    CheckFinite(norm, "gradient", batch);
     values["gradient_norm"] = norm;
     values["learning_rate"] = Rate();
     if (optimiser_options_.clip_norm > 0 && norm > optimiser_options_.clip_norm)
@@ -136,12 +137,12 @@ class Training {
     ++num_summed_;
   }
 
-  void CheckFinite(double value, const std::string& name, const std::vector<int>& samples) {
+  void CheckFinite(double value, const std::string& name, const Batch& batch) {
     if (std::isfinite(value)) return;
     const std::filesystem::path file = run_directory_ / "nan_batch.safetensors";
-    tensor::NamedTensors batch = recipe_.BatchTensors(samples, Epoch());
-    batch["samples"] = torch::tensor(samples, torch::kInt32);
-    tensor::SaveTensors(file, batch);
+    tensor::NamedTensors tensors = batch.tensors;
+    tensors["samples"] = batch.samples;
+    tensor::SaveTensors(file, tensors);
     throw Error(
         fmt::format("{} is {} in step {} (epoch {}), with a learning rate of {:.3g}; its batch is in {}. Try a smaller "
                     "optimiser.learning_rate or optimiser.clip_norm=1",

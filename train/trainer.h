@@ -8,29 +8,6 @@
 
 namespace daumier::train {
 
-struct TrainerOptions {
-  int epochs = 20;
-  int batch = 32;
-  int validate_every = 1;
-  int patience = 0;
-  int log_every = 10;
-  int checkpoint_every = 0;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
-    visit("batch", batch, Range{1, 65536},
-          "Samples a step; what is left over at the end of an epoch waits for the next.");
-    visit("validate_every", validate_every, Range{1, 1e6},
-          "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
-    visit("patience", patience, Range{0, 1e6},
-          "Stop after so many epochs of the last stage without a better validation; 0: never.");
-    visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
-    visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
-          "Steps between checkpoints beside the one after every validation; 0: none.");
-  }
-};
-
 struct TrainingSummary {
   int64_t steps = 0;
   int64_t epochs = 0;  ///< Finished ones.

@@ -55,15 +55,15 @@ void PointDataset::Write(const Row& row, int64_t n, int index) const {
 }
 
 template <class Read>
-PointBatch PointDataset::Collect(std::span<const int> samples, int num_points, const Read& read) const {
+SampleBatch PointDataset::Collect(std::span<const int> samples, int num_points, const Read& read) const {
   for (const int sample : samples)
     DAUMIER_CHECK(sample >= 0 && sample < size(), "sample {} of a dataset of {}", sample, size());
   const auto count = static_cast<int64_t>(samples.size());
-  const auto empty = [&](torch::ScalarType type) { return torch::empty({count, num_points, 3}, type); };
-  const PointBatch batch{empty(torch::kInt64), empty(torch::kFloat32), empty(torch::kFloat32), empty(torch::kFloat32)};
-  int64_t* const corners = batch.corners.data_ptr<int64_t>();
-  float *const weights = batch.weights.data_ptr<float>(), *const positions = batch.positions.data_ptr<float>(),
-               *const targets = batch.targets.data_ptr<float>();
+  const std::vector<int64_t> shape{count, num_points, 3};
+  SampleBatch batch{.samples = {samples.begin(), samples.end()}, .arrays = {}, .indices = {}};
+  int64_t* const corners = (batch.indices["corners"] = Array<int64_t>(shape)).values.data();
+  const auto floats = [&](const char* name) { return (batch.arrays[name] = FloatArray(shape)).values.data(); };
+  float *const weights = floats("weights"), *const positions = floats("positions"), *const targets = floats("targets");
   OnAllCores(count, [&](int64_t i) {
     const int face = faces_[size_t(samples[size_t(i)])];
     const int64_t at = i * num_points * 3;
@@ -73,7 +73,7 @@ PointBatch PointDataset::Collect(std::span<const int> samples, int num_points, c
   return batch;
 }
 
-PointBatch PointDataset::Get(std::span<const int> samples, int64_t epoch) const {
+SampleBatch PointDataset::Get(std::span<const int> samples, int64_t epoch) const {
   const int num_there = points_.num_vertices() + (reading_.sampling == "hybrid" ? points_.num_samples() : 0);
   if (reading_.num_points == 0) {
     return Collect(samples, num_there, [&](int, const Row& row) {
@@ -86,7 +86,7 @@ PointBatch PointDataset::Get(std::span<const int> samples, int64_t epoch) const 
   });
 }
 
-PointBatch PointDataset::Vertices(std::span<const int> samples) const {
+SampleBatch PointDataset::Vertices(std::span<const int> samples) const {
   const int num_vertices = points_.num_vertices();
   return Collect(samples, num_vertices, [&](int, const Row& row) {
     for (int n = 0; n < num_vertices; ++n) Write(row, n, n);

@@ -1,9 +1,8 @@
 #pragma once
 #include "core/options.h"
+#include "core/sample_batch.h"
 #include "datasets/read/point_database.h"
 #include "faces/face_database.h"
-
-#include <torch/types.h>
 
 #include <cstdint>
 #include <span>
@@ -25,14 +24,6 @@ struct PointReading {
   }
 };
 
-/// N points on each of B faces. A vertex v has the corners v, v, v and the weights 1, 0, 0.
-struct PointBatch {
-  torch::Tensor corners;    ///< (B, N, 3) int64, vertices of the triangle that a point lies in.
-  torch::Tensor weights;    ///< (B, N, 3) float32, of these corners; they sum to 1.
-  torch::Tensor positions;  ///< (B, N, 3) float32, on the template with its mouth open, model frame.
-  torch::Tensor targets;    ///< (B, N, 3) float32, on the face, model frame.
-};
-
 /// The points of some faces as a deformable model reads them, worked out by all cores.
 class PointDataset {
  public:
@@ -46,17 +37,22 @@ class PointDataset {
 
   /// num_points of each face, drawn with replacement from Stream(seed, "points of epoch E", face): what is read of a
   /// sample is a function of reading, seed, face and epoch alone. With num_points = 0 all of them, vertices first.
-  /// @throws Error if a sample is not one of 0..size()-1.
-  PointBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
+  /// Of N points on each of B faces:
+  ///   corners    indices, B x N x 3: the vertices of the triangle in which a point lies
+  ///   weights    B x N x 3, of these corners; they sum to 1. A vertex v has the corners v, v, v and the weights 1, 0, 0
+  ///   positions  B x N x 3, on the template with its mouth open, model frame
+  ///   targets    B x N x 3, on the face, model frame
+  /// May be called from several threads. @throws Error if a sample is not one of 0..size()-1.
+  SampleBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
 
   /// All V vertices of these faces, in order. @throws Error as Get.
-  PointBatch Vertices(std::span<const int> samples) const;
+  SampleBatch Vertices(std::span<const int> samples) const;
 
  private:
   struct Row;
   /// Batches of num_points a face: read(face, row) writes those of one.
   template <class Read>
-  PointBatch Collect(std::span<const int> samples, int num_points, const Read& read) const;
+  SampleBatch Collect(std::span<const int> samples, int num_points, const Read& read) const;
   /// Point `index` of the face of a row: a vertex, or behind these a surface sample.
   void Write(const Row& row, int64_t n, int index) const;
 

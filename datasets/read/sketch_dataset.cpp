@@ -4,17 +4,22 @@
 #include "core/parallel.h"
 #include "datasets/read/shape_numbers.h"
 #include "render/stroke_samples.h"
-#include "tensor/torch_version.h"
 
 #include <algorithm>
 
 namespace daumier::datasets {
 namespace {
 
-/// The row's first element.
+/// Entries `chosen` of the first dimension; undefined if `all` is.
 template <class T>
-T* RowOf(const torch::Tensor& tensor, int64_t row) {
-  return tensor.data_ptr<T>() + row * (tensor.numel() / tensor.size(0));
+Array<T> RowsOf(const Array<T>& all, std::span<const int> chosen) {
+  if (!all.defined()) return {};
+  std::vector<int64_t> shape = all.shape;
+  shape[0] = static_cast<int64_t>(chosen.size());
+  Array<T> rows(shape);
+  for (size_t i = 0; i < chosen.size(); ++i)
+    std::copy_n(all.row(chosen[i]), all.row_size(), rows.row(static_cast<int64_t>(i)));
+  return rows;
 }
 
 void WriteInk(const render::Image& image, uint8_t* ink) {
@@ -44,52 +49,49 @@ SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> fa
 SketchDataset::Rows SketchDataset::EmptyRows(int64_t count) const {
   Rows rows;
   if (reading_.resolution > 0)
-    rows.ink = torch::empty({count, 1, reading_.resolution, reading_.resolution}, torch::kUInt8);
-  if (reading_.num_points > 0) rows.points = torch::empty({count, 4, reading_.num_points});
-  if (reading_.encoder) rows.shape = torch::empty({count, reading_.encoder->num_numbers()});
+    rows.ink = Array<uint8_t>({count, 1, reading_.resolution, reading_.resolution});
+  if (reading_.num_points > 0) rows.points = FloatArray({count, 4, reading_.num_points});
+  if (reading_.encoder) rows.shape = FloatArray({count, reading_.encoder->num_numbers()});
   return rows;
 }
 
-void SketchDataset::Read(int face, int64_t epoch, int64_t row, const Rows& rows) const {
+void SketchDataset::Read(int face, int64_t epoch, int64_t row, Rows& rows) const {
   const AugmentedSketch sketch = VariedSketch(sketches_, face, variation_, seed_, epoch);
   if (rows.ink.defined())
     WriteInk(render::RasteriseStrokes(sketch.strokes, reading_.resolution, sketch.style),
-             RowOf<uint8_t>(rows.ink, row));
+             rows.ink.row(row));
   if (rows.points.defined())
-    std::ranges::copy(render::SampleRows(sketch.strokes, reading_.num_points), RowOf<float>(rows.points, row));
+    std::ranges::copy(render::SampleRows(sketch.strokes, reading_.num_points), rows.points.row(row));
   if (rows.shape.defined()) {
     const Eigen::VectorXf numbers = GivenShape(*reading_.encoder, sketches_, sketch.moved, sketch.visible).numbers();
-    std::copy(numbers.begin(), numbers.end(), RowOf<float>(rows.shape, row));
+    std::copy(numbers.begin(), numbers.end(), rows.shape.row(row));
   }
 }
 
-SketchBatch SketchDataset::Get(std::span<const int> samples, int64_t epoch) const {
+SampleBatch SketchDataset::Get(std::span<const int> samples, int64_t epoch) const {
   const auto count = static_cast<int64_t>(samples.size());
-  SketchBatch batch;
-  batch.faces = torch::empty({count}, torch::kInt64);
-  int64_t* const faces = batch.faces.data_ptr<int64_t>();
+  SampleBatch batch{.samples = {samples.begin(), samples.end()}, .arrays = {}, .indices = {}};
+  Array<int64_t> faces({count});
   for (int64_t row = 0; row < count; ++row) {
     const int sample = samples[size_t(row)];
     DAUMIER_CHECK(sample >= 0 && sample < size(), "sample {} of a dataset of {}", sample, size());
-    faces[row] = faces_[size_t(sample)];
+    faces.values[size_t(row)] = faces_[size_t(sample)];
   }
   Rows rows;
   if (varies_) {
     rows = EmptyRows(count);
-    OnAllCores(count, [&](int64_t row) { Read(static_cast<int>(faces[row]), epoch, row, rows); });
+    OnAllCores(count, [&](int64_t row) { Read(static_cast<int>(faces.values[size_t(row)]), epoch, row, rows); });
   } else {
-    const torch::Tensor index = torch::tensor(std::vector<int>(samples.begin(), samples.end()), torch::kInt64);
-    const auto chosen = [&](const torch::Tensor& all) {
-      return all.defined() ? all.index_select(0, index) : torch::Tensor();
-    };
-    rows = {chosen(kept_.ink), chosen(kept_.points), chosen(kept_.shape)};
+    rows = {RowsOf(kept_.ink, samples), RowsOf(kept_.points, samples), RowsOf(kept_.shape, samples)};
   }
   if (rows.ink.defined()) {
-    const auto layout = torch::dtype(torch::kFloat32).memory_format(torch::MemoryFormat::ChannelsLast);
-    batch.images = torch::empty(rows.ink.sizes(), layout).copy_(rows.ink).div_(255);
+    FloatArray images(rows.ink.shape);
+    std::ranges::transform(rows.ink.values, images.values.begin(), [](uint8_t ink) { return float(ink) / 255.0f; });
+    batch.arrays["images"] = std::move(images);
   }
-  batch.points = rows.points;
-  batch.shape = rows.shape;
+  if (rows.points.defined()) batch.arrays["points"] = std::move(rows.points);
+  if (rows.shape.defined()) batch.arrays["shape"] = std::move(rows.shape);
+  batch.indices["faces"] = std::move(faces);
   return batch;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
+#include "core/sample_batch.h"
 #include "datasets/read/sketch_variation.h"
 #include "faces/curve_encoder.h"
-
-#include <torch/types.h>
 
 #include <cstdint>
 #include <span>
@@ -20,17 +19,6 @@ struct SketchReading {
   bool fixed = false;  ///< Every epoch shows what the first one does.
 };
 
-/// What the reading asks for; the rest is undefined. faces: (B) int64, indices of the face database.
-struct SketchBatch {
-  /// (B, 1, R, R) float32, ink = 1, paper = 0; told to have channels last, which of one channel is the same memory, for
-  /// convolutions hand on the layout that they are given, and are faster in this one.
-  torch::Tensor images;
-  torch::Tensor
-      points;  ///< (B, 4, P) float32: x and y from -1 to 1 over the canvas, cosine and sine of the double angle.
-  torch::Tensor shape;  ///< (B, Ku + Kv) float32, u and v of the 2-D model.
-  torch::Tensor faces;
-};
-
 /// The sketches of some faces as a network reads them, worked out by all cores. Where they do not vary this is done
 /// once and kept, pictures as bytes, and every epoch shows the same; else anew for each batch, and what is read of a
 /// sample is a function of variation, seed, face and epoch alone.
@@ -43,16 +31,22 @@ class SketchDataset {
   int size() const { return static_cast<int>(faces_.size()); }
   const std::vector<int>& faces() const { return faces_; }
 
-  /// @throws Error if a sample is not one of 0..size()-1.
-  SketchBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
+  /// The arrays and indices that the reading asks for:
+  ///   images  B x 1 x R x R, ink = 1, paper = 0
+  ///   points  B x 4 x P: x and y from -1 to 1 over the canvas, cosine and sine of the double angle
+  ///   shape   B x (Ku + Kv), u and v of the 2-D curve model
+  ///   faces   B indices of the face database, always
+  /// May be called from several threads. @throws Error if a sample is not one of 0..size()-1.
+  SampleBatch Get(std::span<const int> samples, int64_t epoch = 0) const;
 
  private:
-  /// Rows of tensors as SketchBatch has them, but pictures of bytes, ink = 255.
+  /// Pictures of bytes, ink = 255, and the other arrays of a batch.
   struct Rows {
-    torch::Tensor ink, points, shape;
+    Array<uint8_t> ink;
+    FloatArray points, shape;
   };
   Rows EmptyRows(int64_t count) const;
-  void Read(int face, int64_t epoch, int64_t row, const Rows& rows) const;
+  void Read(int face, int64_t epoch, int64_t row, Rows& rows) const;
 
   std::vector<int> faces_;
   SketchReading reading_;

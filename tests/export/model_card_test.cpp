@@ -11,7 +11,7 @@ namespace {
 TEST(ModelCard, TellsUnitsLicencesErrorsAndExactness) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder.path());
-  const auto run = models::LoadSketchRun(folder.path());
+  const auto run = sketch::LoadSketchRun(folder.path());
   const auto expect = [](const std::string& card, const std::string& part) {
     EXPECT_NE(card.find(part), std::string::npos) << part;
   };

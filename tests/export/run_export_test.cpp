@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "export/sketch_export.h"
-#include "models/sketch_run.h"
+#include "systems/sketch/train/export.h"
+#include "systems/sketch/train/run.h"
 #include "tests/export/test_function.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_run_folder.h"
@@ -21,14 +21,14 @@ class RunExportTest : public ::testing::Test {
   RunExportTest() {
     testing::AllowWarnings();  // There may be no runtime.
     testing::WriteSketchRun(folder_ / "run");
-    run_ = models::LoadSketchRun(folder_ / "run");
+    run_ = sketch::LoadSketchRun(folder_ / "run");
   }
 
   RunExport Export() const {
     return {.run_directory = folder_ / "run",
             .run_manifest = run_.manifest,
             .module = *run_.network,
-            .function = SketchFunction(run_.network),
+            .function = sketch::SketchFunction(run_.network),
             .face_template = run_.face_template,
             .counts = {{"parts", 3}},
             .details = {{"colour", "blue"}},
@@ -45,7 +45,7 @@ class RunExportTest : public ::testing::Test {
 
   const testing::TempDir folder_;
   const WithoutNpmPackage without_;
-  models::SketchRun run_;
+  sketch::SketchRun run_;
 };
 
 TEST_F(RunExportTest, ManifestTellsWhatIsThereAndWhatTheCallerAdds) {

@@ -3,7 +3,8 @@
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
+#include <torch/linalg.h>
+#include <torch/utils.h>
 
 namespace daumier::models {
 namespace {

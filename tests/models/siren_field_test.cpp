@@ -3,12 +3,12 @@
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
+#include <torch/utils.h>
 
 namespace daumier::models {
 namespace {
 
-const SirenLayout kSmall{.width = 32, .hidden_layers = 2};
+const runtime::SirenLayout kSmall{.width = 32, .hidden_layers = 2};
 
 struct Problem {
   torch::Tensor parameters, points, slope;

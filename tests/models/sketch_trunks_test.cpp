@@ -4,12 +4,13 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_networks.h"
 
-#include <torch/torch.h>
+#include <torch/nn/modules/conv.h>
+#include <torch/utils.h>
 
 namespace daumier::models {
 namespace {
 
-std::vector<int64_t> ConvolutionSizes(const SketchNetworkOptions& options) {
+std::vector<int64_t> ConvolutionSizes(const TrunkOptions& options) {
   SketchTrunk trunk = MakeSketchTrunk(options, 6);
   return trunk.convolutions->forward(torch::rand({2, 1, options.resolution, options.resolution})).sizes().vec();
 }
@@ -24,7 +25,7 @@ TEST(SketchConvolution, StaysInFloat32AndAnswersAsAutocastPromises) {
 }
 
 TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {
-  SketchNetworkOptions options{.trunk = "alexnet", .resolution = 256, .width = 12};
+  TrunkOptions options{.kind = "alexnet", .resolution = 256, .width = 12};
   EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 7, 7}));
   options.resolution = 128;
   EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 3, 3}));
@@ -36,7 +37,7 @@ TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {
 
 TEST(SketchTrunks, ResidualEndsAtSideFourOrLessWithTheWidth) {
   for (const int resolution : {32, 50, 128}) {
-    const auto sizes = ConvolutionSizes({.trunk = "residual", .resolution = resolution, .width = 4});
+    const auto sizes = ConvolutionSizes({.kind = "residual", .resolution = resolution, .width = 4});
     EXPECT_EQ(sizes[1], 4);
     EXPECT_LE(sizes[2], 4);
   }
@@ -55,7 +56,7 @@ TEST(SketchTrunks, EveryTrunkEndsInHiddenFeatures) {
   for (const auto& [name, options] : testing::SmallSketchNetworks()) {
     SCOPED_TRACE(name);
     SketchTrunk trunk = MakeSketchTrunk(options, 6);
-    const SketchInput input = testing::RandomSketchInput(options, 3);
+    const sketch::SketchInput input = testing::RandomSketchInput(options, 3);
     torch::Tensor features = input.shape;
     if (options.reads_image()) features = trunk.convolutions->forward(input.images);
     if (options.reads_points()) features = trunk.convolutions->forward(input.points);

@@ -1,7 +1,8 @@
 #pragma once
-#include "models/deform_network.h"
+#include "systems/deform/train/network.h"
 
-#include <torch/torch.h>
+#include <torch/optim.h>
+#include <torch/utils.h>
 
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ inline const std::vector<std::string>& DeformKinds() {
 }
 
 /// Codes of 8 numbers, a SIREN of three layers of 32.
-inline models::DeformOptions SmallDeformOptions(const std::string& kind) {
+inline deform::DeformOptions SmallDeformOptions(const std::string& kind) {
   return {.kind = kind, .latent = 8, .width = 32, .hidden_layers = 2, .hyper_width = 32, .array_width = 32};
 }
 
@@ -27,7 +28,7 @@ inline torch::Tensor SomeTemplate() {
 }
 
 /// Twenty points in triangles of SomeTemplate, the same for all codes or, if num_codes > 0, others for each.
-inline models::SurfacePoints SomePoints(int64_t num_codes) {
+inline deform::SurfacePoints SomePoints(int64_t num_codes) {
   torch::manual_seed(11);
   const int64_t count = std::max<int64_t>(num_codes, 1) * 20;
   const torch::Tensor corners = torch::randint(0, 12, {count, 3}, torch::kInt64),
@@ -42,8 +43,8 @@ inline models::SurfacePoints SomePoints(int64_t num_codes) {
 
 /// Trains a network and codes on eight random faces; returns what is left of the faces' root mean square displacement
 /// from the template.
-inline double ErrorAfterOverfitting(const models::DeformOptions& options, int steps, double rate) {
-  const auto network = models::MakeDeformNetwork(options, SomeTemplate(), {});
+inline double ErrorAfterOverfitting(const deform::DeformOptions& options, int steps, double rate) {
+  const auto network = deform::MakeDeformNetwork(options, SomeTemplate(), {});
   const torch::Tensor displacements = 0.1 * torch::randn({8, 12, 3}), truth = SomeTemplate() + displacements;
   torch::Tensor codes = (0.1 * torch::randn({8, options.latent})).requires_grad_();
   std::vector<torch::Tensor> trained = network->parameters();

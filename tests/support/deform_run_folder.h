@@ -3,7 +3,7 @@
 #include "core/files.h"
 #include "core/manifest.h"
 #include "faces/face_database.h"
-#include "models/deform_run.h"
+#include "systems/deform/train/run.h"
 #include "tensor/eigen.h"
 #include "tensor/module_state.h"
 #include "tests/support/deform_networks.h"
@@ -17,12 +17,12 @@ namespace daumier::testing {
 
 /// Writes the run folder of a small, untrained deformable model on the synthetic face, as a training leaves it, with
 /// codes of three faces.
-inline std::shared_ptr<models::AutoDecoder> WriteDeformRun(const std::filesystem::path& run, const std::string& kind) {
+inline std::shared_ptr<deform::AutoDecoder> WriteDeformRun(const std::filesystem::path& run, const std::string& kind) {
   const faces::FaceTemplate face_template = SyntheticFace();
   const faces::ModelFrame frame = faces::HeadFrame(face_template, 2.1);
   torch::manual_seed(2);
-  const auto decoder = std::make_shared<models::AutoDecoder>(
-      models::MakeDeformNetwork(SmallDeformOptions(kind), tensor::CopyToTensor(frame.FromCm(face_template.neutral)),
+  const auto decoder = std::make_shared<deform::AutoDecoder>(
+      deform::MakeDeformNetwork(SmallDeformOptions(kind), tensor::CopyToTensor(frame.FromCm(face_template.neutral)),
                                 frame),
       3);
   MakeDirectory(run / "best");

@@ -1,5 +1,5 @@
 #pragma once
-#include "models/sketch_network.h"
+#include "systems/sketch/train/network.h"
 #include "tests/support/random_bilinear.h"
 
 #include <map>
@@ -8,8 +8,8 @@
 namespace daumier::testing {
 
 /// Models of random numbers for faces of so many vertices: 6 identity and 3 expression weights; curves of 9 points.
-inline models::FittedModels RandomModels(int num_vertices, int residual = 0, uint64_t seed = 1) {
-  models::FittedModels models{RandomBilinear(num_vertices, 6, 3, seed), RandomBilinear(6, 4, 2, seed + 1), {}};
+inline sketch::FittedModels RandomModels(int num_vertices, int residual = 0, uint64_t seed = 1) {
+  sketch::FittedModels models{RandomBilinear(num_vertices, 6, 3, seed), RandomBilinear(6, 4, 2, seed + 1), {}};
   if (residual > 0) {
     Rng rng(seed + 2);
     const auto draw = [&] { return static_cast<float>(rng.Normal()); };
@@ -20,9 +20,9 @@ inline models::FittedModels RandomModels(int num_vertices, int residual = 0, uin
 }
 
 /// Every kind of network in a compact width, by the name of its row.
-inline std::map<std::string, models::SketchNetworkOptions> SmallSketchNetworks() {
-  const models::SketchNetworkOptions compact{.resolution = 32, .width = 4, .hidden = 16, .branch = 16};
-  models::SketchNetworkOptions alexnet{.trunk = "alexnet",
+inline std::map<std::string, sketch::SketchNetworkOptions> SmallSketchNetworks() {
+  const sketch::SketchNetworkOptions compact{.resolution = 32, .width = 4, .hidden = 16, .branch = 16};
+  sketch::SketchNetworkOptions alexnet{.trunk = "alexnet",
                                        .resolution = 64,
                                        .width = 12,
                                        .hidden = 24,
@@ -30,9 +30,9 @@ inline std::map<std::string, models::SketchNetworkOptions> SmallSketchNetworks()
                                        .identity_layers = 3,
                                        .expression_layers = 1,
                                        .shape_hidden = 8};
-  std::map<std::string, models::SketchNetworkOptions> networks{{"compact", compact}, {"PixelCNN", alexnet}};
+  std::map<std::string, sketch::SketchNetworkOptions> networks{{"compact", compact}, {"PixelCNN", alexnet}};
   const auto add = [&](const std::string& name, const auto& change) {
-    models::SketchNetworkOptions options = alexnet;
+    sketch::SketchNetworkOptions options = alexnet;
     change(options);
     networks[name] = options;
   };
@@ -56,7 +56,7 @@ inline std::map<std::string, models::SketchNetworkOptions> SmallSketchNetworks()
 }
 
 /// What such a network reads of `batch` sketches.
-inline models::SketchInput RandomSketchInput(const models::SketchNetworkOptions& options, int64_t batch) {
+inline sketch::SketchInput RandomSketchInput(const sketch::SketchNetworkOptions& options, int64_t batch) {
   return {(torch::rand({batch, 1, options.resolution, options.resolution}) < 0.1).to(torch::kFloat32),
           2 * torch::rand({batch, 4, options.num_points}) - 1, torch::randn({batch, 6})};
 }

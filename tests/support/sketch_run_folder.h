@@ -3,26 +3,26 @@
 #include "core/files.h"
 #include "core/manifest.h"
 #include "faces/face_database.h"
-#include "models/sketch_run.h"
+#include "systems/sketch/train/run.h"
 #include "render/camera_json.h"
 #include "tensor/module_state.h"
 #include "tests/support/sketch_networks.h"
 #include "tests/support/synthetic_face.h"
 
-#include <torch/torch.h>
+#include <torch/utils.h>
 
 namespace daumier::testing {
 
 /// Writes the run folder of a small, untrained sketch network on the synthetic face, a compact one of 32 x 32 sketches
 /// or another of SmallSketchNetworks, with 6 identity and 3 expression weights. Its batch norms have moved, so that no
 /// buffer has its starting value.
-inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directory,
+inline sketch::SketchNetwork WriteSketchRun(const std::filesystem::path& directory,
                                             const std::string& kind = "compact") {
   const auto face_template = SyntheticFace();
-  const models::SketchNetworkOptions options = SmallSketchNetworks().at(kind);
+  const sketch::SketchNetworkOptions options = SmallSketchNetworks().at(kind);
   const auto models = RandomModels(face_template.num_vertices(), options.residual);
   torch::manual_seed(7);
-  models::SketchNetwork network(options, models);
+  sketch::SketchNetwork network(options, models);
   network->forward(RandomSketchInput(options, 16));
   network->eval();
 
@@ -40,7 +40,7 @@ inline models::SketchNetwork WriteSketchRun(const std::filesystem::path& directo
                        {{"camera", render::CameraToJson(render::FrontalCamera({0, 0, 0}, 12, 256))},
                         {"feature_curves", {"upper_mouth"}}}}};
   manifest.checksums = faces::WriteFaceTemplate(directory, face_template);
-  manifest.checksums.merge(models::WriteFittedModels(directory, models));
+  manifest.checksums.merge(sketch::WriteFittedModels(directory, models));
   WriteManifest(directory, manifest);
   tensor::SaveModule(directory / "best" / "model.safetensors", *network);
   return network;

@@ -8,13 +8,13 @@ namespace daumier::testing {
 
 /// A small network of a kind around a template, whose surfaces move by some tenths under codes of that size and follow
 /// them smoothly. The same on every call.
-inline std::shared_ptr<models::DeformNetwork> SmoothDeformNetwork(const std::string& kind,
+inline std::shared_ptr<deform::DeformNetwork> SmoothDeformNetwork(const std::string& kind,
                                                                   const torch::Tensor& template_vertices,
                                                                   const faces::ModelFrame& frame = {}) {
   torch::manual_seed(3);
-  models::DeformOptions options = SmallDeformOptions(kind);
+  deform::DeformOptions options = SmallDeformOptions(kind);
   options.omega = 3;
-  auto network = models::MakeDeformNetwork(options, template_vertices, frame);
+  auto network = deform::MakeDeformNetwork(options, template_vertices, frame);
   const torch::NoGradGuard no_gradient;
   // The first weights of a hypernetwork hardly hear the code; those of a linear model are zero.
   for (auto& [name, parameter] : network->named_parameters().pairs())

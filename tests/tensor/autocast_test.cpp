@@ -1,7 +1,8 @@
 #include "tensor/autocast.h"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
+#include <torch/nn/modules/linear.h>
+#include <torch/utils.h>
 
 namespace daumier::tensor {
 namespace {

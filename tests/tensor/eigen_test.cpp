@@ -2,7 +2,7 @@
 
 #include "tests/support/expect_error.h"
 
-#include <torch/torch.h>
+#include <torch/types.h>
 
 namespace daumier::tensor {
 namespace {

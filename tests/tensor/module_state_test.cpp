@@ -3,7 +3,11 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
 
-#include <torch/torch.h>
+#include <torch/nn/modules/batchnorm.h>
+#include <torch/nn/modules/container/sequential.h>
+#include <torch/nn/modules/conv.h>
+#include <torch/nn/modules/linear.h>
+#include <torch/utils.h>
 
 namespace daumier::tensor {
 namespace {

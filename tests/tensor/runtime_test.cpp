@@ -2,7 +2,7 @@
 
 #include "tests/support/expect_error.h"
 
-#include <torch/torch.h>
+#include <torch/cuda.h>
 
 #include <thread>
 

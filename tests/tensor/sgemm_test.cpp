@@ -5,7 +5,7 @@
 #include <dlfcn.h>
 #include <dnnl.h>
 #include <gtest/gtest.h>
-#include <torch/torch.h>
+#include <torch/utils.h>
 
 #include <algorithm>
 #include <chrono>

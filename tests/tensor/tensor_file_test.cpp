@@ -3,7 +3,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
 
-#include <torch/torch.h>
+#include <torch/utils.h>
 
 namespace daumier::tensor {
 namespace {

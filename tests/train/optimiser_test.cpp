@@ -3,7 +3,9 @@
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
-#include <torch/nn.h>
+#include <torch/nn/modules/linear.h>
+#include <torch/optim.h>
+#include <torch/utils.h>
 #include <torch/optim/adamw.h>
 
 namespace daumier::train {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
-#include <torch/torch.h>
+#include <torch/types.h>
 
 namespace daumier::datasets {
 namespace {

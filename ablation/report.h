@@ -1,0 +1,14 @@
+#pragma once
+#include "ablation/runs.h"
+
+namespace daumier::ablation {
+
+/// Writes what an ablation has so far into its folder: table.json (returned; rows that trained also have
+/// validation_at_equal_time, the least validation error within equal_seconds, the time of the split's shortest
+/// training), table.md, curves.svg, curves_by_time.svg, sheet.png (of the
+/// first split and seed, if `with_sheet`) and index.html. Rows that are not done are left out; free baselines are those
+/// of the first row that is. @throws Error if two rows of a split and seed were not measured on the same test faces.
+Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, const AblationRuns& runs,
+                         const std::filesystem::path& directory, bool with_sheet = true);
+
+}  // namespace daumier::ablation

@@ -1,0 +1,57 @@
+#pragma once
+#include "core/options.h"
+
+#include <string>
+
+/// The options of a training that are the same for every network (train/optimiser.h, train/trainer.h), as plain data.
+namespace daumier {
+
+struct OptimiserOptions {
+  std::string kind = "adamw";
+  double learning_rate = 1e-3;
+  double weight_decay = 1e-4;
+  double beta1 = 0.9;
+  double beta2 = 0.999;
+  double clip_norm = 0;
+  double warm_up = 0.05;
+  double final_rate = 0.01;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("kind", kind, Choices{{"adamw", "sgd"}}, "AdamW, or gradient descent with momentum.");
+    visit("learning_rate", learning_rate, Range{0, 10}, "Step size at its peak, after the warm-up.");
+    visit("weight_decay", weight_decay, Range{0, 10},
+          "Share of a weight (not of a bias) that a step of rate 1 takes away.");
+    visit("beta1", beta1, Range{0, 0.9999}, "Memory of the mean gradient; the momentum of sgd.");
+    visit("beta2", beta2, Range{0, 0.999999}, "Memory of the mean squared gradient, of adamw alone.");
+    visit("clip_norm", clip_norm, Range{0, 1e6},
+          "Gradients are scaled down to this norm where they exceed it; 0: never.");
+    visit("warm_up", warm_up, Range{0, 1}, "Share of all steps in which the rate climbs linearly to its peak.");
+    visit("final_rate", final_rate, Range{0, 1}, "The rate at the end as a share of the peak; a cosine leads there.");
+  }
+};
+
+struct TrainerOptions {
+  int epochs = 20;
+  int batch = 32;
+  int validate_every = 1;
+  int patience = 0;
+  int log_every = 10;
+  int checkpoint_every = 0;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
+    visit("batch", batch, Range{1, 65536},
+          "Samples a step; what is left over at the end of an epoch waits for the next.");
+    visit("validate_every", validate_every, Range{1, 1e6},
+          "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
+    visit("patience", patience, Range{0, 1e6},
+          "Stop after so many epochs of the last stage without a better validation; 0: never.");
+    visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
+    visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
+          "Steps between checkpoints beside the one after every validation; 0: none.");
+  }
+};
+
+}  // namespace daumier

@@ -1,0 +1,19 @@
+#pragma once
+#include "datasets/read/sketch_database.h"
+#include "faces/face_database.h"
+
+#include <filesystem>
+
+namespace daumier::datasets {
+
+/// Pictures that show what a database holds, each the first by index and never picked ones:
+///   identities.jpg   the neutral face of the first persons
+///   expressions.jpg  every expression of the first three persons, each at another level
+///   levels.jpg       the levels of the first persons, front and side
+///   curves.jpg       feature curves and landmarks on the mean face, front and side
+/// into an existing folder, and those of WriteSketchGallery if `sketches` are given. @throws Error as it does, and if a
+/// picture cannot be written.
+void WriteGallery(const faces::FaceDatabase& database, const SketchDatabase* sketches,
+                  const std::filesystem::path& folder);
+
+}  // namespace daumier::datasets

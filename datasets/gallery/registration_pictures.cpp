@@ -1,0 +1,88 @@
+#include "datasets/gallery/registration_pictures.h"
+
+#include "core/error.h"
+#include "core/safetensors.h"
+#include "reports/face_surface.h"
+#include "geometry/obj.h"
+#include "render/draw.h"
+#include "render/heat_map.h"
+#include "render/sheet.h"
+
+#include <fmt/format.h>
+
+namespace daumier::datasets {
+namespace {
+
+constexpr int kCell = 360;  // Pixels a side of a picture in a sheet.
+constexpr render::ValueRange kDistances = {0.0, 2.0};
+
+std::vector<std::string> MeshNames(const faces::FaceDatabase& database) {
+  const auto names = database.manifest().details.find("meshes");
+  DAUMIER_CHECK(names != database.manifest().details.end(), "{}: holds no registered meshes",
+                database.directory().string());
+  return names->get<std::vector<std::string>>();
+}
+
+geometry::Similarity SimilarityFromJson(const Json& json) {
+  const auto rotation = json.at("rotation").get<std::vector<double>>();
+  const auto translation = json.at("translation").get<std::vector<double>>();
+  return {json.at("scale").get<double>(),
+          Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data()),
+          Eigen::Map<const geometry::Vector3>(translation.data())};
+}
+
+/// Millimetres from each vertex to the mesh.
+Eigen::VectorXd Distances(const faces::FaceDatabase& database, int person) {
+  const SafetensorsFile shard(database.directory() / faces::PersonShardName(person));
+  const auto distances = shard.at("distances").As<float>();
+  return faces::MillimetresPerCm(database.face_template()) *
+         Eigen::Map<const Eigen::VectorXf>(distances.data(), Eigen::Index(distances.size())).cast<double>();
+}
+
+}  // namespace
+
+void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshInputs& inputs,
+                               const std::filesystem::path& folder) {
+  const std::vector<std::string> names = MeshNames(database);
+  DAUMIER_CHECK(names.size() == inputs.meshes.size(), "{} meshes for a database of {}", inputs.meshes.size(),
+                names.size());
+  const faces::FaceTemplate& face = database.face_template();
+  for (int person = 0; person < database.num_persons(); ++person) {
+    const LandmarkedMesh target = ReadLandmarkedMesh(inputs, person);
+    DAUMIER_CHECK(target.name == names[person], "mesh {} is {}, the database has {} there", person, target.name,
+                  names[person]);
+    const Json quality = ReadRegistrationQuality(database.directory(), person);
+    const geometry::Similarity similarity = SimilarityFromJson(quality.at("template_from_target"));
+    const render::RenderInput mesh{.surface = {similarity.Apply(target.mesh.vertices), target.mesh.triangles}};
+    const render::RenderInput registered = reports::SurfaceOf(face, database.points(database.index({person, 0, 0})));
+    const Eigen::VectorXd distances = Distances(database, person);
+    const render::Frame frame = render::FrameOf(registered.surface.vertices);
+    std::vector<render::SheetCell> cells;
+    for (const double yaw : {0.0, -60.0}) {
+      const render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, kCell, yaw);
+      render::Image heat(kCell, kCell + render::kColourBarWidth, 3);
+      render::Paste(heat, render::RenderHeatMap(registered, distances, kDistances, camera), 0, 0);
+      render::DrawColourBar(heat, kDistances, "mm");
+      cells.push_back({render::RenderMesh(mesh, camera)});
+      cells.push_back({render::RenderMesh(registered, camera)});
+      cells.push_back({std::move(heat)});
+    }
+    const Json& distance = quality.at("template_to_target_mm");
+    render::SheetStyle style;
+    style.title = fmt::format("{}: mean {:.2f} mm, p95 {:.2f} mm, coverage {:.0f} %", target.name,
+                              distance.at("mean").get<double>(), distance.at("p95").get<double>(),
+                              100 * quality.at("coverage").get<double>());
+    style.column_titles = {"mesh", "registered", "distance"};
+    render::WriteImage(folder / (target.name + ".jpg"), render::MakeSheet(cells, 3, style));
+  }
+}
+
+void WriteRegisteredMeshes(const faces::FaceDatabase& database, const std::filesystem::path& folder) {
+  const std::vector<std::string> names = MeshNames(database);
+  for (int person = 0; person < database.num_persons(); ++person) {
+    geometry::WriteObj(folder / (names[person] + ".obj"),
+                       {database.points(database.index({person, 0, 0})), database.face_template().triangles});
+  }
+}
+
+}  // namespace daumier::datasets

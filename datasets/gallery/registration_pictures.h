@@ -1,0 +1,19 @@
+#pragma once
+#include "datasets/build/registered_faces.h"
+#include "faces/face_database.h"
+
+#include <filesystem>
+
+namespace daumier::datasets {
+
+/// NAME.jpg for each mesh of a database that BuildRegisteredFaces wrote: from the front and from the side the mesh, the
+/// registered template, and the distance of each of its vertices to the mesh in millimetres (grey: no match). Into an
+/// existing folder. @throws Error if the inputs are not those of the database, or a picture cannot be written.
+void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshInputs& inputs,
+                               const std::filesystem::path& folder);
+
+/// NAME.obj for each mesh: the registered template, into an existing folder. @throws Error as geometry::WriteObj, or if
+/// the database is none of registered meshes.
+void WriteRegisteredMeshes(const faces::FaceDatabase& database, const std::filesystem::path& folder);
+
+}  // namespace daumier::datasets

@@ -1,0 +1,30 @@
+#pragma once
+#include "core/json.h"
+#include "core/manifest.h"
+#include "datasets/read/splits.h"
+#include "faces/face_database.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The data of a run folder of any product, as it was trained on them.
+namespace daumier::datasets {
+
+/// @throws Error if the folder that config.data.`kind` names ("faces") does not hold what the run was trained on, by
+/// its hash.
+void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
+                   const std::string& kind);
+
+/// The split of the run's faces. @throws Error if it comes out otherwise than the manifest tells.
+Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
+                           const faces::FaceDatabase& faces);
+
+/// The manifest with which a training begins: its config without paths, seed, the sources of its faces, how many of
+/// them are on which side of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
+Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const Split& split);
+
+/// "train", "validation" or "test". @throws UsageError for another word.
+const std::vector<int>& SideOf(const Split& split, const std::string& name);
+
+}  // namespace daumier::datasets

@@ -1,0 +1,79 @@
+#include "reports/comparison_sheet.h"
+
+#include "core/error.h"
+#include "reports/face_pictures.h"
+#include "reports/face_surface.h"
+#include "render/camera.h"
+#include "render/draw.h"
+#include "render/heat_map.h"
+#include "render/sheet.h"
+#include "render/ticks.h"
+
+#include <algorithm>
+
+namespace daumier::reports {
+namespace {
+
+constexpr double kMargin = 1.1;
+
+double RangeOf(const std::vector<ComparedFace>& faces, double range_mm) {
+  if (range_mm > 0) return range_mm;
+  double sum = 0;
+  for (const ComparedFace& face : faces)
+    for (const ComparedPrediction& prediction : face.predictions) sum += prediction.mean_error_mm;
+  const double mean = sum / double(faces.size() * faces.front().predictions.size());
+  return mean > 0 ? render::NiceCeiling(2 * mean, 5) : 1.0;
+}
+
+void CheckFaces(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,
+                const std::vector<ComparedFace>& faces) {
+  DAUMIER_CHECK(!faces.empty() && !names.empty(), "a comparison of {} predictors on {} faces was asked for",
+                names.size(), faces.size());
+  const Eigen::Index num_vertices = face_template.num_vertices();
+  for (const ComparedFace& face : faces) {
+    DAUMIER_CHECK(face.predictions.size() == names.size(), "'{}' has {} predictions for {} predictors", face.title,
+                  face.predictions.size(), names.size());
+    DAUMIER_CHECK(face.sketch.height == face.sketch.width, "the sketch of '{}' is {} x {}, expected a square",
+                  face.title, face.sketch.height, face.sketch.width);
+    for (const ComparedPrediction& prediction : face.predictions)
+      DAUMIER_CHECK(face.truth.rows() == num_vertices && prediction.face.rows() == num_vertices &&
+                        prediction.error_mm.size() == num_vertices,
+                    "'{}' has {} true vertices, {} predicted ones and {} errors, expected {} each", face.title,
+                    face.truth.rows(), prediction.face.rows(), prediction.error_mm.size(), num_vertices);
+  }
+}
+
+}  // namespace
+
+render::Image ComparisonSheet(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,
+                              const std::vector<ComparedFace>& faces, double range_mm) {
+  CheckFaces(face_template, names, faces);
+  const render::ValueRange range{0.0, RangeOf(faces, range_mm)};
+  std::vector<geometry::Points> shown = {face_template.neutral};
+  for (const ComparedFace& face : faces) shown.push_back(face.truth);
+  const render::Frame frame = FrameOfFaces(shown, kMargin);
+  const bool has_sketch =
+      std::any_of(faces.begin(), faces.end(), [](const ComparedFace& face) { return face.sketch.height > 0; });
+  const auto camera = render::FrontalCamera(frame.centre, frame.half_height, kCell);
+  const int columns = int(names.size()) + (has_sketch ? 3 : 2);
+  render::SheetStyle style{.column_titles = {"truth"}, .gap = 6};
+  if (has_sketch) style.column_titles.insert(style.column_titles.begin(), "sketch");
+  style.column_titles.insert(style.column_titles.end(), names.begin(), names.end());
+  std::vector<render::SheetCell> cells;
+  for (const ComparedFace& face : faces) {
+    style.row_titles.push_back(face.title);
+    if (has_sketch)
+      cells.push_back({face.sketch.height > 0 ? render::Resize(face.sketch, kCell, kCell) : render::Image()});
+    cells.push_back({render::RenderMesh(SurfaceOf(face_template, face.truth), camera)});
+    for (const ComparedPrediction& prediction : face.predictions)
+      cells.push_back({render::RenderHeatMap(SurfaceOf(face_template, prediction.face), prediction.error_mm,
+                                             range, camera),
+                       fmt::format("{:.2f} mm", prediction.mean_error_mm)});
+    const bool first = &face == &faces.front();
+    cells.push_back({first ? render::Image(kCell, render::kColourBarWidth, 3) : render::Image()});
+    if (first) render::DrawColourBar(cells.back().image, range, "mm");
+  }
+  return render::MakeSheet(cells, columns, style);
+}
+
+}  // namespace daumier::reports

@@ -1,0 +1,46 @@
+#include "reports/face_pictures.h"
+
+#include "reports/face_surface.h"
+#include "render/shading.h"
+
+namespace daumier::reports {
+
+render::Frame FrameOfFaces(const std::vector<geometry::Points>& faces, double margin) {
+  Eigen::Index num_points = 0;
+  for (const geometry::Points& face : faces) num_points += face.rows();
+  geometry::Points all(num_points, 3);
+  Eigen::Index begin = 0;
+  for (const geometry::Points& face : faces) {
+    all.middleRows(begin, face.rows()) = face;
+    begin += face.rows();
+  }
+  return render::FrameOf(all, margin);
+}
+
+render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices) {
+  std::vector<geometry::Points> faces;
+  for (const int index : indices) faces.push_back(database.points(index));
+  return FrameOfFaces(faces);
+}
+
+render::Image FrontView(const faces::FaceTemplate& face_template, const geometry::Points& face,
+                        const render::Frame& frame) {
+  return render::RenderMesh(SurfaceOf(face_template, face),
+                            render::FrontalCamera(frame.centre, frame.half_height, kCell));
+}
+
+render::Image SideView(const faces::FaceTemplate& face_template, const geometry::Points& face,
+                       const render::Frame& frame) {
+  return render::RenderMesh(SurfaceOf(face_template, face),
+                            render::SideCamera(frame.centre, frame.half_height, kCell));
+}
+
+render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {
+  return FrontView(database.face_template(), database.points(face), frame);
+}
+
+render::Image SideView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {
+  return SideView(database.face_template(), database.points(face), frame);
+}
+
+}  // namespace daumier::reports

@@ -1,0 +1,71 @@
+#pragma once
+#include "core/training_options.h"
+#include "datasets/read/point_dataset.h"
+#include "datasets/read/splits.h"
+#include "systems/deform/network_options.h"
+
+#include <string>
+
+namespace daumier::deform {
+
+struct DeformDataOptions {
+  std::string faces, points;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Text{}, "Folder of the faces.");
+    visit("points", points, Text{}, "Folder of points on their surfaces.");
+  }
+};
+
+struct DeformLossOptions {
+  double data_weight = 3e3;
+  double code_weight = 1e6;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("data_weight", data_weight, Range{1e-6, 1e12},
+          "Weight of the mean squared coordinate of what points miss by, in model units.");
+    visit("code_weight", code_weight, Range{0, 1e12}, "Weight of the mean square of the codes' numbers.");
+  }
+};
+
+struct DeformValidationOptions {
+  int faces = 14;
+  int newton_steps = 6;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Range{1, 100000}, "So many faces of the validation side, evenly spread.");
+    visit("newton_steps", newton_steps, Range{1, 1000}, "Steps in which the code of each is found.");
+  }
+};
+
+struct DeformTrainingOptions {
+  std::string product = "deform";
+  DeformDataOptions data;
+  datasets::SplitOptions split;
+  datasets::PointReading points;
+  DeformOptions network;
+  DeformLossOptions loss;
+  DeformValidationOptions validation;
+  OptimiserOptions optimiser{.learning_rate = 1e-4, .weight_decay = 0, .warm_up = 0, .final_rate = 1};
+  TrainerOptions trainer;
+  uint64_t seed = 1;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("product", product, Choices{{"deform"}}, "Says that this is the config of a deformable model.");
+    visit("data", data, Table{}, "What is learnt from.");
+    visit("split", split, Table{}, "Who trains, who validates, who tests.");
+    visit("points", points, Table{}, "Which points of a face a step sees.");
+    visit("network", network, Table{}, "The network.");
+    visit("loss", loss, Table{}, "What is minimised.");
+    visit("validation", validation, Table{}, "On which faces the best weights are chosen.");
+    visit("optimiser", optimiser, Table{}, "The optimiser and its schedule.");
+    trainer.Visit(visit);
+    visit("seed", seed, Range{0, 9e15}, "Of the split, the first weights, the order of faces and their points.");
+  }
+};
+
+}  // namespace daumier::deform

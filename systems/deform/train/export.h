@@ -1,0 +1,23 @@
+#pragma once
+#include "core/json.h"
+#include "export/exported_function.h"
+#include "systems/deform/train/network.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace daumier::deform {
+
+/// A SIREN as a function of latent (1, M) and points (N, 3) on the template to positions (N, 3); an array of vertices
+/// as a function of latent (N, M) to vertices (N, V, 3). All in the model's frame, which stands in the metadata
+/// `model_from_cm` as {scale, offset}.
+exporting::ExportedFunction DeformFunction(std::shared_ptr<DeformNetwork> network);
+
+/// Exports a finished run of a deformable model as exporting::WriteExport does, with points_template.safetensors (`vertices`, the
+/// template's in the model's frame) beside. @throws Error as LoadDeformRun and exporting::WriteExport.
+Json ExportDeformRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
+
+/// ExportDeformRun or sketch::ExportSketchRun, as the run's manifest tells its product.
+Json ExportRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
+
+}  // namespace daumier::deform

@@ -1,0 +1,158 @@
+#include "systems/deform/train/measurement.h"
+
+#include "core/error.h"
+#include "core/log.h"
+#include "core/random.h"
+#include "eval/surface_metrics.h"
+#include "geometry/self_intersections.h"
+#include "geometry/surface_samples.h"
+#include "tensor/eigen.h"
+#include "tensor/shape.h"
+#include "tensor/torch_version.h"
+
+#include <algorithm>
+
+namespace daumier::deform {
+namespace {
+
+constexpr int kNumSamples = 10000;
+constexpr int kIntersectionFaces = 16;
+/// One for all runs, so that they are measured at the same points.
+constexpr uint64_t kSampleSeed = 1;
+
+geometry::Points PointsOf(const torch::Tensor& vertices) {
+  return tensor::CopyToMatrix<double>(vertices);
+}
+
+/// Where points of triangles lie on a mesh, (S, 3).
+torch::Tensor OnMesh(const SurfacePoints& points, const torch::Tensor& vertices) {
+  const torch::Tensor corners = vertices.index_select(0, points.corners.flatten()).reshape({-1, 3, 3});
+  return (corners * points.weights.unsqueeze(-1)).sum(1);
+}
+
+/// Points of a surface, with their places on the template.
+SurfacePoints SamplesOf(const geometry::TriangleMesh& mesh, int face, const torch::Tensor& template_vertices) {
+  Rng rng = Stream(kSampleSeed, "surface samples of an evaluation", uint64_t(face));
+  geometry::SurfaceSamples drawn = geometry::SampleSurface(mesh, kNumSamples, rng);
+  geometry::Triangles triangles = mesh.triangles;
+  SurfacePoints points;
+  points.corners = tensor::ViewAsTensor(triangles).index_select(0, torch::tensor(drawn.triangles)).to(torch::kInt64);
+  const torch::Tensor two = torch::tensor(drawn.weights).reshape({-1, 2});
+  points.weights = torch::cat({two, 1 - two.sum(1, true)}, 1);
+  points.positions = OnMesh(points, template_vertices);
+  return points;
+}
+
+torch::Tensor Distances(const torch::Tensor& a, const torch::Tensor& b) {
+  return (a - b).norm(2, {-1});
+}
+
+double MeanOf(const torch::Tensor& values) {
+  return values.to(torch::kFloat64).mean().item<double>();
+}
+
+double CountSelfIntersections(const geometry::TriangleMesh& mesh) {
+  return double(geometry::SelfIntersections(mesh).size());
+}
+
+}  // namespace
+
+DeformMeasurement::DeformMeasurement(DeformNetwork& network, MeasuredFaces faces, uint64_t seed)
+    : network_(network), faces_(std::move(faces)), seed_(seed) {
+  DAUMIER_CHECK(num_faces() > 0 && faces_.groups.size() == faces_.faces.size(), "{} faces of {} groups are measured",
+                num_faces(), faces_.groups.size());
+  tensor::CheckShape(faces_.vertices, {num_faces(), network.num_vertices(), 3}, "vertices of the faces");
+  for (int i = 0; i < num_faces(); ++i)
+    samples_.push_back(SamplesOf(TrueMesh(i), faces_.faces[size_t(i)], network.template_vertices()));
+}
+
+void DeformMeasurement::MeasureNetwork(const std::string& name, const CodeFitOptions& options,
+                                       int num_faces_of_row) {
+  DAUMIER_CHECK(num_faces_of_row > 0 && num_faces_of_row <= num_faces(), "{} of {} faces cannot be measured",
+                num_faces_of_row, num_faces());
+  log::Info("Fitting codes of {} faces: {}", num_faces_of_row, name);
+  std::vector<torch::Tensor> codes;
+  torch::Tensor map = torch::zeros({network_.num_vertices()});
+  const std::vector<SurfaceErrors> errors = Errors(num_faces_of_row, [&](int i) -> Prediction {
+    const CodeFit fit = FitCode(network_, faces_.vertices[i], options);
+    const at::NoGradGuard no_gradient;
+    const torch::Tensor code = fit.code.unsqueeze(0);
+    codes.push_back(fit.code);
+    const torch::Tensor vertices = network_.DeformVertices(code).squeeze(0);
+    map += Distances(vertices, faces_.vertices[i]) / num_faces_of_row;
+    return {vertices, network_.Deform(code, samples_[size_t(i)]).squeeze(0), fit.seconds};
+  });
+  rows_.push_back(MakeDeformRow(name, errors, std::span(faces_.groups).first(size_t(num_faces_of_row)), seed_));
+  if (result_ || num_faces_of_row < num_faces()) return;
+  result_ = rows_.size() - 1;
+  codes_ = torch::stack(codes);
+  mean_error_map_ = map;
+}
+
+const std::vector<std::string>& DeformBaselineNames() {
+  static const std::vector<std::string> names = {"template", "mean face", "nearest training face", "linear model"};
+  return names;
+}
+
+void DeformMeasurement::MeasureBaselines(const DeformBaselines& baselines) {
+  const at::NoGradGuard no_gradient;
+  const std::vector<std::string>& names = DeformBaselineNames();
+  AddMeshRow(names[0], [&](int) { return network_.template_vertices(); });
+  const torch::Tensor mean = baselines.Mean(), nearest = baselines.Nearest(faces_.vertices),
+                      linear = baselines.Linear(faces_.vertices);
+  AddMeshRow(names[1], [&](int) { return mean; });
+  AddMeshRow(names[2], [&](int i) { return nearest[i]; });
+  AddMeshRow(names[3], [&](int i) { return linear[i]; });
+}
+
+void DeformMeasurement::AddMeshRow(const std::string& name, const std::function<torch::Tensor(int i)>& vertices) {
+  const std::vector<SurfaceErrors> errors = Errors(num_faces(), [&](int i) -> Prediction {
+    const torch::Tensor predicted = vertices(i);
+    return {predicted, OnMesh(samples_[size_t(i)], predicted), std::nullopt};
+  });
+  rows_.push_back(MakeDeformRow(name, errors, faces_.groups, seed_));
+}
+
+std::vector<SurfaceErrors> DeformMeasurement::Errors(int num_faces_of_row, const Predictor& predict) const {
+  std::vector<SurfaceErrors> errors;
+  for (int i = 0; i < num_faces_of_row; ++i) {
+    const Prediction prediction = predict(i);
+    const geometry::TriangleMesh truth = TrueMesh(i), predicted{PointsOf(prediction.vertices), faces_.triangles};
+    const torch::Tensor distances = Distances(prediction.vertices, faces_.vertices[i]).to(torch::kFloat64).contiguous();
+    const eval::SurfaceMetrics surface = eval::CompareSurfaces(truth, predicted.vertices);
+    SurfaceErrors one;
+    one.mean_vertex_error = MeanOf(distances);
+    one.p95_vertex_error = eval::Percentile({distances.data_ptr<double>(), size_t(distances.numel())}, 95);
+    one.surface_sample_error = MeanOf(Distances(prediction.samples, OnMesh(samples_[size_t(i)], faces_.vertices[i])));
+    one.normal_error_degrees = surface.normal_error_degrees;
+    one.flipped_triangles = surface.flipped_triangles;
+    if (i < kIntersectionFaces) one.self_intersections = CountSelfIntersections(predicted);
+    one.seconds = prediction.seconds;
+    errors.push_back(one);
+  }
+  return errors;
+}
+
+const DeformRow& DeformMeasurement::result() const {
+  DAUMIER_CHECK(result_, "the network was not measured on all {} faces", num_faces());
+  return rows_[*result_];
+}
+
+torch::Tensor DeformMeasurement::Predicted(int i) const {
+  result();
+  const at::NoGradGuard no_gradient;
+  return network_.DeformVertices(codes_[i].unsqueeze(0)).squeeze(0);
+}
+
+double DeformMeasurement::true_self_intersections() const {
+  const int count = std::min(num_faces(), kIntersectionFaces);
+  double sum = 0;
+  for (int i = 0; i < count; ++i) sum += CountSelfIntersections(TrueMesh(i));
+  return sum / count;
+}
+
+geometry::TriangleMesh DeformMeasurement::TrueMesh(int i) const {
+  return {PointsOf(faces_.vertices[i]), faces_.triangles};
+}
+
+}  // namespace daumier::deform

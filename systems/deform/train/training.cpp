@@ -1,0 +1,100 @@
+#include "systems/deform/train/training.h"
+
+#include "core/config.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "datasets/read/run_data.h"
+#include "systems/deform/train/array_deformations.h"
+#include "models/principal_components.h"
+#include "tensor/module_state.h"
+#include "tensor/runtime.h"
+#include "tensor/torch_version.h"
+#include "systems/deform/train/recipe.h"
+#include "train/run_folder.h"
+#include "train/run_log.h"
+
+#include <torch/utils.h>
+
+#include <chrono>
+
+namespace daumier::deform {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The factor of the rows of a linear model, by validation; codes begin with a deviation of 0.01.
+void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
+  constexpr double kCodeDeviation = 0.01;
+  const at::NoGradGuard no_grad;
+  auto& network = dynamic_cast<LinearDeformation&>(*recipe.decoder().network());
+  const torch::Tensor faces = recipe.TrainingVertices().flatten(1);
+  const auto components = models::FitPrincipalComponents(faces, options.network.latent, options.seed);
+  const torch::Tensor rows = components.rows * (components.deviations / kCodeDeviation).unsqueeze(1);
+  double best_error = 0, best_factor = 0;
+  for (const double factor : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0}) {
+    network.Set(components.mean, rows * factor);
+    const double error = recipe.Validate().at(recipe.metric());
+    if (best_factor == 0 || error < best_error) {
+      best_error = error;
+      best_factor = factor;
+    }
+  }
+  network.Set(components.mean, rows * best_factor);
+  log::Info("Rows of {:g} times the deviations miss validation faces least", best_factor);
+  // The codes of the training faces minimise the same energy as those of unseen ones: a ridge regression.
+  const torch::Tensor r = (rows * best_factor).to(torch::kFloat64);
+  const double ridge = options.loss.code_weight / double(r.size(0)) * double(r.size(1)) / options.loss.data_weight;
+  const torch::Tensor matrix = torch::matmul(r, r.t()) + ridge * torch::eye(r.size(0), r.options());
+  const torch::Tensor moments = torch::matmul(r, (faces - components.mean).t().to(torch::kFloat64));
+  recipe.decoder().codes().copy_(torch::linalg_solve(matrix, moments).t());
+}
+
+train::TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& options, const fs::path& directory) {
+  const auto start = std::chrono::steady_clock::now();
+  FitLinear(recipe, options);
+  const std::map<std::string, double> values = recipe.Validate();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  train::RunLog(directory, 0).Write(0, 0, "validation", values, seconds);
+  MakeDirectory(directory / "best");
+  tensor::SaveModule(directory / train::kBestFile, recipe.module());
+  return {.metric = recipe.metric(), .best = values.at(recipe.metric()), .seconds = seconds};
+}
+
+}  // namespace
+
+train::TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
+  const DeformTrainingOptions options = train::ParseTraining<DeformTrainingOptions>(config, "training config");
+  const torch::Device torch_device = tensor::ParseDevice(device);
+  const faces::FaceDatabase faces(options.data.faces);
+  const datasets::PointDatabase points(options.data.points);
+  const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
+
+  Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
+  manifest.details["product"] = kDeformProduct;
+  manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}};
+
+  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
+  torch::manual_seed(options.seed);
+  DeformRecipe recipe(options, faces, points, split, torch_device);
+  if (begun) {
+    VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
+  } else {
+    manifest.checksums = faces::WriteFaceTemplate(run_directory, faces.face_template());
+  }
+  WriteFileAtomically(run_directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
+  if (!begun) WriteManifest(run_directory, manifest);
+
+  const int64_t num_parameters = recipe.decoder().network()->num_parameters();
+  log::Info("Training {} parameters and a code of {} for each of {} faces", num_parameters, options.network.latent,
+            recipe.num_samples());
+  train::TrainingSummary summary = options.network.kind == "linear"
+                                ? TrainLinear(recipe, options, run_directory)
+                                : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  train::FinishRun(run_directory, summary, num_parameters);
+  log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
+            summary.epochs, run_directory.string());
+  return summary;
+}
+
+}  // namespace daumier::deform

@@ -1,0 +1,53 @@
+#pragma once
+#include "core/options.h"
+
+#include <string>
+
+namespace daumier::sketch {
+
+/// Which network; the presets of configs/sketch/ name the rows of DeepSketch2Face's Table 2 in these words.
+struct SketchNetworkOptions {
+  std::string trunk = "compact";
+  std::string shape_input = "none";
+  std::string branches = "two";
+  int resolution = 128;
+  int width = 16;
+  bool batch_norm = true;
+  int hidden = 256;
+  int branch = 256;
+  int identity_layers = 2;
+  int expression_layers = 0;
+  int shape_hidden = 512;
+  int num_points = 256;
+  int residual = 0;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("trunk", trunk, Choices{{"compact", "alexnet", "residual", "points", "shape"}},
+          "What turns a sketch into features: convolutions of its picture, a point network of its strokes, or its "
+          "shape-level numbers alone (models/sketch_trunks.h).");
+    visit("shape_input", shape_input, Choices{{"none", "late", "early"}},
+          "Where the shape-level numbers join in beside a trunk: before the output of each branch, as published, or "
+          "before the branches.");
+    visit("branches", branches, Choices{{"two", "one"}}, "Branches of their own for u and v, or one for both.");
+    visit("resolution", resolution, Range{32, 512}, "Side of the square sketch that the network sees, in pixels.");
+    visit("width", width, Range{1, 256}, "Channels of the first convolution; the others follow from it.");
+    visit("batch_norm", batch_norm, Flag{}, "Normalise after each convolution of trunk alexnet; the others always do.");
+    visit("hidden", hidden, Range{1, 8192}, "Features that the trunk hands to the branches.");
+    visit("branch", branch, Range{1, 8192}, "Neurons of a layer in the branches.");
+    visit("identity_layers", identity_layers, Range{0, 8},
+          "Fully connected layers of the u branch (or of the one branch) before its output.");
+    visit("expression_layers", expression_layers, Range{0, 8}, "The same of the v branch.");
+    visit("shape_hidden", shape_hidden, Range{1, 8192}, "Neurons of the layer that reads the shape-level numbers.");
+    visit("num_points", num_points, Range{16, 4096}, "Points of the strokes that trunk points reads.");
+    visit("residual", residual, Range{0, 1000},
+          "Size of a linear basis of faces in which a small residual is added to the bilinear face, which is then made "
+          "in that basis too; 0: no residual.");
+  }
+
+  bool reads_image() const { return trunk == "compact" || trunk == "alexnet" || trunk == "residual"; }
+  bool reads_points() const { return trunk == "points"; }
+  bool reads_shape() const { return trunk == "shape" || shape_input != "none"; }
+};
+
+}  // namespace daumier::sketch

@@ -1,0 +1,78 @@
+#pragma once
+#include "core/training_options.h"
+#include "datasets/read/sketch_variation.h"
+#include "datasets/read/splits.h"
+#include "faces/bilinear_model.h"
+#include "systems/sketch/network_options.h"
+
+#include <string>
+
+namespace daumier::sketch {
+
+struct SketchDataOptions {
+  std::string faces, sketches;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Text{}, "Folder of the faces.");
+    visit("sketches", sketches, Text{}, "Folder of their sketches.");
+  }
+};
+
+/// The three steps of training [Han et al. 2017, section 4.4]; what is left of 1 is the last one, tuning by the vertex
+/// loss.
+struct SketchStageOptions {
+  double classification = 0;
+  double regression = 0;
+  double classification_rate = 1;
+  double regression_rate = 1;
+  double tuning_rate = 1;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("classification", classification, Range{0, 1},
+          "Share of the steps that learn to tell identities (a person at a level) and expressions apart.");
+    visit("regression", regression, Range{0, 1}, "Share that learns u and v themselves, convolutions frozen.");
+    visit("classification_rate", classification_rate, Range{0, 1}, "Factor of the learning rate in these steps.");
+    visit("regression_rate", regression_rate, Range{0, 1}, "Factor of the learning rate in these steps.");
+    visit("tuning_rate", tuning_rate, Range{0, 1}, "Factor of the learning rate in the last steps.");
+  }
+};
+
+struct SketchTrainingOptions {
+  SketchDataOptions data;
+  datasets::SplitOptions split;
+  faces::BilinearOptions bilinear;
+  datasets::SketchVariation sketch;
+  SketchNetworkOptions network;
+  SketchStageOptions stages;
+  OptimiserOptions optimiser;
+  TrainerOptions trainer;
+  std::string loss = "gram";
+  double curve_weight = 2;
+  std::string precision = "float32";
+  uint64_t seed = 1;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("data", data, Table{}, "What is learnt from.");
+    visit("split", split, Table{}, "Who trains, who validates, who tests.");
+    visit("bilinear", bilinear, Table{}, "The bilinear models of faces and curves, fitted on training faces.");
+    visit("sketch", sketch, Table{}, "Which sketch of a face is seen.");
+    visit("network", network, Table{}, "The network.");
+    visit("stages", stages, Table{}, "The three steps of training.");
+    visit("optimiser", optimiser, Table{}, "The optimiser and its schedule.");
+    trainer.Visit(visit);
+    visit("loss", loss, Choices{{"gram", "vertices"}},
+          "How the vertex loss is computed; gram reads no vertex in a step and gives the same number.");
+    visit("curve_weight", curve_weight, Range{1, 1000},
+          "Weight of the vertices of feature curves in the vertex loss; all others weigh 1.");
+    visit("precision", precision, Choices{{"float32", "bfloat16"}},
+          "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
+          "Weights, losses, validation and all that reads a run are float32.");
+    visit("seed", seed, Range{0, 9e15},
+          "Of the split, the first weights, the order of the samples and their augmentation.");
+  }
+};
+
+}  // namespace daumier::sketch

@@ -1,0 +1,60 @@
+#pragma once
+#include "eval/face_rows.h"
+#include "systems/sketch/train/reader.h"
+#include "fitting/contour_refinement.h"
+#include "fitting/morphable_fit.h"
+#include "fitting/stroke_deformation.h"
+
+#include <span>
+
+namespace daumier::sketch {
+
+/// Morphable-model fitting to the labelled strokes of sketches, row MMfitting of [Han et al. 2017, Table 2]: the camera
+/// is known, points that a sketch does not show are not looked at, and every fourth of the others stands for four.
+class MorphableRow {
+ public:
+  /// All arguments have to outlive it.
+  MorphableRow(const SketchRunData& data, const SketchReader& reader);
+
+  /// num_faces x 3V, cm.
+  eval::FaceRows Predict(std::span<const int> faces, const fitting::MorphableFitOptions& options) const;
+  /// The fit with a prior whose deviation_px, of 0.25, 0.5, 1, ... 32, has the least error over `region` on some
+  /// validation faces, at most `most_faces` evenly chosen ones.
+  fitting::MorphableFitOptions ChooseOptions(std::span<const int> validation, std::span<const int> region,
+                                             size_t most_faces = 100) const;
+
+ private:
+  const SketchRunData& data_;
+  const SketchReader& reader_;
+  fitting::ProjectedModel model_;
+};
+
+/// Contour matching after the network (fitting/contour_refinement.h), on the strokes as they are drawn, without labels.
+class RefinedRow {
+ public:
+  /// All arguments have to outlive it.
+  RefinedRow(const SketchRunData& data, const SketchReader& reader);
+
+  /// What the network answered for these faces, refined: num_faces x 3V, cm.
+  eval::FaceRows Refine(std::span<const int> faces, const SketchAnswers& answers) const;
+
+ private:
+  const SketchReader& reader_;
+  fitting::ContourRefiner refiner_;
+};
+
+/// Surfaces moved onto the same strokes (fitting/stroke_deformation.h).
+class DeformedRow {
+ public:
+  /// All arguments have to outlive it.
+  DeformedRow(const SketchRunData& data, const SketchReader& reader);
+
+  /// start: num_faces x 3V, cm, as is what comes back.
+  eval::FaceRows Deform(std::span<const int> faces, const eval::FaceRows& start) const;
+
+ private:
+  const SketchReader& reader_;
+  fitting::StrokeDeformer deformer_;
+};
+
+}  // namespace daumier::sketch

@@ -1,0 +1,26 @@
+#include "systems/sketch/train/run_data.h"
+
+#include "core/error.h"
+#include "datasets/read/run_data.h"
+
+namespace daumier::sketch {
+
+const std::vector<int>& SketchRunData::side(const std::string& name) const {
+  return datasets::SideOf(split, name);
+}
+
+SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory) {
+  SketchRun run = LoadSketchRun(run_directory);
+  try {
+    for (const char* kind : {"faces", "sketches"}) datasets::CheckSameData(run_directory, run.manifest, run.config, kind);
+    faces::FaceDatabase faces(run.config.at("data").at("faces").get<std::string>());
+    datasets::SketchDatabase sketches(run.config.at("data").at("sketches").get<std::string>());
+    datasets::Split split = datasets::SplitOfRun(run_directory, run.manifest, run.config, faces);
+    const auto sketch = ParseOptions<datasets::SketchVariation>(run.config.at("sketch"), "sketches of the run");
+    return {std::move(run), std::move(faces), std::move(sketches), std::move(split), sketch};
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{} is not the folder of a sketch run: {}", run_directory.string(), error.what()));
+  }
+}
+
+}  // namespace daumier::sketch

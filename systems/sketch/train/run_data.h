@@ -1,0 +1,29 @@
+#pragma once
+#include "datasets/read/sketch_variation.h"
+#include "datasets/read/splits.h"
+#include "faces/face_database.h"
+#include "systems/sketch/train/run.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace daumier::sketch {
+
+/// A trained run together with the data that it was trained on, split as it was then.
+struct SketchRunData {
+  SketchRun run;
+  faces::FaceDatabase faces;
+  datasets::SketchDatabase sketches;
+  datasets::Split split;
+  datasets::SketchVariation sketch;  ///< Of the training sketches.
+
+  /// "train", "validation" or "test". @throws UsageError for another word.
+  const std::vector<int>& side(const std::string& name) const;
+};
+
+/// Opens the databases that resolved.toml names. @throws Error as LoadSketchRun and the databases, and if a database is
+/// not the one that the run was trained on, by its hash, or if the split comes out otherwise than the manifest tells.
+SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory);
+
+}  // namespace daumier::sketch

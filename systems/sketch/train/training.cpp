@@ -1,0 +1,92 @@
+#include "systems/sketch/train/training.h"
+
+#include "core/config.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "datasets/read/run_data.h"
+#include "datasets/read/training_fit.h"
+#include "systems/sketch/train/run.h"
+#include "render/camera_json.h"
+#include "tensor/runtime.h"
+#include "train/run_folder.h"
+#include "systems/sketch/train/recipe.h"
+
+#include <torch/utils.h>
+
+namespace daumier::sketch {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Which data these are; sketches have to be of these faces.
+Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchDatabase& sketches) {
+  const std::string faces_hash = DataHash(options.data.faces);
+  DAUMIER_CHECK(sketches.manifest().details.value("faces_data_hash", "") == faces_hash,
+                "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
+                options.data.sketches, options.data.faces);
+  return {{"faces", faces_hash}, {"sketches", DataHash(options.data.sketches)}};
+}
+
+/// The models of a run: fitted and written with all else that begins a run folder, or read back from it.
+FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
+                              const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
+                              const datasets::Split& split) {
+  log::Info("Fitting the bilinear models on {} training faces", split.train.size());
+  const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear),
+                                 curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear);
+  FittedModels models{bilinear.model, curves.model, {}};
+  if (options.network.residual > 0) {
+    models.basis = datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed);
+  }
+  // Only now does the folder hold a run: what the fit refuses can be told otherwise in the same folder.
+  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
+  manifest.details["bilinear"] = bilinear.proof;
+  manifest.details["curves"] = curves.proof;
+  manifest.checksums = faces::WriteFaceTemplate(directory, faces.face_template());
+  manifest.checksums.merge(WriteFittedModels(directory, models));
+  WriteManifest(directory, manifest);
+  return models;
+}
+
+FittedModels TakeUpRun(const fs::path& directory, const SketchTrainingOptions& options) {
+  VerifyChecksums(directory, ReadManifest(directory, "run"));
+  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
+  return ReadFittedModels(directory);
+}
+
+/// How the sketches were seen.
+Json SketchFrame(const datasets::SketchDatabase& sketches) {
+  std::vector<std::string> names;
+  for (const int curve : sketches.feature_curves()) names.push_back(sketches.curve_names()[size_t(curve)]);
+  return {{"camera", render::CameraToJson(sketches.camera())}, {"feature_curves", names}};
+}
+
+}  // namespace
+
+train::TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
+  const SketchTrainingOptions options = train::ParseTraining<SketchTrainingOptions>(config, "training config");
+  const torch::Device torch_device = tensor::ParseDevice(device);
+  const faces::FaceDatabase faces(options.data.faces);
+  const datasets::SketchDatabase sketches(options.data.sketches);
+  const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
+
+  Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
+  manifest.details["data"] = DataHashes(options, sketches);
+  manifest.details["sketches"] = SketchFrame(sketches);
+
+  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
+  const FittedModels models =
+      begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
+
+  torch::manual_seed(options.seed);
+  SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
+  log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
+  train::TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  train::FinishRun(run_directory, summary, recipe.network()->num_parameters());
+  log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
+            summary.epochs, run_directory.string());
+  return summary;
+}
+
+}  // namespace daumier::sketch

@@ -1,0 +1,254 @@
+#include "systems/sketch/train/network.h"
+
+#include "tensor/eigen.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/sketch_networks.h"
+
+#include <torch/linalg.h>
+#include <torch/optim.h>
+#include <torch/utils.h>
+
+namespace daumier::sketch {
+namespace {
+
+using testing::ExpectError;
+using testing::RandomModels;
+using testing::RandomSketchInput;
+using testing::SmallSketchNetworks;
+
+const SketchNetworkOptions kSmall{.resolution = 32, .width = 4, .hidden = 16, .branch = 16};
+
+SketchNetwork SmallNetwork(const SketchNetworkOptions& options = kSmall) {
+  torch::manual_seed(5);
+  return SketchNetwork(options, RandomModels(10, options.residual));
+}
+
+int64_t Parameters(const SketchNetworkOptions& options, const FittedModels& models) {
+  return SketchNetwork(options, models)->num_parameters();
+}
+
+TEST(SketchNetwork, EveryKindAnswersCoefficientsAndVerticesForAnyBatch) {
+  for (const auto& [name, options] : SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    auto network = SmallNetwork(options);
+    for (const int64_t batch : {2, 5}) {
+      const auto answer = network->forward(RandomSketchInput(options, batch));
+      EXPECT_EQ(answer.u.sizes().vec(), (std::vector<int64_t>{batch, 6}));
+      EXPECT_EQ(answer.v.sizes().vec(), (std::vector<int64_t>{batch, 3}));
+      EXPECT_EQ(answer.residual.defined(), options.residual > 0);
+      EXPECT_EQ(network->Decode(answer).sizes().vec(), (std::vector<int64_t>{batch, 30}));
+    }
+    EXPECT_EQ(network->num_vertices(), 10);
+  }
+}
+
+TEST(SketchNetwork, ReadsWhatItsOptionsSayAndNothingElse) {
+  for (const auto& [name, options] : SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    auto network = SmallNetwork(options);
+    network->eval();
+    const SketchInput all = RandomSketchInput(options, 2), others = RandomSketchInput(options, 2);
+    const auto answer = network->Decode(network->forward(all));
+    const auto changes = [&](const SketchInput& input) {
+      return !torch::equal(network->Decode(network->forward(input)), answer);
+    };
+    EXPECT_EQ(changes({others.images, all.points, all.shape}), options.reads_image());
+    EXPECT_EQ(changes({all.images, others.points, all.shape}), options.reads_points());
+    EXPECT_EQ(changes({all.images, all.points, others.shape}), options.reads_shape());
+  }
+}
+
+TEST(SketchNetwork, CompactParametersAreTheSumOverItsLayers) {
+  // 32 -> 16 -> 8 -> 4 with 4, 8, 16 channels; each convolution 9 in out weights and a batch norm of 2 out; 16 * 4 * 4
+  // features.
+  const int64_t convolutions = 9 * (1 * 4 + 4 * 8 + 8 * 16) + 2 * (4 + 8 + 16);
+  const int64_t shared = 256 * 16 + 16;
+  const int64_t identity = 2 * (16 * 16 + 16) + 16 * 6 + 6;
+  const int64_t expression = 16 * 3 + 3;
+  EXPECT_EQ(SmallNetwork()->num_parameters(), convolutions + shared + identity + expression);
+}
+
+TEST(SketchNetwork, AsPrintedHasThePrintedLayers) {
+  // [Han et al. 2017, section 4.3 and figure 7] with 256 x 256 pixels, 50 + 16 weights and shape-level numbers.
+  const int64_t convolutions = (11 * 11 * 1 + 1) * 96 + (5 * 5 * 96 + 1) * 256 + (3 * 3 * 256 + 1) * 384 +
+                               (3 * 3 * 384 + 1) * 384 + (3 * 3 * 384 + 1) * 256;
+  const int64_t features = (7 * 7 * 256 + 1) * 4096;
+  const int64_t u_layers = 4097 * 1024 + 2 * 1025 * 1024, v_layers = 4097 * 1024;
+  const int64_t pixel = convolutions + features + u_layers + v_layers;
+  FittedModels models{testing::RandomBilinear(3, 50, 16, 1), testing::RandomBilinear(3, 50, 16, 2), {}};
+  SketchNetworkOptions printed{.trunk = "alexnet",
+                               .resolution = 256,
+                               .width = 96,
+                               .batch_norm = false,
+                               .hidden = 4096,
+                               .branch = 1024,
+                               .identity_layers = 3,
+                               .expression_layers = 1};
+  EXPECT_EQ(Parameters(printed, models), pixel + 1025 * 50 + 1025 * 16);
+  EXPECT_EQ(Parameters(printed, models), 65665794);
+  printed.shape_input = "late";
+  EXPECT_EQ(Parameters(printed, models), pixel + 2 * 67 * 512 + 1537 * 50 + 1537 * 16);
+  printed.shape_input = "early";
+  EXPECT_EQ(Parameters(printed, models), pixel + 2 * 66 * 1024 + 1025 * 50 + 1025 * 16);
+  printed.shape_input = "none";
+  printed.branches = "one";
+  EXPECT_EQ(Parameters(printed, models), convolutions + features + u_layers + 1025 * 50 + 1025 * 16);
+}
+
+TEST(SketchNetwork, DecodeEqualsReconstruct) {
+  auto network = SmallNetwork();
+  const auto bilinear = RandomModels(10).bilinear;
+  torch::manual_seed(1);
+  const FaceCoefficients coefficients{torch::randn({4, 6}), torch::randn({4, 3}), {}};
+  const auto faces = tensor::CopyToMatrix<float>(network->Decode(coefficients));
+  for (int face = 0; face < 4; ++face) {
+    const Eigen::VectorXf u = tensor::CopyToMatrix<float>(coefficients.u).row(face);
+    const Eigen::VectorXf v = tensor::CopyToMatrix<float>(coefficients.v).row(face);
+    EXPECT_LT((faces.row(face).transpose() - faces::Reconstruct(bilinear, u, v)).cwiseAbs().maxCoeff(), 1e-4);
+  }
+}
+
+TEST(SketchNetwork, ResidualIsAddedInABasisThatHoldsTheBilinearFace) {
+  // With all 30 directions of an orthonormal basis nothing of the bilinear face is lost.
+  const SketchNetworkOptions options{.resolution = 32, .width = 4, .hidden = 16, .residual = 30};
+  FittedModels models = RandomModels(10, 30);
+  models.basis.rows = Eigen::MatrixXf(models.basis.rows).householderQr().householderQ();
+  SketchNetwork network(options, models);
+  torch::manual_seed(1);
+  const auto u = torch::randn({4, 6}), v = torch::randn({4, 3}), residual = torch::randn({4, 30});
+  const auto bilinear = SmallNetwork()->Decode({u, v, {}});
+  EXPECT_TRUE(torch::allclose(network->Decode({u, v, torch::zeros({4, 30})}), bilinear, 1e-4, 1e-4));
+  EXPECT_TRUE(torch::allclose(network->Decode({u, v, residual}),
+                              bilinear + residual.mm(tensor::CopyToTensor(models.basis.rows)), 1e-4, 1e-4));
+}
+
+TEST(SketchNetwork, AnswersAreStandardisedOverTheFittedFaces) {
+  FittedModels models = RandomModels(10);
+  models.bilinear.identity_factors.col(2).setConstant(0.25f);  // Does not vary: the floor keeps it alive.
+  torch::manual_seed(5);
+  SketchNetwork network(kSmall, models);
+  network->eval();
+  const auto input = RandomSketchInput(kSmall, 3);
+  // An output of zeros is the mean; one of ones lies a deviation away, here made by the output layers' biases.
+  torch::NoGradGuard no_grad;
+  for (auto& item : network->named_parameters()) {
+    if (item.key() == "identity_output.weight" || item.key() == "expression_output.weight") item.value().zero_();
+    if (item.key() == "identity_output.bias" || item.key() == "expression_output.bias") item.value().fill_(1);
+  }
+  const auto after = network->forward(input);
+  for (int k = 0; k < 6; ++k) {
+    const auto column = models.bilinear.identity_factors.col(k);
+    const float deviation = std::sqrt((column.array() - column.mean()).square().mean());
+    const float expected = column.mean() + deviation;
+    const float answer = after.u[0][k].item<float>();
+    if (k == 2) {
+      EXPECT_GT(answer, 0.25f);
+      EXPECT_LT(answer, 0.27f);
+    } else {
+      EXPECT_NEAR(answer, expected, 1e-5);
+    }
+  }
+  EXPECT_TRUE(torch::equal(after.v[0], after.v[2]));
+  const auto standardised = network->Standardised(after);
+  EXPECT_TRUE(torch::allclose(standardised.u, torch::ones({3, 6}), 1e-3, 1e-3));
+  EXPECT_TRUE(torch::allclose(standardised.v, torch::ones({3, 3}), 1e-3, 1e-3));
+}
+
+TEST(SketchNetwork, EvaluationIsDeterministicAndTakesEachSketchAlone) {
+  for (const auto& [name, options] : SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    auto network = SmallNetwork(options);
+    network->forward(RandomSketchInput(options, 8));  // Moves the batch norms.
+    network->eval();
+    const auto input = RandomSketchInput(options, 4);
+    const auto together = network->Decode(network->forward(input));
+    EXPECT_TRUE(torch::equal(together, network->Decode(network->forward(input))));
+    const auto alone =
+        network->forward({input.images.slice(0, 2, 3), input.points.slice(0, 2, 3), input.shape.slice(0, 2, 3)});
+    EXPECT_TRUE(torch::allclose(together.slice(0, 2, 3), network->Decode(alone), 1e-4, 1e-4));
+  }
+}
+
+TEST(SketchNetwork, FrozenConvolutionsNeitherLearnNorNormaliseAnew) {
+  const SketchNetworkOptions options = SmallSketchNetworks().at("PixelCNN");
+  auto network = SmallNetwork(options);
+  network->train();
+  network->FreezeConvolutions(true);
+  network->train();  // As a trainer does after each validation.
+  const auto statistics = [&] { return network->named_buffers()["convolutions.1.running_mean"].clone(); };
+  const auto before = statistics();
+  network->Decode(network->forward(RandomSketchInput(options, 4))).sum().backward();
+  EXPECT_TRUE(torch::equal(statistics(), before));
+  for (const auto& item : network->named_parameters()) {
+    const bool convolution = item.key().rfind("convolutions.", 0) == 0;
+    EXPECT_EQ(item.value().grad().defined(), !convolution) << item.key();
+  }
+  network->FreezeConvolutions(false);
+  network->forward(RandomSketchInput(options, 4)).u.sum().backward();
+  EXPECT_FALSE(torch::equal(statistics(), before));
+  EXPECT_TRUE(network->named_parameters()["convolutions.0.weight"].grad().defined());
+}
+
+TEST(SketchNetwork, PointsMayComeInAnyOrder) {
+  const SketchNetworkOptions options = SmallSketchNetworks().at("points");
+  auto network = SmallNetwork(options);
+  network->eval();
+  SketchInput input = RandomSketchInput(options, 2);
+  const auto answer = network->forward(input).u;
+  input.points = input.points.index_select(2, torch::randperm(options.num_points));
+  EXPECT_TRUE(torch::allclose(network->forward(input).u, answer, 1e-5, 1e-6));
+}
+
+TEST(SketchNetwork, EveryKindOverfitsEightSketchesByTheirVertices) {
+  for (const auto& [name, options] : SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    auto network = SmallNetwork(options);
+    torch::manual_seed(6);
+    const auto input = RandomSketchInput(options, 8);
+    const auto u = torch::randn({8, 6}), v = torch::randn({8, 3});
+    const auto target = SmallNetwork(SmallSketchNetworks().at("compact"))->Decode({u, v, {}});
+    torch::optim::Adam adam(network->parameters(), torch::optim::AdamOptions(3e-3));
+    // A basis of 8 directions does not hold these faces: what is learnt is their part in it.
+    const double unreachable = options.residual == 0
+                                   ? 0
+                                   : (target - target.mm(torch::linalg_pinv(network->basis())).mm(network->basis()))
+                                         .square()
+                                         .mean()
+                                         .item<double>();
+    double first = 0, last = 0;
+    for (int step = 0; step < 400 && (step == 0 || last > 0.02 * first); ++step) {
+      adam.zero_grad();
+      const auto error = (network->Decode(network->forward(input)) - target).square().mean();
+      error.backward();
+      adam.step();
+      last = error.item<double>() - unreachable;
+      if (step == 0) first = last;
+    }
+    EXPECT_LE(last, 0.02 * first);
+  }
+}
+
+TEST(SketchNetwork, RefusesOtherShapes) {
+  auto network = SmallNetwork();
+  ExpectError([&] { network->forward({torch::rand({2, 1, 32, 31}), {}, {}}); }, "images has shape (2, 1, 32, 31)");
+  ExpectError(
+      [&] {
+        network->Decode({torch::rand({2, 6}), torch::rand({2, 4}), {}});
+      },
+      "v has shape (2, 4), expected (2, 3)");
+  auto shape_network = SmallNetwork(SmallSketchNetworks().at("ShapeNN"));
+  ExpectError([&] { shape_network->forward({{}, {}, torch::rand({2, 5})}); }, "shape has shape (2, 5)");
+  FittedModels models = RandomModels(10);
+  models.bilinear.num_identity = 7;
+  ExpectError([&] { SketchNetwork(kSmall, models); }, "core of the bilinear model is 18 x 30");
+  SketchNetworkOptions options = kSmall;
+  options.residual = 4;
+  ExpectError([&] { SketchNetwork(options, RandomModels(10, 3)); }, "the basis is 3 x 30, expected 4 x 30");
+  options = kSmall;
+  options.trunk = "shape";
+  options.shape_input = "late";
+  ExpectError([&] { SketchNetwork(options, RandomModels(10)); }, "network.shape_input has to be \"none\"");
+}
+
+}  // namespace
+}  // namespace daumier::sketch

@@ -1,0 +1,33 @@
+#include "systems/sketch/train/run_data.h"
+
+#include "tests/systems/sketch/train/run_fixture.h"
+#include "tests/support/expect_error.h"
+
+namespace daumier::sketch {
+namespace {
+
+namespace fs = std::filesystem;
+
+using SketchRunDataTest = SketchRunFixture;
+
+TEST_F(SketchRunDataTest, RefusesOtherDataThanTheRunWasTrainedOn) {
+  const fs::path run = *folder_ / "other_run";
+  WriteRun(run);
+  testing::BuildSyntheticFaces(*folder_ / "other_faces", 7);
+  Json config = LoadConfig(run / "resolved.toml");
+  config["data"]["faces"] = (*folder_ / "other_faces").string();
+  WriteFileAtomically(run / "resolved.toml", ToToml(config));
+  testing::ExpectError([&] { OpenSketchRunData(run); }, "holds other faces than");
+}
+
+TEST_F(SketchRunDataTest, RefusesASplitThatComesOutOtherwise) {
+  const fs::path run = *folder_ / "other_split";
+  WriteRun(run);
+  Manifest manifest = ReadManifest(run, "run");
+  manifest.details["split"]["test"]["faces_checksum"] = "0";
+  WriteManifest(run, manifest);
+  testing::ExpectError([&] { OpenSketchRunData(run); }, "was split otherwise");
+}
+
+}  // namespace
+}  // namespace daumier::sketch

@@ -1,0 +1,67 @@
+#include "systems/sketch/train/run.h"
+
+#include "tests/support/expect_error.h"
+#include "tests/support/sketch_run_folder.h"
+#include "tests/support/temp_dir.h"
+
+namespace daumier::sketch {
+namespace {
+
+using testing::ExpectError;
+using testing::TempDir;
+
+TEST(SketchRun, LoadedNetworkAnswersAsTheSavedOne) {
+  const TempDir folder;
+  auto saved = testing::WriteSketchRun(folder.path());
+  auto run = LoadSketchRun(folder.path());
+  EXPECT_FALSE(run.network->is_training());
+  EXPECT_EQ(run.network->options().resolution, 32);
+  EXPECT_EQ(run.models.bilinear.num_coordinates(), 3 * run.face_template.num_vertices());
+  EXPECT_EQ(run.manifest.seed, 7u);
+  EXPECT_TRUE(run.config.contains("network"));
+  EXPECT_EQ(run.feature_curves, std::vector<std::string>{"upper_mouth"});
+  EXPECT_EQ(run.camera.width, 256);
+  const SketchInput input{torch::rand({2, 1, 32, 32}), {}, {}};
+  EXPECT_TRUE(torch::equal(run.network->Decode(run.network->forward(input)), saved->Decode(saved->forward(input))));
+}
+
+TEST(SketchRun, EveryKindOfNetworkComesBack) {
+  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    const TempDir folder;
+    auto saved = testing::WriteSketchRun(folder.path(), name);
+    auto run = LoadSketchRun(folder.path());
+    const auto input = testing::RandomSketchInput(options, 2);
+    EXPECT_TRUE(torch::equal(run.network->Decode(run.network->forward(input)), saved->Decode(saved->forward(input))));
+  }
+}
+
+TEST(FittedModels, ComeBackWithTheirBasis) {
+  const TempDir folder;
+  const FittedModels models = testing::RandomModels(10, 4);
+  const auto checksums = WriteFittedModels(folder.path(), models);
+  EXPECT_EQ(checksums.size(), 3u);
+  const FittedModels again = ReadFittedModels(folder.path());
+  EXPECT_EQ(again.bilinear.core, models.bilinear.core);
+  EXPECT_EQ(again.curves.core, models.curves.core);
+  EXPECT_EQ(again.basis.rows, models.basis.rows);
+}
+
+TEST(SketchRun, SaysWhatIsWrongWithAFolder) {
+  const TempDir folder;
+  ExpectError([&] { LoadSketchRun(folder / "nothing"); }, "make one with `daumier train");
+  testing::WriteSketchRun(folder.path());
+  const auto load = [&] { LoadSketchRun(folder.path()); };
+
+  WriteFileAtomically(folder / "resolved.toml", "[network]\nresolution = 32\nwidth = 5\nhidden = 16\nbranch = 16\n");
+  ExpectError(load, "does not fit this network");
+  WriteFileAtomically(folder / "resolved.toml", "[net]\nwidth = 5\n");
+  ExpectError(load, "no table 'network'");
+  std::filesystem::resize_file(folder / "bilinear.safetensors", 100);
+  ExpectError(load, "bilinear.safetensors");
+  std::filesystem::remove(folder / "best/model.safetensors");
+  ExpectError(load, "daumier train --resume");
+}
+
+}  // namespace
+}  // namespace daumier::sketch

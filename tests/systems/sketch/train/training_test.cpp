@@ -1,0 +1,138 @@
+#include "core/config.h"
+#include "core/files.h"
+#include "core/interrupt.h"
+#include "core/manifest.h"
+#include "systems/sketch/train/run.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
+#include "tests/support/synthetic_database.h"
+#include "tests/support/temp_dir.h"
+#include "systems/sketch/train/training.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace daumier::sketch {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SketchTrainingTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<testing::TempDir>();
+    testing::BuildSyntheticFaces(*folder_ / "faces");
+    testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "sketches");
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static Json Config() {
+    return {{"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
+            {"bilinear", {{"num_identity", 5}, {"num_expression", 3}}},
+            {"network", {{"resolution", 32}, {"width", 4}, {"hidden", 32}}},
+            {"optimiser", {{"learning_rate", 0.005}}},
+            {"epochs", 4},
+            {"batch", 8}};
+  }
+  fs::path Run(const std::string& name) const { return *folder_ / name; }
+
+  static std::unique_ptr<testing::TempDir> folder_;
+};
+
+std::unique_ptr<testing::TempDir> SketchTrainingTest::folder_;
+
+TEST_F(SketchTrainingTest, LeavesARunThatIsReadBackAndHasLearnt) {
+  Json config = Config();
+  config["epochs"] = 15;
+  const train::TrainingSummary summary = TrainSketch(config, Run("learns"), false, "cpu");
+  const SketchRun run = LoadSketchRun(Run("learns"));
+  EXPECT_EQ(run.manifest.counts.at("best_epoch"), summary.best_epoch);
+  EXPECT_EQ(run.config.at("data").at("faces"), (*folder_ / "faces").string());
+  std::istringstream log(ReadFile(Run("learns") / "metrics.jsonl"));
+  std::vector<double> losses;
+  for (std::string line; std::getline(log, line);) {
+    const Json entry = Json::parse(line);
+    if (entry.at("phase") == "train") losses.push_back(entry.at("loss").get<double>());
+  }
+  EXPECT_LT(losses.back(), 0.3 * losses.front());
+}
+
+TEST_F(SketchTrainingTest, ManifestProvesThatOnlyTrainingFacesWereFittedAndHoldsNoPath) {
+  TrainSketch(Config(), Run("proof"), false, "cpu");
+  const Manifest manifest = ReadManifest(Run("proof"), "run");
+  const Json& split = manifest.details.at("split");
+  EXPECT_EQ(manifest.details.at("bilinear").at("faces_checksum"), split.at("train").at("faces_checksum"));
+  EXPECT_EQ(manifest.details.at("bilinear").at("persons"), split.at("train").at("persons"));
+  for (const char* side : {"validation", "test"}) {
+    for (const Json& person : split.at(side).at("persons"))
+      EXPECT_EQ(std::count(split["train"]["persons"].begin(), split["train"]["persons"].end(), person), 0);
+  }
+  EXPECT_EQ(manifest.details.at("data").at("faces"), DataHash(*folder_ / "faces"));
+  EXPECT_EQ(manifest.sources, ReadManifest(*folder_ / "faces", "faces").sources);
+  EXPECT_EQ(ReadFile(Run("proof") / "manifest.json").find(folder_->path().string()), std::string::npos);
+  VerifyChecksums(Run("proof"), manifest);
+}
+
+TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
+  for (const double strength : {0.0, 1.0}) {
+    Json config = Config();
+    config["sketch"] = {{"augmentation", {{"strength", strength}}}};
+    const fs::path whole = Run(fmt::format("whole{}", strength)), stopped = Run(fmt::format("stopped{}", strength));
+    TrainSketch(config, whole, false, "cpu");
+    // Stopped after the first step, then after the second, then let go on.
+    SetInterrupted(true);
+    testing::ExpectError([&] { TrainSketch(config, stopped, false, "cpu"); }, "stopped after step 1 of");
+    testing::ExpectError([&] { TrainSketch(config, stopped, true, "cpu"); }, "stopped after step 2 of");
+    SetInterrupted(false);
+    TrainSketch(config, stopped, true, "cpu");
+    for (const auto& entry : fs::recursive_directory_iterator(whole)) {
+      const fs::path name = fs::relative(entry.path(), whole);
+      if (!entry.is_regular_file() || name == "metrics.jsonl" || name.string().find("tfevents") != std::string::npos)
+        continue;
+      EXPECT_EQ(Sha256OfFile(stopped / name), Sha256OfFile(entry.path())) << name << " with strength " << strength;
+    }
+  }
+}
+
+TEST_F(SketchTrainingTest, RefusesToResumeAnotherConfigAndToOverwriteARun) {
+  TrainSketch(Config(), Run("once"), false, "cpu");
+  testing::ExpectError([&] { TrainSketch(Config(), Run("once"), false, "cpu"); }, "already holds a run");
+  Json config = Config();
+  config["optimiser"]["learning_rate"] = 0.25;
+  testing::ExpectError([&] { TrainSketch(config, Run("once"), true, "cpu"); },
+                       "optimiser.learning_rate is 0.005 there and 0.25 now");
+}
+
+TEST_F(SketchTrainingTest, WhatTheFitRefusesCanBeToldOtherwiseInTheSameFolder) {
+  Json config = Config();
+  config["bilinear"]["num_identity"] = 500;
+  testing::ExpectError([&] { TrainSketch(config, Run("refused"), false, "cpu"); }, "");
+  EXPECT_NO_THROW(TrainSketch(Config(), Run("refused"), false, "cpu"));
+}
+
+TEST_F(SketchTrainingTest, RefusesMissingFoldersAndSketchesOfOtherFaces) {
+  Json config = Config();
+  config["data"].erase("sketches");
+  testing::ExpectError([&] { TrainSketch(config, Run("missing"), false, "cpu"); }, "data.sketches=FOLDER");
+  testing::BuildSyntheticFaces(*folder_ / "other_faces", 7);
+  testing::BuildSyntheticSketches(*folder_ / "other_faces", *folder_ / "other_sketches");
+  config["data"]["sketches"] = (*folder_ / "other_sketches").string();
+  testing::ExpectError([&] { TrainSketch(config, Run("missing"), false, "cpu"); }, "are sketches of other faces");
+  EXPECT_FALSE(fs::exists(Run("missing")));
+}
+
+TEST(SketchConfigs, AllAreParsed) {
+  int num_configs = 0;
+  for (const auto& entry : fs::directory_iterator(testing::SourceRoot() / "configs" / "sketch")) {
+    const Json config = LoadConfig(entry.path());
+    if (config.contains("rows")) continue;  // tests/train/sketch_ablation_test.cpp
+    EXPECT_NO_THROW(ParseOptions<SketchTrainingOptions>(config, entry.path().string()));
+    ++num_configs;
+  }
+  EXPECT_GT(num_configs, 0);
+}
+
+}  // namespace
+}  // namespace daumier::sketch
