@@ -1,6 +1,7 @@
 #include "cli/verb.h"
 #include "core/options.h"
 #include "systems/deform/train/training.h"
+#include "systems/sketch/options.h"
 #include "systems/sketch/train/training.h"
 
 #include <memory>

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/options.h"
+#include "reports/chosen_faces.h"
 #include "systems/deform/train/comparison.h"
 #include "systems/deform/train/evaluation.h"
 #include "systems/deform/train/measurement.h"
@@ -97,7 +98,7 @@ void DeformAblation::WriteSheet(const std::vector<ablation::AblationPicture>& ro
   for (const ablation::AblationPicture& row : rows)
     runs.push_back({row.name, row.run, ParseOptions<DeformEvalOptions>(row.eval)});
   render::WriteImage(
-      file, DeformComparison(runs, sketch::ChooseFaces(metrics.at("faces").get<std::vector<int>>(),
+      file, DeformComparison(runs, reports::ChooseFaces(metrics.at("faces").get<std::vector<int>>(),
                                                            metrics.at("face_errors").get<std::vector<double>>())));
 }
 

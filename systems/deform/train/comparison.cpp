@@ -28,7 +28,7 @@ reports::ComparedPrediction Predict(const DeformRun& run, const geometry::Points
 
 }  // namespace
 
-render::Image DeformComparison(const std::vector<ComparedDeformRun>& runs, const std::vector<sketch::ComparedSketch>& faces) {
+render::Image DeformComparison(const std::vector<ComparedDeformRun>& runs, const std::vector<reports::ChosenFace>& faces) {
   DAUMIER_CHECK(!runs.empty(), "there is no run to compare");
   std::vector<DeformRun> loaded;
   std::vector<std::string> names;
@@ -45,7 +45,7 @@ render::Image DeformComparison(const std::vector<ComparedDeformRun>& runs, const
   const std::string& other = runs.front().options.faces;
   const faces::FaceDatabase database(other.empty() ? own : other);
   std::vector<reports::ComparedFace> rows;
-  for (const sketch::ComparedSketch& face : faces) {
+  for (const reports::ChosenFace& face : faces) {
     reports::ComparedFace row{face.title, {}, database.points(face.face), {}};
     for (const DeformRun& run : loaded) row.predictions.push_back(Predict(run, row.truth));
     rows.push_back(std::move(row));

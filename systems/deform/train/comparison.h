@@ -1,7 +1,7 @@
 #pragma once
 #include "systems/deform/train/evaluation.h"
-#include "systems/sketch/train/comparison.h"
 #include "render/image.h"
+#include "reports/chosen_faces.h"
 
 #include <filesystem>
 #include <string>
@@ -18,6 +18,6 @@ struct ComparedDeformRun {
 
 /// What several runs make of the same faces (eval/comparison_sheet.h), each with the codes that its evaluation finds.
 /// @throws Error as EvaluateDeformRun, if there is no run, or if a run was trained on other faces than the first.
-render::Image DeformComparison(const std::vector<ComparedDeformRun>& runs, const std::vector<sketch::ComparedSketch>& faces);
+render::Image DeformComparison(const std::vector<ComparedDeformRun>& runs, const std::vector<reports::ChosenFace>& faces);
 
 }  // namespace daumier::deform

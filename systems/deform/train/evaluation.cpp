@@ -5,9 +5,9 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "systems/deform/train/measurement.h"
+#include "reports/chosen_faces.h"
 #include "reports/report.h"
 #include "datasets/read/run_data.h"
-#include "systems/sketch/train/comparison.h"
 #include "systems/deform/train/run.h"
 #include "tensor/eigen.h"
 
@@ -210,7 +210,7 @@ class DeformEvaluation {
     const std::vector<int>& faces = measurement_->faces().faces;
     const std::vector<double>& errors = measurement_->face_errors();
     std::vector<reports::ReportSample> samples;
-    for (const sketch::ComparedSketch& chosen : sketch::ChooseFaces(faces, errors)) {
+    for (const reports::ChosenFace& chosen : reports::ChooseFaces(faces, errors)) {
       const int i = int(std::find(faces.begin(), faces.end(), chosen.face) - faces.begin());
       const torch::Tensor predicted = measurement_->Predicted(i);
       reports::ReportSample sample;

@@ -2,7 +2,6 @@
 
 #include "export/model_card.h"
 #include "export/run_export.h"
-#include "systems/sketch/train/export.h"
 #include "systems/deform/train/run.h"
 #include "tensor/tensor_file.h"
 
@@ -75,12 +74,6 @@ Json ExportDeformRun(const fs::path& run_directory, const fs::path& out_director
        .model_card = [&](const exporting::ParityReport& parity,
                          const std::optional<Json>& metrics) { return exporting::ModelCard(run, parity, metrics); }},
       out_directory);
-}
-
-Json ExportRun(const fs::path& run_directory, const fs::path& out_directory) {
-  const bool is_deform = fs::exists(run_directory / "manifest.json") &&
-                         ProductOf(ReadManifest(run_directory, "run")) == kDeformProduct;
-  return is_deform ? ExportDeformRun(run_directory, out_directory) : sketch::ExportSketchRun(run_directory, out_directory);
 }
 
 }  // namespace daumier::deform

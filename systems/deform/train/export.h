@@ -17,7 +17,4 @@ exporting::ExportedFunction DeformFunction(std::shared_ptr<DeformNetwork> networ
 /// template's in the model's frame) beside. @throws Error as LoadDeformRun and exporting::WriteExport.
 Json ExportDeformRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
 
-/// ExportDeformRun or sketch::ExportSketchRun, as the run's manifest tells its product.
-Json ExportRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
-
 }  // namespace daumier::deform

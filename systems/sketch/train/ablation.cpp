@@ -7,6 +7,7 @@
 #include "systems/sketch/train/run.h"
 #include "tensor/torch_version.h"
 #include "train/run_folder.h"
+#include "systems/sketch/options.h"
 #include "systems/sketch/train/training.h"
 
 #include <torch/utils.h>
@@ -89,7 +90,7 @@ void SketchAblation::WriteSheet(const std::vector<ablation::AblationPicture>& ro
     if (row.shape_input == "given") runs.back().options.recover_with.clear();
   }
   render::WriteImage(
-      file, SketchComparison(runs, ChooseFaces(metrics.at("faces").get<std::vector<int>>(),
+      file, SketchComparison(runs, reports::ChooseFaces(metrics.at("faces").get<std::vector<int>>(),
                                                            metrics.at("face_errors_mm").get<std::vector<double>>())));
 }
 

@@ -14,7 +14,7 @@ namespace daumier::sketch {
 namespace {
 
 /// The row of a face, without predictions.
-reports::ComparedFace RowOf(const ComparedSketch& shown, const SketchMeasurement& measurement) {
+reports::ComparedFace RowOf(const reports::ChosenFace& shown, const SketchMeasurement& measurement) {
   const auto seen = measurement.Seen(shown.face);
   return {.title = shown.title,
           .sketch = render::RasteriseStrokes(seen.strokes, render::kSketchCanvas, seen.style),
@@ -29,7 +29,7 @@ double MeanError(const Eigen::VectorXd& error_mm) {
   return eval::Mean(counted);
 }
 
-reports::ComparedPrediction PredictionOf(const ComparedSketch& shown, const SketchMeasurement& measurement) {
+reports::ComparedPrediction PredictionOf(const reports::ChosenFace& shown, const SketchMeasurement& measurement) {
   const eval::FaceRows predicted = measurement.PredictResult(std::span(&shown.face, 1));
   const Eigen::VectorXd error_mm = measurement.ErrorMap(predicted, shown.face);
   return {geometry::PointsFrom(eval::RowSpan(predicted, 0)), error_mm, MeanError(error_mm)};
@@ -37,7 +37,7 @@ reports::ComparedPrediction PredictionOf(const ComparedSketch& shown, const Sket
 
 }  // namespace
 
-render::Image SketchComparison(const std::vector<ComparedRun>& runs, const std::vector<ComparedSketch>& faces) {
+render::Image SketchComparison(const std::vector<ComparedRun>& runs, const std::vector<reports::ChosenFace>& faces) {
   DAUMIER_CHECK(!runs.empty(), "a comparison needs a run");
   std::vector<std::string> names;
   std::vector<reports::ComparedFace> rows;
@@ -50,25 +50,13 @@ render::Image SketchComparison(const std::vector<ComparedRun>& runs, const std::
     if (names.empty()) {
       data_hash = hash;
       face_template = data.faces.face_template();
-      for (const ComparedSketch& face : faces) rows.push_back(RowOf(face, measurement));
+      for (const reports::ChosenFace& face : faces) rows.push_back(RowOf(face, measurement));
     }
     DAUMIER_CHECK(hash == data_hash, "{} was trained on other data than {}", one.run.string(), runs[0].run.string());
     names.push_back(one.name);
     for (size_t i = 0; i < rows.size(); ++i) rows[i].predictions.push_back(PredictionOf(faces[i], measurement));
   }
   return reports::ComparisonSheet(face_template, names, rows);
-}
-
-std::vector<ComparedSketch> ChooseFaces(const std::vector<int>& faces, const std::vector<double>& errors) {
-  DAUMIER_CHECK(!faces.empty() && faces.size() == errors.size(), "{} faces have {} errors", faces.size(),
-                errors.size());
-  std::vector<size_t> order(faces.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return errors[a] < errors[b]; });
-  const size_t last = order.size() - 1;
-  return {{"median", faces[order[last / 2]]},
-          {"95th percentile", faces[order[size_t(std::ceil(0.95 * double(last)))]]},
-          {"first", faces.front()}};
 }
 
 }  // namespace daumier::sketch
