@@ -3,9 +3,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/staged_directory.h"
 #include "export/onnx_export.h"
 #include "export/onnx_graph.h"
-#include "export/staged_directory.h"
 #include "faces/face_database.h"
 
 namespace daumier::exporting {
