@@ -112,7 +112,7 @@ int NumCores() {
   const int num_allowed = sched_getaffinity(0, sizeof(affinity), &affinity) == 0
                               ? CPU_COUNT(&affinity)
                               : static_cast<int>(std::thread::hardware_concurrency());
-  const int quota = CoresOfControlGroups();
+  static const int quota = CoresOfControlGroups();  // Some ten files under /proc and /sys.
   return std::max(1, quota > 0 ? std::min(quota, num_allowed) : num_allowed);
 }
 

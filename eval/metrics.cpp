@@ -1,12 +1,8 @@
 #include "eval/metrics.h"
 
 #include "core/error.h"
-#include "core/random.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 namespace daumier::eval {
 namespace {
@@ -56,51 +52,6 @@ double VertexDistance(std::span<const float> face, int vertex_a, int vertex_b) {
     squared += difference * difference;
   }
   return std::sqrt(squared);
-}
-
-double Mean(std::span<const double> values) {
-  DAUMIER_CHECK(!values.empty(), "the mean of no value is asked for");
-  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-}
-
-double Percentile(std::span<const double> values, double percent) {
-  DAUMIER_CHECK(!values.empty(), "a percentile of no value is asked for");
-  std::vector<double> sorted(values.begin(), values.end());
-  std::sort(sorted.begin(), sorted.end());
-  const double position = std::clamp(percent / 100, 0.0, 1.0) * double(sorted.size() - 1);
-  const size_t below = size_t(position);
-  const size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (position - double(below)) * (sorted[above] - sorted[below]);
-}
-
-Interval PersonBootstrap(std::span<const double> errors, std::span<const int> persons, uint64_t seed, int num_draws) {
-  DAUMIER_CHECK(errors.size() == persons.size(), "{} errors of {} faces", errors.size(), persons.size());
-  DAUMIER_CHECK(!errors.empty() && num_draws > 0, "a bootstrap needs at least one face and one draw");
-  struct Cluster {
-    double sum = 0;
-    double count = 0;
-  };
-  std::map<int, Cluster> cluster_of_person;
-  for (size_t face = 0; face < errors.size(); ++face) {
-    Cluster& cluster = cluster_of_person[persons[face]];
-    cluster.sum += errors[face];
-    cluster.count += 1;
-  }
-  std::vector<Cluster> clusters;
-  for (const auto& [person, cluster] : cluster_of_person) clusters.push_back(cluster);
-
-  Rng rng = Stream(seed, "bootstrap");
-  std::vector<double> means(num_draws);
-  for (double& mean : means) {
-    Cluster drawn;
-    for (size_t i = 0; i < clusters.size(); ++i) {
-      const Cluster& cluster = clusters[rng.Below(clusters.size())];
-      drawn.sum += cluster.sum;
-      drawn.count += cluster.count;
-    }
-    mean = drawn.sum / drawn.count;
-  }
-  return {Percentile(means, 2.5), Percentile(means, 97.5)};
 }
 
 }  // namespace daumier::eval

@@ -1,5 +1,6 @@
 #pragma once
-#include <cstdint>
+#include "core/statistics.h"
+
 #include <span>
 #include <vector>
 
@@ -18,21 +19,9 @@ double MeanVertexError(std::span<const float> predicted, std::span<const float> 
 /// Distance of two vertices of a face in cm, for example of the outer corners of the eyes, landmarks 36 and 45.
 double VertexDistance(std::span<const float> face, int vertex_a, int vertex_b);
 
-double Mean(std::span<const double> values);
-
-/// The value below which a share of `percent` / 100 lies, linear between neighbours in order: Percentile({1, 2, 4}, 50)
-/// = 2, Percentile({1, 2, 4}, 75) = 3. @throws Error if there is no value.
-double Percentile(std::span<const double> values, double percent);
-
-struct Interval {
-  double low, high;
-};
-
-/// The 95 % interval of the mean of `errors` by a bootstrap over persons: each of `num_draws` draws takes as many
-/// persons as there are, with replacement, each with all of its faces. Faces of a person resemble each other, so that
-/// resampling faces would promise too much. person: one a face. One person alone gives low = high = mean. Deterministic
-/// in seed.
-Interval PersonBootstrap(std::span<const double> errors, std::span<const int> persons, uint64_t seed,
-                         int num_draws = 2000);
+using daumier::Interval;
+using daumier::Mean;
+using daumier::Percentile;
+using daumier::PersonBootstrap;
 
 }  // namespace daumier::eval

@@ -1,11 +1,11 @@
 #include "export/onnx_runtime_native.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 
 #ifdef DAUMIER_HAS_ONNXRUNTIME
 #include <onnxruntime_cxx_api.h>
 
-#include <algorithm>
 #include <chrono>
 
 namespace daumier::exporting {
@@ -26,8 +26,7 @@ double MedianMilliseconds(int num_runs, const Function& run) {
     run();
     times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
-  std::nth_element(times.begin(), times.begin() + num_runs / 2, times.end());
-  return times[size_t(num_runs / 2)];
+  return Median(times);
 }
 
 torch::Tensor CopyOfValue(Ort::Value& value) {

@@ -3,9 +3,10 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/run_manifest.h"
+#include "core/staged_directory.h"
 #include "export/onnx_export.h"
 #include "export/onnx_graph.h"
-#include "export/staged_directory.h"
 #include "faces/face_database.h"
 
 namespace daumier::exporting {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<Json> ReadMetrics(const fs::path& run_directory) {
-  const fs::path file = run_directory / "report" / "metrics.json";
+  const fs::path file = ReportMetrics(run_directory);
   if (!fs::exists(file)) return std::nullopt;
   const Json metrics = Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false);
   DAUMIER_CHECK(metrics.is_object(), "{} is no JSON object; run `daumier eval` again", file.string());

@@ -1,25 +1,19 @@
 #include "geometry/registration_quality.h"
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "geometry/flips.h"
 #include "geometry/normals.h"
 #include "geometry/self_intersections.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace daumier::geometry {
 
-DistanceSpread SpreadOf(std::vector<double> distances) {
+DistanceSpread SpreadOf(std::span<const double> distances) {
   if (distances.empty()) return {};
-  std::sort(distances.begin(), distances.end());
-  double sum = 0;
-  for (const double distance : distances) sum += distance;
-  const auto of_rank = [&](double share) {
-    return distances[std::min(distances.size() - 1, static_cast<size_t>(share * double(distances.size())))];
-  };
-  return {sum / double(distances.size()), of_rank(0.5), of_rank(0.95)};
+  return {Mean(distances), Median(distances), Percentile(distances, 95)};
 }
 
 RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& vertices,
@@ -45,7 +39,7 @@ RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& 
     matched.push_back(quality.distances[v]);
     matched_area += areas[v];
   }
-  quality.template_to_target = SpreadOf(std::move(matched));
+  quality.template_to_target = SpreadOf(matched);
   quality.coverage = matched_area / areas(region).sum();
 
   const TriangleTree tree(registered);
@@ -56,7 +50,7 @@ RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& 
     back.push_back(tree.Closest(target.mesh().vertices.row(v)).distance);
     if (back.back() <= limits.distance) reached_area += target_areas[v];
   }
-  quality.target_to_template = SpreadOf(std::move(back));
+  quality.target_to_template = SpreadOf(back);
   quality.target_reached = reached_area / target_areas.sum();
 
   for (const int f : FlippedTriangles(rest.vertices, vertices, rest.triangles, region)) {

@@ -2,6 +2,7 @@
 #include "geometry/mesh.h"
 #include "geometry/surface_matcher.h"
 
+#include <span>
 #include <vector>
 
 namespace daumier::geometry {
@@ -10,8 +11,8 @@ namespace daumier::geometry {
 struct DistanceSpread {
   double mean = 0, median = 0, p95 = 0;
 };
-/// The median and the 95th percentile are the values of that rank, without interpolation.
-DistanceSpread SpreadOf(std::vector<double> distances);
+/// Mean, Median and Percentile 95 of core/statistics.h.
+DistanceSpread SpreadOf(std::span<const double> distances);
 
 /// How well a template lies on a target in the same frame. The region are the vertices that ought to be matched.
 struct RegistrationQuality {

@@ -1,10 +1,12 @@
 #include "render/ink.h"
 
+#include "core/statistics.h"
 #include "render/opencv_bridge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <span>
 #include <vector>
 
 namespace daumier::render {
@@ -89,13 +91,13 @@ struct Slope {
 /// The line through the medians of the left and the right third of points, at least three, sorted by column.
 Slope SlopeThrough(const std::vector<cv::Point>& points) {
   const auto third = std::ssize(points) / 3;
-  const auto median = [](std::vector<cv::Point> part) {
-    const auto middle = part.begin() + std::ssize(part) / 2;
-    std::nth_element(part.begin(), middle, part.end(), [](cv::Point a, cv::Point b) { return a.y < b.y; });
-    return static_cast<double>(middle->y);
+  const auto median_row = [](std::span<const cv::Point> part) {
+    std::vector<double> rows;
+    for (const cv::Point point : part) rows.push_back(point.y);
+    return Median(rows);
   };
-  const double left = median({points.begin(), points.begin() + third});
-  const double right = median({points.end() - third, points.end()});
+  const double left = median_row({points.begin(), points.begin() + third});
+  const double right = median_row({points.end() - third, points.end()});
   const int left_column = points[third / 2].x, right_column = points[std::ssize(points) - 1 - third / 2].x;
   const double slope = (right - left) / std::max(1, right_column - left_column);
   return {left - slope * left_column, slope};
@@ -216,7 +218,7 @@ double PenWidth(const Image& ink) {
   const cv::Mat distance = DistanceToPaper(ink);
   cv::Mat largest_near;
   cv::dilate(distance, largest_near, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
-  std::vector<float> ridge;
+  std::vector<double> ridge;
   for (int row = 0; row < distance.rows; ++row) {
     for (int column = 0; column < distance.cols; ++column) {
       const float value = distance.at<float>(row, column);
@@ -224,10 +226,8 @@ double PenWidth(const Image& ink) {
     }
   }
   if (ridge.empty()) return 0.0;
-  const auto middle = ridge.begin() + std::ssize(ridge) / 2;
-  std::nth_element(ridge.begin(), middle, ridge.end());
   // The distance to the centre of the nearest pixel of paper is half a pixel more than that to its edge.
-  return 2.0 * *middle - 1.0;
+  return 2.0 * Median(ridge) - 1.0;
 }
 
 Image HollowAreas(const Image& ink, double pen_width) {

@@ -2,6 +2,7 @@
 #include "core/json.h"
 #include "core/manifest.h"
 #include "core/options.h"
+#include "core/run_manifest.h"
 #include "train/trainer.h"
 
 #include <filesystem>
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace daumier::train {
-
-/// The weights of the least validation error, which checksums in the manifest name.
-inline constexpr const char* kBestFile = "best/model.safetensors";
 
 /// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
 Json WithAbsoluteData(Json config, const std::string& where);

@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/progress.h"
 #include "core/random.h"
+#include "core/run_manifest.h"
 #include "tensor/module_state.h"
 #include "tensor/torch_version.h"
 #include "train/checkpoint.h"
@@ -171,8 +172,8 @@ class Training {
     if (best_epoch_ == 0 || value < best_) {
       best_ = value;
       best_epoch_ = epoch;
-      MakeDirectory(run_directory_ / "best");
-      tensor::SaveModule(run_directory_ / "best" / "model.safetensors", recipe_.product());
+      MakeDirectory(BestWeights(run_directory_).parent_path());
+      tensor::SaveModule(BestWeights(run_directory_), recipe_.product());
     }
     const int64_t last_stage = stages_.back().begin / steps_per_epoch_;
     stopped_early_ = options_.patience > 0 && epoch - std::max(best_epoch_, last_stage) >= options_.patience;
@@ -214,7 +215,7 @@ class Training {
     num_summed_ = state.at("num_summed").get<int>();
   }
 
-  std::filesystem::path CheckpointDirectory() const { return run_directory_ / "checkpoints" / "latest"; }
+  std::filesystem::path CheckpointDirectory() const { return LatestCheckpoint(run_directory_); }
 
   Recipe& recipe_;
   const TrainerOptions options_;

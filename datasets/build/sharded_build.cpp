@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "core/interrupt.h"
 #include "core/log.h"
 #include "core/parallel.h"
 #include "core/progress.h"
@@ -84,7 +83,7 @@ Journal OpenJournal(const fs::path& directory, const Json& plan) {
 
 }  // namespace
 
-void BuildShards(const fs::path& directory, const ShardedBuild& build) {
+void BuildShards(const fs::path& directory, const ShardedBuild& build, const Task& task) {
   const Json plan = Plan(build.manifest);
   if (fs::exists(directory / "manifest.json")) {
     const Manifest finished = ReadManifest(directory, build.manifest.kind);
@@ -101,7 +100,7 @@ void BuildShards(const fs::path& directory, const ShardedBuild& build) {
 
   struct Shard {
     std::string name;
-    std::optional<std::string> checksum;  ///< Absent if interrupted.
+    std::optional<std::string> checksum;  ///< Absent if the task was cancelled.
     bool is_new = false;
   };
   const std::map<std::string, std::string> recorded = journal.checksums;
@@ -111,13 +110,13 @@ void BuildShards(const fs::path& directory, const ShardedBuild& build) {
     const auto known = recorded.find(name);
     const bool is_there = known != recorded.end() && fs::exists(file) && Sha256OfFile(file) == known->second;
     if (is_there) return {name, known->second};
-    if (Interrupted()) return {name, std::nullopt};
+    if (task.cancelled()) return {name, std::nullopt};
     return {name, build.write_shard(shard, file), true};
   };
   int num_done = 0;
   {
     const int64_t num_units = build.num_units ? build.num_units : int64_t(build.num_shards) * build.units_per_shard;
-    Progress progress(build.manifest.kind, num_units, build.unit);
+    Progress progress(task.Stage(build.manifest.kind), num_units, build.unit);
     int64_t num_left = num_units;
     const auto make_range = [&](int begin, int end) {
       ForEachInOrder(
@@ -136,8 +135,10 @@ void BuildShards(const fs::path& directory, const ShardedBuild& build) {
     make_range(0, num_independent);
     if (num_done == num_independent) make_range(num_independent, build.num_shards);
   }
-  DAUMIER_CHECK(num_done == build.num_shards, "{}: stopped after {} of {} shards; the same command goes on from there",
-                directory.string(), num_done, build.num_shards);
+  if (num_done != build.num_shards) {
+    throw Cancelled(fmt::format("{}: stopped after {} of {} shards; the same command resumes the build",
+                                directory.string(), num_done, build.num_shards));
+  }
   manifest.checksums.insert(journal.checksums.begin(), journal.checksums.end());
   WriteManifest(directory, manifest);
   fs::remove(directory / kJournal);

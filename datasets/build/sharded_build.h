@@ -1,5 +1,6 @@
 #pragma once
 #include "core/manifest.h"
+#include "core/process_task.h"
 
 #include <filesystem>
 #include <functional>
@@ -27,8 +28,9 @@ struct ShardedBuild {
 /// Writes the shards that are not there yet, and the manifest last. Shards of an earlier, stopped build are kept if
 /// their content is what was recorded in building.json; the bytes of the finished folder are those of a build that was
 /// never stopped, by any number of threads. A folder that is finished is only verified.
-/// @throws Error if the folder holds another build (saying what differs) or something else; if Interrupted(), saying
-/// how to go on; whatever the writers throw. What is finished stays.
-void BuildShards(const std::filesystem::path& directory, const ShardedBuild& build);
+/// @throws Error if the folder holds another build (saying what differs) or something else; Cancelled if the task is
+/// cancelled, saying how to resume; whatever the writers throw. What is finished stays. Reports units of all shards,
+/// those of an earlier build included.
+void BuildShards(const std::filesystem::path& directory, const ShardedBuild& build, const Task& task = TaskOfProcess());
 
 }  // namespace daumier::datasets

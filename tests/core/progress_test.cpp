@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -21,6 +23,15 @@ TEST(Progress, LineTellsCountRateAndTimeLeft) {
   EXPECT_EQ(ProgressLine("sketches", 120, 600, "faces", 5), "sketches: 120/600 faces, 24/s, 20 s left");
   EXPECT_EQ(ProgressLine("sketches", 1, 600, "faces", 4), "sketches: 1/600 faces, 0.25/s, 39 min 56 s left");
   EXPECT_EQ(ProgressLine("train", 9000, 10000, "steps", 3), "train: 9000/10000 steps, 3000/s, 0 s left");
+}
+
+TEST(Progress, RateOfALineIsThatSinceItsFirstCount) {
+  EXPECT_EQ(ProgressLine("train", 9000, 10000, "steps", 4, 8000), "train: 9000/10000 steps, 250/s, 4 s left");
+  EXPECT_EQ(ProgressLine("train", 8000, 10000, "steps", 4, 8000), "train: 8000/10000 steps, 0/s");
+}
+
+TEST(Progress, LineWithoutAStageBeginsWithItsCount) {
+  EXPECT_EQ(ProgressLine("", 1, 2, "faces", 1), "1/2 faces, 1/s, 1 s left");
 }
 
 TEST(Progress, LineOfNothingDoneHasNoTimeLeft) {
@@ -58,7 +69,7 @@ TEST(Progress, RedrawsOneLineAtMostTwiceASecondOnATerminal) {
   dup2(terminal, STDERR_FILENO);
   const auto start = std::chrono::steady_clock::now();
   {
-    Progress progress("sketches", 1000000, "faces");
+    Progress progress("sketches", 1000000000, "faces");
     while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(1200)) progress.Step();
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -91,6 +102,76 @@ TEST(Progress, CountsStepsOfSeveralThreads) {
     for (std::thread& thread : threads) thread.join();
   }
   EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("4000/4000"));
+}
+
+TEST(Progress, ReportsCountsInOrderToItsTask) {
+  std::vector<std::string> reports;
+  const Task task({}, [&](const TaskProgress& report) {
+    reports.push_back(fmt::format("{} {}/{} {} {}", report.stage, report.done, report.total, report.unit, report.note));
+  });
+  Progress progress(task.Stage("sketches"), 5, "faces");
+  progress.Step(2, "loss 0.5");
+  progress.Step(3);
+  EXPECT_EQ(reports, (std::vector<std::string>{"sketches 0/5 faces ", "sketches 2/5 faces loss 0.5",
+                                               "sketches 5/5 faces loss 0.5"}));
+}
+
+/// What a printer writes to stderr in `calls`, a line an element.
+template <class Calls>
+std::vector<std::string> PrintedLines(const Calls& calls) {
+  ::testing::internal::CaptureStderr();
+  {
+    ProgressPrinter printer;
+    calls(printer);
+  }
+  std::istringstream text(::testing::internal::GetCapturedStderr());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(ProgressPrinter, EndsAStageWhenTheNextBegins) {
+  const auto lines = PrintedLines([](ProgressPrinter& printer) {
+    printer.Print({"faces", 0, 9, "faces", ""});
+    printer.Print({"faces", 4, 9, "faces", ""});
+    printer.Print({"sketches", 0, 2, "faces", ""});
+    printer.Print({"sketches", 2, 2, "faces", "done"});
+  });
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_THAT(lines[0], HasSubstr("faces: 4/9 faces"));
+  EXPECT_THAT(lines[1], HasSubstr("sketches: 2/2 faces"));
+  EXPECT_THAT(lines[1], HasSubstr("done"));
+}
+
+TEST(ProgressPrinter, PrintsAFinishedStageOnceAndAgainWhenItRestarts) {
+  const auto lines = PrintedLines([](ProgressPrinter& printer) {
+    for (int epoch = 0; epoch < 3; ++epoch) {
+      for (const int done : {0, 1, 2, 2}) printer.Print({"epoch", done, 2, "steps", ""});
+    }
+  });
+  EXPECT_EQ(lines.size(), 3u);
+}
+
+TEST(ProgressPrinter, EndsAnUnfinishedStageWhenDestroyed) {
+  const auto lines = PrintedLines([](ProgressPrinter& printer) { printer.Print({"train", 50, 100, "steps", ""}); });
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_THAT(lines[0], HasSubstr("train: 50/100 steps"));
+}
+
+TEST(ProgressPrinter, PrintsNothingWithoutReports) {
+  EXPECT_TRUE(PrintedLines([](ProgressPrinter&) {}).empty());
+}
+
+TEST(ProgressPrinter, TakesReportsOfSeveralThreads) {
+  const auto lines = PrintedLines([](ProgressPrinter& printer) {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&] {
+        for (int i = 1; i <= 1000; ++i) printer.Print({"sketches", i, 2000, "faces", "note"});
+      });
+    }
+  });
+  EXPECT_EQ(lines.size(), 1u);
 }
 
 TEST(Progress, IsSilentWhereTheLogIs) {

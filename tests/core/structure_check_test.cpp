@@ -22,6 +22,25 @@ class StructureCheck : public ::testing::Test {
     Write("core/a.cpp", "#include \"core/a.h\"\n");
     Write("tests/core/a_test.cpp", "#include \"core/a.h\"\n#include \"tests/support/b.h\"\n");
     Write("tensor/t.h", "#include \"core/a.h\"\n#include <torch/types.h>\n#include \"embedded/x.h\"\n");
+    Write("tensor/u.h", "#include \"core/a.h\"\n");
+  }
+
+  /// The same tree with nested rooms: systems/ and two sisters in it, one of which has a room with LibTorch inside.
+  void NestRooms() {
+    Write("CMakeLists.txt",
+          "daumier_room(core)\n"
+          "daumier_room(tensor SEES core TORCH)\n"
+          "daumier_room(systems SEES core)\n"
+          "daumier_room(systems/sketch SEES core systems)\n"
+          "daumier_room(systems/sketch/train SEES systems/sketch tensor USES x y TORCH)\n"
+          "daumier_room(systems/deform SEES systems)\n");
+    Write("systems/system.h", "#include \"core/a.h\"\n");
+    Write("systems/sketch/run.h", "#include \"core/a.h\"\n#include \"systems/system.h\"\n");
+    Write("systems/sketch/deep/run.cpp", "#include \"systems/sketch/run.h\"\n");
+    Write("tests/systems/sketch/deep/run_test.cpp", "#include \"systems/sketch/run.h\"\n#include \"core/a.h\"\n");
+    Write("systems/sketch/train/recipe.h", "#include <torch/types.h>\n#include \"tensor/t.h\"\n");
+    Write("systems/sketch/train/other.h", "#include \"systems/sketch/run.h\"\n");
+    Write("systems/deform/run.h", "#include \"systems/system.h\"\n");
   }
 
   void Write(const std::string& path, const std::string& text) {
@@ -85,9 +104,77 @@ TEST_F(StructureCheck, LayersRefuseLibTorchInAPlainRoom) {
 
 TEST_F(StructureCheck, MapNamesOnlyRoomsAboveAndInOneLine) {
   Write("CMakeLists.txt", "daumier_room(core SEES tensor)\ndaumier_room(tensor SEES core TORCH)\n");
-  ExpectFailure("check_layers", "core sees tensor, which is no room above it");
+  ExpectFailure("check_layers", "room core sees tensor, which is not a room above it");
   Write("CMakeLists.txt", "daumier_room(core)\ndaumier_room(tensor SEES core TORCH\n)\n");
-  ExpectFailure("check_layers", "a room has to stand in one line");
+  ExpectFailure("check_layers", "daumier_room must be on one line");
+}
+
+TEST_F(StructureCheck, MapRefusesARoomTwice) {
+  Write("CMakeLists.txt", "daumier_room(core)\ndaumier_room(core)\ndaumier_room(tensor SEES core TORCH)\n");
+  ExpectFailure("check_layers", "room core is on the map twice");
+}
+
+TEST_F(StructureCheck, LayersRefuseSeesEntriesOfWhichNothingIsIncluded) {
+  Write("tensor/t.h", "\n");
+  Write("tensor/u.h", "\n");
+  ExpectFailure("check_layers", "CMakeLists.txt: room tensor sees core but includes nothing of it");
+  Write("tests/tensor/t_test.cpp", "#include \"core/a.h\"\n");  // What tests alone include does not count.
+  ExpectFailure("check_layers", "CMakeLists.txt: room tensor sees core but includes nothing of it");
+}
+
+TEST_F(StructureCheck, LayersRefuseThatAPlainRoomSeesOneWithLibTorch) {
+  Write("CMakeLists.txt",
+        "daumier_room(core)\ndaumier_room(tensor SEES core TORCH)\ndaumier_room(faces SEES tensor USES a)\n");
+  Write("faces/f.h", "#include \"tensor/t.h\"\n");
+  ExpectFailure("check_layers", "CMakeLists.txt: room faces without TORCH sees tensor with TORCH");
+}
+
+TEST_F(StructureCheck, NestedRoomsInGoodOrderPass) {
+  NestRooms();
+  EXPECT_EQ(Run("check_layers").exit_code, 0) << Run("check_layers").out;
+  EXPECT_EQ(Run("check_rooms").exit_code, 0) << Run("check_rooms").out;
+}
+
+TEST_F(StructureCheck, LayersRefuseASisterRoom) {
+  NestRooms();
+  Write("systems/sketch/deep/run.cpp", "\n#include \"systems/deform/run.h\"\n");
+  ExpectFailure("check_layers",
+                "systems/sketch/deep/run.cpp:2: systems/sketch may not see systems/deform: \"systems/deform/run.h\"");
+}
+
+TEST_F(StructureCheck, LayersHoldForTestsOfNestedRooms) {
+  NestRooms();
+  Write("tests/systems/sketch/deep/run_test.cpp", "#include \"systems/deform/run.h\"\n");
+  ExpectFailure("check_layers", "run_test.cpp:1: systems/sketch may not see systems/deform");
+}
+
+TEST_F(StructureCheck, LayersRefuseTheRoomInsideARoom) {
+  NestRooms();
+  Write("systems/sketch/deep/run.cpp", "#include \"systems/sketch/train/recipe.h\"\n");
+  ExpectFailure("check_layers", "systems/sketch may not see systems/sketch/train");
+}
+
+TEST_F(StructureCheck, LibTorchOfARoomIsNotThatOfTheRoomAroundIt) {
+  NestRooms();
+  Write("systems/sketch/deep/run.cpp", "#include <torch/types.h>\n");
+  ExpectFailure("check_layers", "systems/sketch/deep/run.cpp:1: systems/sketch does not use LibTorch");
+}
+
+TEST_F(StructureCheck, LayersRefuseUnusedEntriesOfNestedRooms) {
+  NestRooms();
+  Write("systems/sketch/train/other.h", "\n");
+  ExpectFailure("check_layers", "room systems/sketch/train sees systems/sketch but includes nothing of it");
+}
+
+TEST_F(StructureCheck, RoomsRefuseANestedFolderThatIsNotOnTheMap) {
+  Write("studio/pages/b.h", "\n");
+  ExpectFailure("check_rooms", "studio/pages: has files, but is not on the map");
+}
+
+TEST_F(StructureCheck, RoomsRefuseANestedRoomWithoutFiles) {
+  NestRooms();
+  std::filesystem::remove_all(tree_ / "systems/sketch/train");
+  ExpectFailure("check_rooms", "systems/sketch/train: on the map, but there are no files");
 }
 
 TEST_F(StructureCheck, RoomsRefuseSourcesWithoutATest) {

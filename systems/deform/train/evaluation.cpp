@@ -4,6 +4,7 @@
 #include "core/even_choice.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/run_manifest.h"
 #include "systems/deform/train/measurement.h"
 #include "reports/chosen_faces.h"
 #include "reports/report.h"
@@ -138,7 +139,7 @@ class DeformEvaluation {
     manifest.counts = {{"faces", measurement_->num_faces()}, {"persons", NumPersons()}};
     manifest.details = {{"product", kDeformProduct},
                         {"data", DataHashes()},
-                        {"weights", Sha256OfFile(run_.directory / "best" / "model.safetensors")}};
+                        {"weights", Sha256OfFile(BestWeights(run_.directory))}};
     return manifest;
   }
 

@@ -2,6 +2,7 @@
 
 #include "core/config.h"
 #include "core/error.h"
+#include "core/run_manifest.h"
 #include "faces/face_database.h"
 #include "tensor/module_state.h"
 
@@ -28,7 +29,7 @@ DeformRun LoadDeformRun(const fs::path& directory) {
   run.manifest = ReadManifest(directory, "run");
   DAUMIER_CHECK(ProductOf(run.manifest) == kDeformProduct, "{} is a run of kind '{}', not of a deformable model",
                 directory.string(), ProductOf(run.manifest));
-  const fs::path config_file = directory / "resolved.toml", weights_file = directory / "best" / "model.safetensors";
+  const fs::path config_file = ResolvedConfig(directory), weights_file = BestWeights(directory);
   DAUMIER_CHECK(fs::exists(weights_file),
                 "{} has no best weights yet ({} is missing): go on training it with `daumier train --resume --out {}`",
                 directory.string(), weights_file.string(), directory.string());

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/manifest.h"
+#include "core/run_manifest.h"
 #include "reports/report.h"
 #include "systems/sketch/train/measurement.h"
 #include "systems/sketch/train/run_data.h"
@@ -116,7 +117,7 @@ void WriteReportManifest(const fs::path& folder, const SketchRunData& data, cons
   manifest.seed = data.run.manifest.seed;
   manifest.sources = data.run.manifest.sources;
   manifest.counts = {{"faces", metrics.at("num_faces")}, {"persons", metrics.at("num_persons")}};
-  const auto weights = [](const fs::path& run) { return Sha256OfFile(run / "best" / "model.safetensors"); };
+  const auto weights = [](const fs::path& run) { return Sha256OfFile(BestWeights(run)); };
   manifest.details = {{"data", data.run.manifest.details.at("data")}, {"weights", weights(data.run.directory)}};
   if (!options.recover_with.empty()) manifest.details["recovering_weights"] = weights(options.recover_with);
   for (const char* name : {"metrics.json", "table.md", "sheet.png", "mean_error.png", "errors.svg", "index.html"})

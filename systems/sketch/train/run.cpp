@@ -2,6 +2,7 @@
 
 #include "core/config.h"
 #include "core/error.h"
+#include "core/run_manifest.h"
 #include "faces/face_database.h"
 #include "render/camera_json.h"
 #include "tensor/module_state.h"
@@ -51,7 +52,7 @@ SketchRun LoadSketchRun(const fs::path& directory) {
                 "{} is not a run folder (manifest.json is missing): make one with `daumier train CONFIG --out {}`",
                 directory.string(), directory.string());
   run.manifest = ReadManifest(directory, "run");
-  const auto config_file = directory / "resolved.toml", weights_file = directory / "best" / "model.safetensors";
+  const auto config_file = ResolvedConfig(directory), weights_file = BestWeights(directory);
   DAUMIER_CHECK(fs::exists(weights_file),
                 "{} has no best weights yet ({} is missing): go on training it with `daumier train --resume --out {}`",
                 directory.string(), weights_file.string(), directory.string());

@@ -97,7 +97,7 @@ TEST_F(ShardedBuildTest, AnInterruptEndsItCleanlyAndSaysHowToGoOn) {
     if (shard == 4) SetInterrupted(true);
     return write(shard, file);
   };
-  ExpectError([&] { BuildShards(other_, build); }, "the same command goes on from there");
+  ExpectError([&] { BuildShards(other_, build); }, "the same command resumes the build");
   SetInterrupted(false);
   build.write_shard = write;
   build.num_written = 0;
@@ -105,6 +105,23 @@ TEST_F(ShardedBuildTest, AnInterruptEndsItCleanlyAndSaysHowToGoOn) {
   EXPECT_GT(build.num_written, 0);
   EXPECT_LT(build.num_written, 10);
   EXPECT_EQ(Contents(other_), Contents(whole_));
+}
+
+TEST_F(ShardedBuildTest, ATaskOfItsOwnCancelsItAndReceivesItsProgress) {
+  std::stop_source source;
+  std::vector<std::string> reports;
+  const Task task(source.get_token(), [&](const TaskProgress& progress) {
+    reports.push_back(fmt::format("{}/{} {}", progress.done, progress.total, progress.unit));
+  });
+  Build build;
+  build.write_shard = [&](int shard, const fs::path& file) {
+    if (shard == 4) source.request_stop();
+    return build_.write_shard(shard, file);
+  };
+  EXPECT_THROW(BuildShards(other_, build, task), Cancelled);
+  EXPECT_FALSE(Interrupted());
+  ASSERT_GE(reports.size(), 2u);
+  EXPECT_TRUE(reports.front().starts_with("0/")) << reports.front();
 }
 
 TEST_F(ShardedBuildTest, DependentShardsAreBegunWhenTheOthersAreThere) {

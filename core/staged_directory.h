@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-namespace daumier::exporting {
+namespace daumier {
 
 /// A folder that is made whole under another name beside its place, then takes the place by renaming. Without Commit it
 /// goes away.
@@ -23,4 +23,4 @@ class StagedDirectory {
   std::filesystem::path target_, path_;
 };
 
-}  // namespace daumier::exporting
+}  // namespace daumier

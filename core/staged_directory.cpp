@@ -1,10 +1,10 @@
-#include "export/staged_directory.h"
+#include "core/staged_directory.h"
 
 #include "core/error.h"
 #include "core/files.h"
 #include "core/manifest.h"
 
-namespace daumier::exporting {
+namespace daumier {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ void StagedDirectory::Commit() {
   fs::remove_all(old);
 }
 
-}  // namespace daumier::exporting
+}  // namespace daumier

@@ -1,4 +1,4 @@
-#include "export/staged_directory.h"
+#include "core/staged_directory.h"
 
 #include "core/files.h"
 #include "core/manifest.h"
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace daumier::exporting {
+namespace daumier {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ TEST(StagedDirectory, RefusesForeignFoldersAndFiles) {
 }
 
 }  // namespace
-}  // namespace daumier::exporting
+}  // namespace daumier
