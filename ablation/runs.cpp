@@ -21,7 +21,7 @@ constexpr const char* kMeasuredFile = "measured.json";
 
 /// Names the weights of a finished run.
 std::string WeightsOf(const fs::path& run) {
-  return ReadManifest(run, "run").checksums.at(train::kBestFile);
+  return ReadManifest(run, "run").checksums.at(kBestFile);
 }
 
 Json ReadJson(const fs::path& file) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/training_options.h"
+#include "core/training.h"
 #include "tensor/tensor_file.h"
 
 #include <torch/nn/module.h>

@@ -8,16 +8,6 @@
 
 namespace daumier::train {
 
-struct TrainingSummary {
-  int64_t steps = 0;
-  int64_t epochs = 0;  ///< Finished ones.
-  bool stopped_early = false;
-  std::string metric;
-  double best = 0;
-  int64_t best_epoch = 0;
-  double seconds = 0;  ///< Since training began or went on.
-};
-
 /// The one loop. Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and leaves
 /// there:
 ///   metrics.jsonl, TensorBoard events   training terms as means over log_every steps, learning_rate, gradient_norm;

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/training_options.h"
+#include "core/training.h"
 #include "datasets/read/point_dataset.h"
 #include "datasets/read/splits.h"
 #include "systems/deform/network_options.h"

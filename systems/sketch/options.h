@@ -1,5 +1,5 @@
 #pragma once
-#include "core/training_options.h"
+#include "core/training.h"
 #include "datasets/read/sketch_variation.h"
 #include "datasets/read/splits.h"
 #include "faces/bilinear_model.h"

@@ -50,20 +50,20 @@ void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
   recipe.decoder().codes().copy_(torch::linalg_solve(matrix, moments).t());
 }
 
-train::TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& options, const fs::path& directory) {
+TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& options, const fs::path& directory) {
   const auto start = std::chrono::steady_clock::now();
   FitLinear(recipe, options);
   const std::map<std::string, double> values = recipe.Validate();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   train::RunLog(directory, 0).Write(0, 0, "validation", values, seconds);
   MakeDirectory(directory / "best");
-  tensor::SaveModule(directory / train::kBestFile, recipe.module());
+  tensor::SaveModule(directory / kBestFile, recipe.module());
   return {.metric = recipe.metric(), .best = values.at(recipe.metric()), .seconds = seconds};
 }
 
 }  // namespace
 
-train::TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
+TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
   const DeformTrainingOptions options = train::ParseTraining<DeformTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::ParseDevice(device);
   const faces::FaceDatabase faces(options.data.faces);
@@ -88,7 +88,7 @@ train::TrainingSummary TrainDeform(const Json& config, const fs::path& run_direc
   const int64_t num_parameters = recipe.decoder().network()->num_parameters();
   log::Info("Training {} parameters and a code of {} for each of {} faces", num_parameters, options.network.latent,
             recipe.num_samples());
-  train::TrainingSummary summary = options.network.kind == "linear"
+  TrainingSummary summary = options.network.kind == "linear"
                                 ? TrainLinear(recipe, options, run_directory)
                                 : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   train::FinishRun(run_directory, summary, num_parameters);

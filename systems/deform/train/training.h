@@ -15,7 +15,7 @@ namespace daumier::deform {
 /// choose, since the larger the rows, the less a code's weight holds it back; its codes are found as those of unseen
 /// faces. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
-train::TrainingSummary TrainDeform(const Json& config, const std::filesystem::path& run_directory, bool resume,
+TrainingSummary TrainDeform(const Json& config, const std::filesystem::path& run_directory, bool resume,
                             const std::string& device);
 
 }  // namespace daumier::deform

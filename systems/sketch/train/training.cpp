@@ -64,7 +64,7 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 }  // namespace
 
-train::TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
+TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
   const SketchTrainingOptions options = train::ParseTraining<SketchTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::ParseDevice(device);
   const faces::FaceDatabase faces(options.data.faces);
@@ -82,7 +82,7 @@ train::TrainingSummary TrainSketch(const Json& config, const fs::path& run_direc
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
   log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
-  train::TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   train::FinishRun(run_directory, summary, recipe.network()->num_parameters());
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());

@@ -12,7 +12,7 @@ namespace daumier::sketch {
 /// LoadSketchRun reads. The manifest tells the split, what the models were fitted on, the camera of the
 /// sketches, the hashes of the data and their licences, and holds no path. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
-train::TrainingSummary TrainSketch(const Json& config, const std::filesystem::path& run_directory, bool resume,
+TrainingSummary TrainSketch(const Json& config, const std::filesystem::path& run_directory, bool resume,
                             const std::string& device);
 
 }  // namespace daumier::sketch

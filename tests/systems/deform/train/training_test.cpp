@@ -61,7 +61,7 @@ std::unique_ptr<testing::TempDir> DeformTrainingTest::folder_;
 TEST_F(DeformTrainingTest, EveryKindLeavesARunThatIsReadBack) {
   for (const std::string& kind : testing::DeformKinds()) {
     SCOPED_TRACE(kind);
-    const train::TrainingSummary summary = TrainDeform(Config(kind), Run(kind), false, "cpu");
+    const TrainingSummary summary = TrainDeform(Config(kind), Run(kind), false, "cpu");
     const DeformRun run = LoadDeformRun(Run(kind));
     EXPECT_EQ(run.manifest.details.at("product"), "deform");
     EXPECT_EQ(run.manifest.counts.at("steps"), summary.steps);

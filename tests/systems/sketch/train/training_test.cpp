@@ -46,7 +46,7 @@ std::unique_ptr<testing::TempDir> SketchTrainingTest::folder_;
 TEST_F(SketchTrainingTest, LeavesARunThatIsReadBackAndHasLearnt) {
   Json config = Config();
   config["epochs"] = 15;
-  const train::TrainingSummary summary = TrainSketch(config, Run("learns"), false, "cpu");
+  const TrainingSummary summary = TrainSketch(config, Run("learns"), false, "cpu");
   const SketchRun run = LoadSketchRun(Run("learns"));
   EXPECT_EQ(run.manifest.counts.at("best_epoch"), summary.best_epoch);
   EXPECT_EQ(run.config.at("data").at("faces"), (*folder_ / "faces").string());

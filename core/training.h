@@ -1,9 +1,10 @@
 #pragma once
 #include "core/options.h"
 
+#include <cstdint>
 #include <string>
 
-/// The options of a training that are the same for every network (train/optimiser.h, train/trainer.h), as plain data.
+/// What every training has in common (train/optimiser.h, train/trainer.h), as plain data: options and summary.
 namespace daumier {
 
 struct OptimiserOptions {
@@ -52,6 +53,17 @@ struct TrainerOptions {
     visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
           "Steps between checkpoints beside the one after every validation; 0: none.");
   }
+};
+
+/// How a training ended.
+struct TrainingSummary {
+  int64_t steps = 0;
+  int64_t epochs = 0;  ///< Finished ones.
+  bool stopped_early = false;
+  std::string metric;
+  double best = 0;
+  int64_t best_epoch = 0;
+  double seconds = 0;  ///< Since training began or went on.
 };
 
 }  // namespace daumier

@@ -1,0 +1,55 @@
+#pragma once
+#include "core/device.h"
+#include "core/json.h"
+#include "core/task.h"
+#include "core/training.h"
+#include "reports/evaluation.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The one interface of a trainable task. What `train`, `eval`, `ablate`, `predict` and `export` know of a system is its
+/// row in a table; no verb compares names.
+namespace daumier::systems {
+
+/// Where a training runs.
+struct RunPlace {
+  std::filesystem::path directory;
+  bool resume = false;
+  Device device = {};
+};
+
+/// The part of a task that needs no LibTorch. One row a task; a room may hold several.
+struct System {
+  std::string_view name;  ///< `system` in a config, details.system in the manifest of a run.
+  std::string_view room;  ///< "systems/sketch"
+  /// Help of all options of a training, and of an evaluation.
+  std::string (*training_help)();
+  std::string (*evaluation_help)();
+  /// The whole config of a training, every option present, data folders absolute. `where` names it in messages.
+  /// @throws UsageError as ParseOptions.
+  Json (*resolve_config)(const Json& config, const std::string& where);
+  /// Options of an evaluation, every one present. @throws UsageError as ParseOptions.
+  Json (*resolve_evaluation)(const Json& options, const std::string& where);
+  /// Options of an evaluation that are run folders.
+  std::vector<std::string> run_options = {};
+};
+
+/// The part that needs LibTorch, by the same name, from the training library.
+struct SystemTraining {
+  std::string_view name;
+  /// Trains from a config, or resumes. @throws UsageError as System::resolve_config; Error on Ctrl-C, after a checkpoint.
+  TrainingSummary (*train)(const Json& config, const RunPlace& place, const Task& task);
+  /// Measures a finished run; writes nothing.
+  reports::Evaluation (*evaluate)(const std::filesystem::path& run, const Json& options, const Task& task);
+  /// Writes an export of a finished run and returns parity.json.
+  Json (*export_run)(const std::filesystem::path& run, const std::filesystem::path& out, const Task& task);
+  /// Milliseconds from one input to its vertices: the median of many runs with batch 1 on the CPU.
+  double (*infer_ms)(const std::filesystem::path& run);
+  std::string_view validation_metric;      ///< The validation error in metrics.jsonl, mm.
+  std::string_view training_metric = "";  ///< An error of training samples there; empty: none.
+};
+
+}  // namespace daumier::systems
