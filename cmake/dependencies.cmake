@@ -49,7 +49,6 @@ target_link_libraries(solver_libraries INTERFACE system_blas Ceres::ceres)
 
 if(NOT DAUMIER_SANITIZE)
   find_package(Torch REQUIRED)
-  find_package(CLI11 REQUIRED)
   find_package(ONNX REQUIRED)
   if(NOT TARGET ONNX::onnx)  # Debian 12 exports the targets without a namespace.
     add_library(ONNX::onnx ALIAS onnx)
@@ -75,9 +74,11 @@ if(NOT DAUMIER_SANITIZE)
     target_link_libraries(onnx_libraries INTERFACE ${ONNXRUNTIME_LIBRARY})
     target_compile_definitions(onnx_libraries INTERFACE DAUMIER_HAS_ONNXRUNTIME)
   endif()
-  add_library(cli_libraries INTERFACE)
-  target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)
 endif()
+
+find_package(CLI11 REQUIRED)
+add_library(cli_libraries INTERFACE)
+target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)
 
 find_package(GTest REQUIRED)
 if(DAUMIER_BENCH)

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/json.h"
 #include "core/options.h"
 
 #include <cstdint>
@@ -65,5 +66,15 @@ struct TrainingSummary {
   int64_t best_epoch = 0;
   double seconds = 0;  ///< Since training began or went on.
 };
+
+/// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
+Json WithAbsoluteData(Json config, const std::string& where);
+
+/// The options of a training with WithAbsoluteData. @throws UsageError as ParseOptions.
+template <class Options>
+Options ParseTraining(const Json& config, const std::string& where) {
+  const Json resolved = ToJson(ParseOptions<Options>(config, where));
+  return ParseOptions<Options>(WithAbsoluteData(resolved, where), where);
+}
 
 }  // namespace daumier

@@ -30,19 +30,6 @@ void AppendDifferences(const std::string& prefix, const Json& there, const Json&
 
 }  // namespace
 
-Json WithAbsoluteData(Json config, const std::string& where) {
-  Json& data = config.at("data");
-  std::vector<std::string> keys;
-  for (const auto& [database, folder] : data.items()) keys.push_back(fmt::format("data.{}=FOLDER", database));
-  for (auto& [database, folder] : data.items()) {
-    if (folder == "") {
-      throw UsageError(fmt::format("{}: it needs {}, made by `daumier dataset`", where, fmt::join(keys, " and ")));
-    }
-    folder = std::filesystem::absolute(folder.get<std::string>()).lexically_normal().string();
-  }
-  return config;
-}
-
 std::vector<std::string> ConfigDifferences(const Json& there, const Json& now) {
   std::vector<std::string> lines;
   AppendDifferences("", there, now, lines);

@@ -8,6 +8,7 @@
 #include "systems/deform/train/measurement.h"
 #include "systems/deform/train/run.h"
 #include "systems/deform/train/surface_decoder.h"
+#include "systems/deform/options.h"
 #include "systems/deform/train/training.h"
 #include "train/run_folder.h"
 
@@ -34,7 +35,7 @@ const Json& FindLine(const Json& metrics, const std::string& name) {
 Json DeformAblation::ResolvedConfig(Json config, uint64_t seed, const std::string& split,
                                     const std::string& where) const {
   config.merge_patch({{"seed", seed}, {"split", {{"kind", split}}}});
-  return ToJson(train::ParseTraining<DeformTrainingOptions>(config, where));
+  return ToJson(ParseTraining<DeformTrainingOptions>(config, where));
 }
 
 Json DeformAblation::ResolvedEval(const Json& eval, const std::string& where) const {
@@ -42,7 +43,7 @@ Json DeformAblation::ResolvedEval(const Json& eval, const std::string& where) co
 }
 
 void DeformAblation::TrainRun(const Json& config, const fs::path& run, bool resume, const std::string& device) const {
-  TrainDeform(config, run, resume, device);
+  TrainDeform(config, {run, resume, ParseDevice(device)}, {});
 }
 
 void DeformAblation::Evaluate(const fs::path& run, const Json& eval, const fs::path& report) const {

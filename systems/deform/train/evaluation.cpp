@@ -66,7 +66,7 @@ class DeformEvaluation {
     const SurfaceErrors& mean = result.mean;
     const MeasuredFaces& faces = measurement_->faces();
     const ModelUnit unit = Unit();
-    Json metrics = {{"product", kDeformProduct},
+    Json metrics = {{"system", kSystem},
                     {"num_faces", result.num_faces},
                     {"num_persons", NumPersons()},
                     {"split", other_ ? Json() : Json(options_.split)},
@@ -137,7 +137,7 @@ class DeformEvaluation {
     if (other_)
       for (const Json& source : other_->manifest().sources) manifest.sources.push_back(source);
     manifest.counts = {{"faces", measurement_->num_faces()}, {"persons", NumPersons()}};
-    manifest.details = {{"product", kDeformProduct},
+    manifest.details = {{"system", kSystem},
                         {"data", DataHashes()},
                         {"weights", Sha256OfFile(BestWeights(run_.directory))}};
     return manifest;

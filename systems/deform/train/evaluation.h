@@ -1,32 +1,11 @@
 #pragma once
 #include "core/json.h"
-#include "core/options.h"
+#include "systems/deform/evaluation_options.h"
 
 #include <filesystem>
 #include <string>
 
 namespace daumier::deform {
-
-struct DeformEvalOptions {
-  std::string split = "test";
-  std::string faces;
-  int max_faces = 128;
-  int adam_faces = 8;
-  int adam_steps = 1000;
-  bool baselines = true;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("split", split, Choices{{"test", "validation", "train"}}, "Which side of the run's split is measured.");
-    visit("faces", faces, Text{},
-          "Folder of other faces of the same topology, which the run was not trained on; all of them are measured.");
-    visit("max_faces", max_faces, Range{1, 1e6}, "So many faces of the side, evenly spread over it.");
-    visit("adam_faces", adam_faces, Range{0, 1e6},
-          "The codes of so many of these, the first ones, are also found as in the paper.");
-    visit("adam_steps", adam_steps, Range{1, 1e6}, "Steps of that.");
-    visit("baselines", baselines, Flag{}, "Measure the free baselines beside the network.");
-  }
-};
 
 /// `daumier eval` of a deformable model's run: the errors of faces whose codes are found with the network held fixed
 /// (FitCode with the weights of the run's loss), over all vertices, in the model's frame, with nothing aligned

@@ -10,8 +10,10 @@
 #include "tensor/module_state.h"
 #include "tensor/runtime.h"
 #include "tensor/torch_version.h"
+#include "systems/deform/train/export.h"
 #include "systems/deform/train/recipe.h"
 #include "train/run_folder.h"
+#include "train/trainer.h"
 #include "train/run_log.h"
 
 #include <torch/utils.h>
@@ -63,18 +65,19 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 
 }  // namespace
 
-TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
-  const DeformTrainingOptions options = train::ParseTraining<DeformTrainingOptions>(config, "training config");
-  const torch::Device torch_device = tensor::ParseDevice(device);
+TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, const Task&) {
+  const fs::path& run_directory = place.directory;
+  const DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
+  const torch::Device torch_device = tensor::TorchDevice(place.device);
   const faces::FaceDatabase faces(options.data.faces);
   const datasets::PointDatabase points(options.data.points);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
-  manifest.details["product"] = kDeformProduct;
+  manifest.details["system"] = kSystem;
   manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}};
 
-  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
+  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"]);
   torch::manual_seed(options.seed);
   DeformRecipe recipe(options, faces, points, split, torch_device);
   if (begun) {
@@ -92,6 +95,7 @@ TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, b
                                 ? TrainLinear(recipe, options, run_directory)
                                 : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
   train::FinishRun(run_directory, summary, num_parameters);
+  exporting::StoreGraph(DescribeDeformExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());
   return summary;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 Json SketchAblation::ResolvedConfig(Json config, uint64_t seed, const std::string& split,
                                     const std::string& where) const {
   config.merge_patch({{"seed", seed}, {"split", {{"kind", split}}}});
-  return ToJson(train::ParseTraining<SketchTrainingOptions>(config, where));
+  return ToJson(ParseTraining<SketchTrainingOptions>(config, where));
 }
 
 Json SketchAblation::ResolvedEval(const Json& eval, const std::string& where) const {
@@ -29,7 +29,7 @@ Json SketchAblation::ResolvedEval(const Json& eval, const std::string& where) co
 }
 
 void SketchAblation::TrainRun(const Json& config, const fs::path& run, bool resume, const std::string& device) const {
-  TrainSketch(config, run, resume, device);
+  TrainSketch(config, {run, resume, ParseDevice(device)}, {});
 }
 
 void SketchAblation::Evaluate(const fs::path& run, const Json& eval, const fs::path& report) const {

@@ -1,33 +1,11 @@
 #pragma once
 #include "core/json.h"
-#include "core/options.h"
+#include "systems/sketch/evaluation_options.h"
 
 #include <filesystem>
 #include <string>
 
 namespace daumier::sketch {
-
-struct SketchEvalOptions {
-  std::string split = "test";
-  double strength = 0;
-  std::string recover_with = {};
-  bool baselines = true, fit = false, refine = false, deform = false;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("split", split, Choices{{"train", "validation", "test"}}, "The side of the run's split that is measured.");
-    visit("strength", strength, Range{0, 4}, "Augment the sketches: 0 not, 1 as in training, 2 strongly.");
-    visit("recover_with", recover_with, Text{},
-          "Folder of another run on the same data, whose network reads no shape-level numbers: its faces are where a "
-          "network that does read them gets recovered ones from. Empty: such a network is given them alone.");
-    visit("baselines", baselines, Flag{},
-          "Measure the free baselines and the limit of the model beside the network; they depend on data, split and "
-          "strength alone.");
-    visit("fit", fit, Flag{}, "Also fit the bilinear model to the labelled strokes, with and without its prior.");
-    visit("refine", refine, Flag{}, "Also match the contours of the network's faces with the strokes.");
-    visit("deform", deform, Flag{}, "Also do that and then move the faces' surfaces onto the strokes.");
-  }
-};
 
 /// `daumier eval` of a sketch run: errors of the network on one side of its split beside the free baselines
 /// (eval/baselines.h, fitted on training faces) and the limit of the bilinear model, which is its best reconstruction

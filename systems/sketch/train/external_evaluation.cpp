@@ -13,7 +13,9 @@
 #include "faces/bilinear_projector.h"
 #include "faces/face_database.h"
 #include "fitting/contour_refinement.h"
-#include "systems/sketch/train/sketch_predictor.h"
+#include "export/torch_runner.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/train/export.h"
 #include "fitting/stroke_deformation.h"
 #include "fitting/stroke_distance.h"
 #include "geometry/coordinates.h"
@@ -47,13 +49,11 @@ struct Row {
 class OtherFaces {
  public:
   OtherFaces(const fs::path& run, const OtherFacesOptions& options)
-      : predictor_(run),
+      : predictor_(ReadSketchRunFolder(run),
+                   std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU), {.deform = true}),
         faces_(options.faces),
         sketches_(options.sketches),
-        seed_(predictor_.run().manifest.seed),
-        refiner_(predictor_.run().models.bilinear, predictor_.curves()),
-        deformer_(predictor_.run().face_template.triangles, predictor_.run().face_template.num_vertices(),
-                  predictor_.curves()) {
+        seed_(predictor_.run().manifest.seed) {
     DAUMIER_CHECK(sketches_.manifest().details.value("faces_data_hash", "") == DataHash(options.faces),
                   "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
                   options.sketches, options.faces);
@@ -157,7 +157,7 @@ class OtherFaces {
 
   bool same_topology() const { return same_topology_; }
   const faces::FaceDatabase& faces() const { return faces_; }
-  const SketchRun& run() const { return predictor_.run(); }
+  const SketchRunFolder& run() const { return predictor_.run(); }
 
  private:
   /// None where they have moved.
@@ -207,8 +207,7 @@ class OtherFaces {
   }
 
   PredictedFace Deformed(PredictedFace start, int face) const {
-    start.vertices = deformer_.Deform(start.vertices, Seen(face).strokes);
-    return start;
+    return predictor_.Deformed(std::move(start), Seen(face).strokes);
   }
 
   void Predict() {
@@ -216,13 +215,13 @@ class OtherFaces {
       std::vector<Strokes> block;
       for (int face = begin; face < std::min(begin + int(kBlock), faces_.num_faces()); ++face)
         block.push_back(Seen(face).strokes);
-      for (PredictedFace& face : predictor_.Predict(block)) predicted_.push_back(std::move(face));
+      for (PredictedFace& face : predictor_.FromStrokes(block)) predicted_.push_back(std::move(face));
     }
   }
 
   void Refine() {
     ForEachInOrder(
-        faces_.num_faces(), [&](int face) { return refiner_.Refine(predicted_[size_t(face)], Seen(face).strokes); },
+        faces_.num_faces(), [&](int face) { return predictor_.Refined(predicted_[size_t(face)], Seen(face).strokes); },
         [&](PredictedFace face) { refined_.push_back(std::move(face)); });
   }
 
@@ -254,8 +253,6 @@ class OtherFaces {
   const faces::FaceDatabase faces_;
   const datasets::SketchDatabase sketches_;
   const uint64_t seed_;
-  const fitting::ContourRefiner refiner_;
-  const fitting::StrokeDeformer deformer_;
   datasets::SketchVariation variation_;
   bool same_topology_ = false;
   bool registered_ = false;  ///< And of the run's own topology.

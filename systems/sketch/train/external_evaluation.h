@@ -1,26 +1,11 @@
 #pragma once
 #include "core/json.h"
-#include "core/options.h"
+#include "systems/sketch/evaluation_options.h"
 
 #include <filesystem>
 #include <string>
 
 namespace daumier::sketch {
-
-struct OtherFacesOptions {
-  std::string faces, sketches;
-  double strength = 0;
-  bool baselines = true;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("faces", faces, Text{}, "Folder of faces that the run was not trained on; all of them are measured.");
-    visit("sketches", sketches, Text{}, "Folder of their sketches.");
-    visit("strength", strength, Range{0, 4}, "Augment the sketches: 0 not, 1 as in training, 2 strongly.");
-    visit("baselines", baselines, Flag{},
-          "Of exact sketches, ridge regression and nearest neighbour, fitted on the run's training faces.");
-  }
-};
 
 /// `daumier eval RUN --faces DIR --sketches DIR`: a run on somebody else's faces, predicted as `daumier predict` does,
 /// but in the frame of their sketches. Rows: the mean face of the bilinear model (of its mean u and v), the network,

@@ -1,6 +1,5 @@
 #pragma once
-#include "faces/bilinear_model.h"
-#include "faces/face_basis.h"
+#include "systems/sketch/fitted_models.h"
 #include "systems/sketch/network_options.h"
 #include "models/sketch_trunks.h"
 
@@ -27,13 +26,6 @@ torch::Tensor ChannelsLast(const torch::Tensor& images);
 /// u: (B, Ku), v: (B, Kv) of the bilinear model, in its own units; residual: (B, R) in cm, undefined if there is none.
 struct FaceCoefficients {
   torch::Tensor u, v, residual;
-};
-
-/// The models that a network answers and reads in, fitted on training faces.
-struct FittedModels {
-  faces::BilinearModel bilinear;  ///< Of faces: what u and v mean.
-  faces::BilinearModel curves;    ///< Of 2-D feature curves: what the shape-level numbers mean.
-  faces::FaceBasis basis;         ///< Of networks with a residual alone; else empty.
 };
 
 /// Sketch -> u, v of a bilinear face [Han et al. 2017, section 4.3, figure 7]: a trunk, and behind it two branches of
