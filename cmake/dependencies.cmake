@@ -20,11 +20,10 @@ add_library(base_libraries INTERFACE)
 target_link_libraries(base_libraries INTERFACE fmt::fmt spdlog::spdlog nlohmann_json::nlohmann_json
                       tomlplusplus::tomlplusplus OpenSSL::Crypto Threads::Threads)
 
-find_package(OpenMesh REQUIRED)
 find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)
 find_path(SPECTRA_INCLUDE_DIR Spectra/SymEigsSolver.h REQUIRED)
 add_library(mesh_libraries INTERFACE)
-target_link_libraries(mesh_libraries INTERFACE Eigen3::Eigen OpenMeshCore)
+target_link_libraries(mesh_libraries INTERFACE Eigen3::Eigen)
 target_include_directories(mesh_libraries SYSTEM INTERFACE ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR})
 
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
