@@ -91,7 +91,7 @@ function(daumier_tests name kind)
     target_precompile_headers(daumier_${name}_tests REUSE_FROM daumier_pch_torch)
   endif()
   add_test(NAME ${name} COMMAND daumier_${name}_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS ${kind})
 endfunction()
 
 function(daumier_executable)

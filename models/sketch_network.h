@@ -36,6 +36,7 @@ struct FittedModels {
 /// The outputs are standardised coefficients; u = mean + deviation * output, over the training identities, and v over
 /// the training expressions. With a residual, one more output reads the last features of both branches.
 /// Means, deviations, core or basis are buffers, so that a checkpoint is whole.
+/// Runs of widths that a training refuses today (RequireWholeBlocks) still predict, their convolutions in plain layout.
 class SketchNetworkImpl : public torch::nn::Module {
  public:
   /// @throws Error if the models do not belong together, or a wanted basis has another size than options.residual.

@@ -3,8 +3,11 @@
 #include "core/error.h"
 #include "tensor/autocast.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace daumier::models {
 namespace {
@@ -113,6 +116,22 @@ SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size)
   if (options.trunk == "points") return Points(options);
   if (options.trunk == "shape") return {nn::Sequential(), Features(shape_size, options.hidden)};
   return Compact(options);
+}
+
+void RequireWholeBlocks(const SketchNetworkOptions& options) {
+  if (options.has_whole_blocks()) return;
+  const int step = options.width_step(), below = options.width / step * step, above = below + step;
+  std::vector<int> allowed;
+  if (below > 0) allowed.push_back(below);
+  if (above <= SketchNetworkOptions::kMaxWidth) allowed.push_back(above);
+  throw UsageError(
+      fmt::format("network.width={} gives network.trunk=\"{}\" channels that are no multiples of 8, which oneDNN "
+                  "computes at a time (expected a multiple of {}): set network.width={}",
+                  options.width, options.trunk, step, fmt::join(allowed, " or ")));
+}
+
+torch::Tensor InPlainLayout(const torch::Tensor& sketches) {
+  return sketches.squeeze(1).unsqueeze(1);
 }
 
 torch::Tensor SketchConvolutionImpl::forward(const torch::Tensor& sketches) {

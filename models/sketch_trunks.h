@@ -27,6 +27,15 @@ struct SketchTrunk {
 /// @throws Error if the picture is too small for the trunk.
 SketchTrunk MakeSketchTrunk(const SketchNetworkOptions& options, int shape_size);
 
+/// Refuses a training with channels that are no multiples of 8: oneDNN computes 8 at a time, and its AVX2 code (2.6.3)
+/// for weight gradients of strided 1 x 1 convolutions in channels-last writes past its buffers if they read fewer.
+/// @throws UsageError with the nearest allowed widths, unless options.has_whole_blocks().
+void RequireWholeBlocks(const SketchNetworkOptions& options);
+
+/// The same sketches (B, 1, H, W), marked as in plain layout; no pixel is copied. With one channel the two layouts have
+/// the same bytes, and the mark decides in which of them LibTorch runs the convolutions.
+torch::Tensor InPlainLayout(const torch::Tensor& sketches);
+
 /// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
 /// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.
 class SketchConvolutionImpl : public torch::nn::Conv2dImpl {

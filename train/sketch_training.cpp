@@ -63,6 +63,7 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
   const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
+  models::RequireWholeBlocks(options.network);
   const torch::Device torch_device = tensor::ParseDevice(device);
   const faces::FaceDatabase faces(options.data.faces);
   const datasets::SketchDatabase sketches(options.data.sketches);

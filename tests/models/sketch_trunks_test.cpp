@@ -24,30 +24,76 @@ TEST(SketchConvolution, StaysInFloat32AndAnswersAsAutocastPromises) {
 }
 
 TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {
-  SketchNetworkOptions options{.trunk = "alexnet", .resolution = 256, .width = 12};
-  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 7, 7}));
+  SketchNetworkOptions options{.trunk = "alexnet", .resolution = 256, .width = 24};
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 7, 7}));
   options.resolution = 128;
-  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 3, 3}));
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 3, 3}));
   options.resolution = 64;
-  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 1, 1}));
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 1, 1}));
   options.resolution = 48;
   testing::ExpectError([&] { MakeSketchTrunk(options, 6); }, "network.resolution=48 is too small");
 }
 
 TEST(SketchTrunks, ResidualEndsAtSideFourOrLessWithTheWidth) {
   for (const int resolution : {32, 50, 128}) {
-    const auto sizes = ConvolutionSizes({.trunk = "residual", .resolution = resolution, .width = 4});
-    EXPECT_EQ(sizes[1], 4);
+    const auto sizes = ConvolutionSizes({.trunk = "residual", .resolution = resolution, .width = 8});
+    EXPECT_EQ(sizes[1], 8);
     EXPECT_LE(sizes[2], 4);
   }
 }
 
 TEST(SketchTrunks, CompactTakesEveryResolution) {
   for (const int resolution : {32, 50, 128}) {
-    SketchTrunk trunk = MakeSketchTrunk({.resolution = resolution, .width = 2, .hidden = 8}, 6);
+    SketchTrunk trunk = MakeSketchTrunk({.resolution = resolution, .width = 8, .hidden = 8}, 6);
     const auto features =
         trunk.features->forward(trunk.convolutions->forward(torch::rand({2, 1, resolution, resolution})));
     EXPECT_EQ(features.sizes().vec(), (std::vector<int64_t>{2, 8}));
+  }
+}
+
+TEST(SketchTrunks, HaveWholeBlocksWhereAllChannelsAreMultiplesOfEight) {
+  for (const char* trunk : {"compact", "alexnet", "residual", "points"}) {
+    for (int width = 1; width <= 48; ++width) {
+      const SketchNetworkOptions options{.trunk = trunk, .resolution = 64, .width = width, .hidden = 1};
+      bool whole = true;
+      for (const auto& layer : MakeSketchTrunk(options, 6).convolutions->modules()) {
+        if (const auto* convolution = layer->as<torch::nn::Conv2d>())
+          whole = whole && convolution->options.out_channels() % 8 == 0;
+        if (const auto* convolution = layer->as<torch::nn::Conv1d>())
+          whole = whole && convolution->options.out_channels() % 8 == 0;
+      }
+      EXPECT_EQ(options.has_whole_blocks(), whole) << trunk << " of width " << width;
+    }
+  }
+  EXPECT_TRUE((SketchNetworkOptions{.trunk = "shape", .width = 5}.has_whole_blocks()));
+}
+
+TEST(SketchTrunks, RefuseOtherWidthsInTrainingsAndNameTheNearest) {
+  const auto require = [](const std::string& trunk, int width) {
+    RequireWholeBlocks({.trunk = trunk, .width = width});
+  };
+  EXPECT_NO_THROW(require("compact", 16));
+  EXPECT_NO_THROW(require("alexnet", 96));
+  testing::ExpectError([&] { require("compact", 12); }, "(expected a multiple of 8): set network.width=8 or 16");
+  testing::ExpectError([&] { require("residual", 4); }, "set network.width=8");
+  testing::ExpectError([&] { require("alexnet", 16); }, "(expected a multiple of 24): set network.width=24");
+  testing::ExpectError([&] { require("alexnet", 256); }, "set network.width=240");
+  EXPECT_THROW(require("compact", 255), UsageError);
+}
+
+TEST(InPlainLayout, MarksTheSameMemoryAndTheConvolutionsKeepIt) {
+  for (const int64_t batch : {1, 3}) {
+    const auto images = torch::rand({batch, 1, 32, 32});
+    const auto last =
+        torch::empty(images.sizes(), images.options().memory_format(torch::MemoryFormat::ChannelsLast)).copy_(images);
+    ASSERT_EQ(last.suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
+    const auto plain = InPlainLayout(last);
+    EXPECT_EQ(plain.data_ptr<float>(), last.data_ptr<float>());
+    EXPECT_TRUE(torch::equal(plain, images));
+    EXPECT_EQ(plain.strides(), images.strides());
+    SketchTrunk trunk = MakeSketchTrunk({.trunk = "residual", .resolution = 32, .width = 8}, 6);
+    EXPECT_EQ(trunk.convolutions->forward(plain).suggest_memory_format(), torch::MemoryFormat::Contiguous);
+    EXPECT_EQ(trunk.convolutions->forward(last).suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
   }
 }
 
