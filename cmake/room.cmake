@@ -115,7 +115,7 @@ function(daumier_tests name target kind)
     target_precompile_headers(${target}_tests REUSE_FROM daumier_pch_torch)
   endif()
   add_test(NAME ${name} COMMAND ${target}_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS ${kind})
 endfunction()
 
 # The program, which links no LibTorch, and beside it the training library, which it loads. Symbols that both have are the

@@ -53,8 +53,8 @@ class DeformEvaluation {
     measurement_->MeasureNetwork("network", fit, num_faces);
     if (adam_faces > 0) {
       measurement_->MeasureNetwork("network, first faces by Gauss-Newton", fit, adam_faces);
-      fit.method = "adam";
-      fit.adam_steps = options_.adam_steps;
+      fit.solve.method = "adam";
+      fit.solve.adam_steps = options_.adam_steps;
       measurement_->MeasureNetwork("network, first faces by Adam", fit, adam_faces);
     }
     if (options_.baselines) MeasureBaselines();

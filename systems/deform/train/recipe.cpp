@@ -64,7 +64,7 @@ train::LossTerms DeformRecipe::Loss(const train::Batch& batch) {
 std::map<std::string, double> DeformRecipe::Validate() {
   const CodeFitOptions fit{.data_weight = options_.loss.data_weight,
                                     .code_weight = options_.loss.code_weight,
-                                    .newton_steps = options_.validation.newton_steps};
+                                    .solve = {.newton_steps = options_.validation.newton_steps}};
   const double error = UnseenError(*decoder_->network(), validation_vertices_, fit);
   return {{"vertex_error", error}, {"mean_vertex_error_mm", mm_per_unit_ * error}};
 }

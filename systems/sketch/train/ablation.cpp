@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 Json SketchAblation::ResolvedConfig(Json config, uint64_t seed, const std::string& split,
                                     const std::string& where) const {
   config.merge_patch({{"seed", seed}, {"split", {{"kind", split}}}});
-  return ToJson(ParseTraining<SketchTrainingOptions>(config, where));
+  const auto options = ParseTraining<SketchTrainingOptions>(config, where);
+  RequireWholeBlocks(options.network);
+  return ToJson(options);
 }
 
 Json SketchAblation::ResolvedEval(const Json& eval, const std::string& where) const {

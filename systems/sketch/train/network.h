@@ -19,6 +19,9 @@ struct SketchInput {
   int64_t size() const { return (images.defined() ? images : points.defined() ? points : shape).size(0); }
 };
 
+/// The trunk of these options.
+models::TrunkOptions TrunkOf(const SketchNetworkOptions& options);
+
 /// Images of one channel, (B, 1, R, R), marked channels-last. This moves no memory, but the convolutions that follow
 /// keep the layout, which is faster. Undefined images stay undefined.
 torch::Tensor ChannelsLast(const torch::Tensor& images);
@@ -35,6 +38,7 @@ struct FaceCoefficients {
 /// The outputs are standardised coefficients; u = mean + deviation * output, over the training identities, and v over
 /// the training expressions. With a residual, one more output reads the last features of both branches.
 /// Means, deviations, core or basis are buffers, so that a checkpoint is whole.
+/// Runs of widths that a training refuses today (RequireWholeBlocks) still predict, their convolutions in plain layout.
 class SketchNetworkImpl : public torch::nn::Module {
  public:
   /// @throws Error if the models do not belong together, or a wanted basis has another size than options.residual.

@@ -69,6 +69,7 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, const Task&) {
   const fs::path& run_directory = place.directory;
   const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
+  RequireWholeBlocks(options.network);
   const torch::Device torch_device = tensor::TorchDevice(place.device);
   const faces::FaceDatabase faces(options.data.faces);
   const datasets::SketchDatabase sketches(options.data.sketches);

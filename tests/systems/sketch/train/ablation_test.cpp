@@ -21,7 +21,7 @@ constexpr const char* kTable = R"(
 splits = ["random"]
 [config]
 bilinear = {num_identity = 5, num_expression = 3}
-network = {resolution = 32, width = 4, hidden = 16, branch = 16, shape_hidden = 8}
+network = {resolution = 32, width = 8, hidden = 16, branch = 16, shape_hidden = 8}
 epochs = 2
 batch = 8
 [[rows]]

@@ -25,7 +25,7 @@ TEST_F(SketchComparisonTest, AugmentedSketchesAreOthers) {
 
 TEST_F(SketchComparisonTest, NetworksThatReadShapeGetItGivenOrRecovered) {
   WriteRun(*folder_ / "shape",
-           {.shape_input = "late", .resolution = 32, .width = 4, .hidden = 16, .branch = 16, .shape_hidden = 8});
+           {.shape_input = "late", .resolution = 32, .width = 8, .hidden = 16, .branch = 16, .shape_hidden = 8});
   const std::vector<reports::ChosenFace> faces = {{"first", 0}};
   EXPECT_NE(SketchComparison({{"network", *folder_ / "shape"}}, faces),
             SketchComparison({{"network", *folder_ / "shape", {.recover_with = (*folder_ / "run").string()}}}, faces));

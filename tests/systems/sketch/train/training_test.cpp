@@ -31,7 +31,7 @@ class SketchTrainingTest : public ::testing::Test {
   static Json Config() {
     return {{"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
             {"bilinear", {{"num_identity", 5}, {"num_expression", 3}}},
-            {"network", {{"resolution", 32}, {"width", 4}, {"hidden", 32}}},
+            {"network", {{"resolution", 32}, {"width", 8}, {"hidden", 32}}},
             {"optimiser", {{"learning_rate", 0.005}}},
             {"epochs", 4},
             {"batch", 8}};
@@ -110,6 +110,13 @@ TEST_F(SketchTrainingTest, WhatTheFitRefusesCanBeToldOtherwiseInTheSameFolder) {
   config["bilinear"]["num_identity"] = 500;
   testing::ExpectError([&] { TrainSketch(config, Run("refused"), false, "cpu"); }, "");
   EXPECT_NO_THROW(TrainSketch(Config(), Run("refused"), false, "cpu"));
+}
+
+TEST_F(SketchTrainingTest, RefusesAWidthWithNarrowLayersBeforeItMakesAFolder) {
+  Json config = Config();
+  config["network"]["width"] = 12;
+  testing::ExpectError([&] { TrainSketch(config, Run("narrow"), false, "cpu"); }, "set network.width=8 or 16");
+  EXPECT_FALSE(fs::exists(Run("narrow")));
 }
 
 TEST_F(SketchTrainingTest, RefusesMissingFoldersAndSketchesOfOtherFaces) {
