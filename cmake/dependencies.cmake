@@ -13,8 +13,8 @@ find_path(DNNL_INCLUDE_DIR dnnl.h REQUIRED)
 # stands first serves LibTorch. The system's own choice (an alternative, OpenBLAS where it is installed) comes first here.
 find_library(SYSTEM_BLAS NAMES libblas.so.3 REQUIRED)
 find_library(SYSTEM_LAPACK NAMES liblapack.so.3 REQUIRED)
-add_library(system_blas INTERFACE)
-target_link_libraries(system_blas INTERFACE -Wl,--push-state,--no-as-needed ${SYSTEM_BLAS} ${SYSTEM_LAPACK} -Wl,--pop-state)
+add_library(blas_libraries INTERFACE)
+target_link_libraries(blas_libraries INTERFACE -Wl,--push-state,--no-as-needed ${SYSTEM_BLAS} ${SYSTEM_LAPACK} -Wl,--pop-state)
 
 add_library(base_libraries INTERFACE)
 target_link_libraries(base_libraries INTERFACE fmt::fmt spdlog::spdlog nlohmann_json::nlohmann_json
@@ -44,7 +44,7 @@ target_include_directories(archive_libraries SYSTEM INTERFACE ${HDF5_INCLUDE_DIR
 
 find_package(Ceres REQUIRED)
 add_library(solver_libraries INTERFACE)
-target_link_libraries(solver_libraries INTERFACE system_blas Ceres::ceres)
+target_link_libraries(solver_libraries INTERFACE blas_libraries Ceres::ceres)
 
 if(NOT DAUMIER_SANITIZE)
   find_package(Torch REQUIRED)
@@ -55,7 +55,7 @@ if(NOT DAUMIER_SANITIZE)
   endif()
 
   add_library(torch_libraries INTERFACE)
-  target_link_libraries(torch_libraries INTERFACE system_blas ${TORCH_LIBRARIES})
+  target_link_libraries(torch_libraries INTERFACE blas_libraries ${TORCH_LIBRARIES})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
     # at::parallel_for in our own files is serial unless they are compiled with OpenMP, in the run-time that LibTorch uses.
     find_package(OpenMP REQUIRED)

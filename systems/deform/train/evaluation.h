@@ -11,7 +11,7 @@ namespace daumier::deform {
 /// (FitCode with the weights of the run's loss), over all vertices, in the model's frame, with nothing aligned
 /// first. Rows: the network with codes by Gauss-Newton; both methods on the first adam_faces of the faces; the template
 /// alone; the mean of the training faces, the nearest of them, and a linear model with as many components as a code has
-/// numbers (eval/deform_baselines.h, fitted on at most 2,000 evenly spread training faces, its ridge weight chosen on
+/// numbers (eval/linear_model.h, fitted on at most 2,000 evenly spread training faces, its ridge weight chosen on
 /// at most 200 validation faces). Writes into `out_directory` metrics.json (returned; docs/formats.md), table.md, a
 /// report with pictures (eval/report.h) of the median, the 95th percentile and the first face, and a manifest.
 /// @throws Error as LoadDeformRun and FaceDatabase, if the run's faces are not those that it was trained on, or if

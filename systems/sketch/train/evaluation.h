@@ -8,7 +8,7 @@
 namespace daumier::sketch {
 
 /// `daumier eval` of a sketch run: errors of the network on one side of its split beside the free baselines
-/// (eval/baselines.h, fitted on training faces) and the limit of the bilinear model, which is its best reconstruction
+/// (eval/, fitted on training faces) and the limit of the bilinear model, which is its best reconstruction
 /// of each true face, in the least-squares sense over the region `face` that the errors are averaged over. Ridge
 /// regression stands there once more on the shape-level numbers alone, given and recovered (eval/shape_input.h;
 /// "predicted" are those of the network's own face, without a snap). A network that reads these numbers stands there

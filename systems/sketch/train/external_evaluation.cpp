@@ -6,9 +6,10 @@
 #include "core/manifest.h"
 #include "core/parallel.h"
 #include "datasets/read/sketch_variation.h"
-#include "eval/baselines.h"
 #include "reports/face_pictures.h"
 #include "eval/metrics.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "systems/sketch/train/run_data.h"
 #include "faces/bilinear_projector.h"
 #include "faces/face_database.h"
@@ -97,9 +98,9 @@ class OtherFaces {
     log::Info("Fitting the free baselines on {} training faces", own->split.train.size());
     const eval::SketchSamples samples{[&](int face) { return own->faces.vertices(face); },
                                 [&](int face) { return own->sketches.curve_points(face); }};
-    const eval::NearestNeighbour nearest(samples, own->split.train);
+    const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own->split.train));
     AddRow("nearest neighbour", [&](int face) {
-      const auto vertices = samples.vertices(nearest.Nearest(sketches_.curve_points(face)));
+      const auto vertices = samples.vertices(own->split.train[size_t(nearest.Nearest(sketches_.curve_points(face)))]);
       return PredictedFace{{}, {}, {vertices.begin(), vertices.end()}};
     });
     const eval::RidgeFit ridge = eval::FitRidge(samples, own->split.train, own->split.validation, region(), eval::DefaultRidgeLambdas());

@@ -11,7 +11,7 @@ namespace daumier::sketch {
 /// but in the frame of their sketches. Rows: the mean face of the bilinear model (of its mean u and v), the network,
 /// the network with its contours matched, that and the mean face moved onto the strokes (fitting/stroke_deformation.h),
 /// the limit of the model, and of faces of the run's own topology with exact sketches the ridge regression and the
-/// nearest neighbour of eval/baselines.h, which read labelled curve points and are fitted on the run's training data;
+/// nearest neighbour of eval/, which read labelled curve points and are fitted on the run's training data;
 /// where that cannot be opened they are left out. Each has the two-way distance in pixels of the 256 canvas between the
 /// drawn silhouette and feature lines, as augmented, and the face's projected curves; faces of the run's own topology
 /// also the mean vertex error in mm over the region `face`, with the scale of their own template, and of registered

@@ -3,8 +3,9 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/parallel.h"
-#include "eval/baselines.h"
 #include "eval/metrics.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "systems/sketch/train/fits.h"
 #include "faces/bilinear_projector.h"
 
@@ -177,15 +178,15 @@ void SketchMeasurement::MeasureBaselines() {
   const eval::RidgeFit ridge = eval::FitRidge(samples, data_.split.train, data_.split.validation, region_, eval::DefaultRidgeLambdas());
   ridge_lambda_ = ridge.lambda;
   AddRow("ridge regression", "none",
-         Errors([&](auto faces) { return ridge.model.Predict(eval::PointRows(samples, faces)); }));
+         Errors([&](auto faces) { return ridge.model.Predict(eval::ReadRows(samples.curve_points, faces)); }));
   MeasureShapeInput();
-  const eval::NearestNeighbour nearest(samples, data_.split.train);
+  const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, data_.split.train));
   AddRow("nearest neighbour", "none", Errors([&](auto faces) {
            return Rows(faces, num_coordinates, [&](int face) {
-             return AsVector(samples.vertices(nearest.Nearest(samples.curve_points(face))));
+             return AsVector(samples.vertices(data_.split.train[size_t(nearest.Nearest(samples.curve_points(face)))]));
            });
          }));
-  Eigen::VectorXf mean_face = eval::MeanFace(samples, data_.split.train);
+  Eigen::VectorXf mean_face = eval::MeanFace(samples.vertices, data_.split.train);
   AddRow("mean face", "none",
          Errors([&](auto faces) { return Rows(faces, num_coordinates, [&](int) { return mean_face; }); }));
   log::Info("Projecting the true faces on the bilinear model");

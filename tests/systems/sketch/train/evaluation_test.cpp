@@ -1,6 +1,5 @@
 #include "systems/sketch/train/evaluation.h"
 
-#include "eval/baselines.h"
 #include "eval/metrics.h"
 #include "systems/sketch/train/run_data.h"
 #include "tests/systems/sketch/train/run_fixture.h"
@@ -35,9 +34,8 @@ TEST_F(SketchEvalTest, WritesTheKeysThatAreAgreedOnAndAReport) {
 TEST_F(SketchEvalTest, MeasuresBaselinesAsWorkedOutByHand) {
   const Json metrics = EvaluateSketchRun(*folder_ / "run", *folder_ / "validation", {.split = "validation"});
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  const eval::SketchSamples samples{[&](int face) { return data.faces.vertices(face); },
-                              [&](int face) { return data.sketches.curve_points(face); }};
-  const Eigen::VectorXf mean = eval::MeanFace(samples, data.split.train);
+  const auto vertices = [&](int face) { return data.faces.vertices(face); };
+  const Eigen::VectorXf mean = eval::MeanFace(vertices, data.split.train);
   std::vector<double> errors;
   for (const int face : data.split.validation) {
     errors.push_back(eval::MeanVertexError({mean.data(), size_t(mean.size())}, data.faces.vertices(face),

@@ -1,8 +1,9 @@
 #include "systems/sketch/train/external_evaluation.h"
 
 #include "core/safetensors.h"
-#include "eval/baselines.h"
 #include "eval/metrics.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "systems/sketch/train/run_data.h"
 #include "systems/sketch/train/sketch_predictor.h"
 #include "tests/systems/sketch/train/run_fixture.h"
@@ -48,7 +49,7 @@ TEST_F(OtherFacesTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
   const eval::SketchSamples samples{[&](int face) { return own.faces.vertices(face); },
                               [&](int face) { return own.sketches.curve_points(face); }};
   const auto& region = own.faces.face_template().annotation.regions.at("face");
-  const eval::NearestNeighbour nearest(samples, own.split.train);
+  const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own.split.train));
   const eval::RidgeRegression ridge =
       eval::FitRidge(samples, own.split.train, own.split.validation, region, eval::DefaultRidgeLambdas()).model;
   std::vector<double> nearest_errors, ridge_errors;
@@ -58,7 +59,7 @@ TEST_F(OtherFacesTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
                              faces::MillimetresPerCm(own.faces.face_template()));
     };
     const std::vector<float> points = samples.curve_points(face);
-    nearest_errors.push_back(error(samples.vertices(nearest.Nearest(points))));
+    nearest_errors.push_back(error(samples.vertices(own.split.train[size_t(nearest.Nearest(points))])));
     const eval::FaceRows answer = ridge.Predict(Eigen::Map<const eval::FaceRows>(points.data(), 1, Eigen::Index(points.size())));
     ridge_errors.push_back(error({answer.data(), size_t(answer.size())}));
   }

@@ -1,4 +1,4 @@
-#include "eval/baselines.h"
+#include "eval/ridge_regression.h"
 
 #include "core/error.h"
 #include "core/random.h"
@@ -13,7 +13,7 @@
 namespace daumier::eval {
 namespace {
 
-/// Sketches of `num_points` numbers and faces of 3 vertices that depend on them linearly, beside noise.
+/// Sketches of `num_points` numbers and faces of 3 vertices that depend on them linearly, and on noise.
 struct LinearWorld {
   FaceRows points, faces;
   std::set<int> vertices_read, points_read;
@@ -48,40 +48,6 @@ std::vector<int> Indices(int begin, int end) {
 
 const std::vector<int> kRegion = {0, 1, 2};
 
-TEST(PointRows, HoldTheFacesInOrderAndAllOfOneLength) {
-  LinearWorld world(3, 4, 0, 12);
-  const std::vector<int> faces = {2, 0};
-  EXPECT_EQ(PointRows(world.samples(), faces), world.points(faces, Eigen::all));
-  SketchSamples samples = world.samples();
-  samples.curve_points = [](int face) { return std::vector<float>(size_t(face + 1)); };
-  testing::ExpectError([&] { PointRows(samples, faces); }, "sketch 0 has 1 curve coordinates, others have 3");
-}
-
-TEST(MeanFace, IsTheMeanOfTheTrainingFaces) {
-  LinearWorld world(3, 2, 0, 1);
-  world.faces.row(0).setConstant(1);
-  world.faces.row(1).setConstant(4);
-  world.faces.row(2).setConstant(100);
-  EXPECT_EQ(MeanFace(world.samples(), std::vector<int>{0, 1}), Eigen::VectorXf::Constant(9, 2.5f));
-  EXPECT_THROW(MeanFace(world.samples(), {}), Error);
-}
-
-TEST(NearestNeighbour, OfATrainingSketchIsItself) {
-  LinearWorld world(20, 6, 0.1, 2);
-  const std::vector<int> train = {3, 5, 8, 13};
-  const NearestNeighbour nearest(world.samples(), train);
-  for (const int face : train) EXPECT_EQ(nearest.Nearest(world.samples().curve_points(face)), face);
-}
-
-TEST(NearestNeighbour, TakesTheNearestByHandAndTheFirstOfEquals) {
-  LinearWorld world(3, 2, 0, 3);
-  world.points << 0, 0, 10, 0, 0, 10;
-  const NearestNeighbour nearest(world.samples(), std::vector<int>{0, 1, 2});
-  EXPECT_EQ(nearest.Nearest(std::vector<float>{7, 1}), 1);
-  EXPECT_EQ(nearest.Nearest(std::vector<float>{10, 10}), 1);
-  EXPECT_THROW(nearest.Nearest(std::vector<float>{1, 2, 3}), Error);
-}
-
 TEST(RidgeRegression, EqualsTheClosedForm) {
   LinearWorld world(40, 5, 0.2, 4);
   const double lambda = 0.3;
@@ -111,7 +77,7 @@ TEST(RidgeRegression, ReproducesALinearWorldAndChoosesTheLeastLambdaThere) {
   EXPECT_LT((fit.model.Predict(world.points.bottomRows(10)) - world.faces.bottomRows(10)).cwiseAbs().maxCoeff(), 1e-3f);
 }
 
-TEST(RidgeRegression, ChoosesAStrongLambdaWhereSketchesTellNothing) {
+TEST(RidgeRegression, ChoosesAStrongLambdaWhereSketchesCarryNoInformation) {
   LinearWorld world(60, 20, 0, 6);
   Rng rng(7);
   for (float& entry : world.faces.reshaped()) entry = float(rng.Normal());
@@ -138,21 +104,31 @@ TEST(RidgeRegression, IsTheSameWhetherFacesFitIntoOneBlockOrNot) {
   EXPECT_LT((fit.model.Predict(world.points.bottomRows(5)) - world.faces.bottomRows(5)).cwiseAbs().maxCoeff(), 1e-3f);
 }
 
-TEST(Baselines, ReadNoFaceButTheirOwn) {
+TEST(RidgeRegression, ReadsNoFaceButTrainingAndValidationFaces) {
   LinearWorld world(50, 5, 0.1, 10);
-  const auto train = Indices(0, 30), validation = Indices(30, 40);
-  MeanFace(world.samples(), train);
-  const NearestNeighbour nearest(world.samples(), train);
-  EXPECT_EQ(*world.vertices_read.rbegin(), 29);
-  EXPECT_EQ(*world.points_read.rbegin(), 29);
-  FitRidge(world.samples(), train, validation, kRegion, DefaultRidgeLambdas());
+  FitRidge(world.samples(), Indices(0, 30), Indices(30, 40), kRegion, DefaultRidgeLambdas());
   EXPECT_EQ(*world.vertices_read.rbegin(), 39);
   EXPECT_EQ(*world.points_read.rbegin(), 39);
 }
 
-TEST(RidgeRegression, RefusesEmptyListsAndSketchesOfAnotherLength) {
+TEST(RidgeRegression, PredictsOnSeveralThreadsWhatItPredictsOnOne) {
+  LinearWorld world(60, 5, 0.1, 13);
+  const RidgeRegression model =
+      FitRidge(world.samples(), Indices(0, 40), Indices(40, 50), kRegion, std::vector<double>{0.1}).model;
+  const FaceRows together = model.Predict(world.points);
+  const FaceRows apart = RowsOnAllCores(60, 9, [&](int face) {
+    const FaceRows one = model.Predict(world.points.row(face));
+    return std::vector<float>(one.data(), one.data() + one.size());
+  });
+  EXPECT_LT((apart - together).cwiseAbs().maxCoeff(), 1e-4f);
+}
+
+TEST(RidgeRegression, RefusesEmptyListsAndOtherSizes) {
   LinearWorld world(10, 4, 0, 11);
   EXPECT_THROW(FitRidge(world.samples(), {}, Indices(0, 5), kRegion, DefaultRidgeLambdas()), Error);
+  testing::ExpectError(
+      [&] { FitRidge(world.samples(), Indices(0, 5), Indices(5, 10), std::vector<int>{3}, DefaultRidgeLambdas()); },
+      "the region has vertex 3, the face 3 vertices");
   const RidgeFit fit = FitRidge(world.samples(), Indices(0, 5), Indices(5, 10), kRegion, DefaultRidgeLambdas());
   EXPECT_THROW(fit.model.Predict(FaceRows::Zero(1, 7)), Error);
 }
