@@ -75,7 +75,8 @@ TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, b
   manifest.details["data"] = DataHashes(options, sketches);
   manifest.details["sketches"] = SketchFrame(sketches);
 
-  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"]);
+  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"],
+                                          ToJson(SketchTrainingOptions()));
   const FittedModels models =
       begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
 
