@@ -16,7 +16,8 @@ bool DatabaseAblation::Finished(const fs::path& run, const Json& config) const {
   without_paths.erase("data");
   for (const auto& [database, folder] : config.at("data").items())
     hashes[database] = DataHash(folder.get<std::string>());
-  train::OpenRunFolder(run, /*resume=*/true, without_paths, hashes);
+  const Json defaults = ResolvedConfig({{"data", config.at("data")}}, 0, "person", run.string());
+  train::OpenRunFolder(run, /*resume=*/true, without_paths, hashes, defaults);
   return ReadManifest(run, "run").counts.contains("best_epoch");
 }
 

@@ -9,8 +9,6 @@
 #include <ATen/Parallel.h>
 
 #include <algorithm>
-#include <functional>
-#include <sstream>
 
 namespace daumier::ablation {
 namespace {
@@ -30,26 +28,6 @@ Json ReadJson(const fs::path& file) {
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{} is no JSON: {}", file.string(), error.what()));
   }
-}
-
-/// Every whole line of metrics.jsonl; a line that a kill cut short is left out.
-void ForEachRecord(const fs::path& run, const std::function<void(const Json&)>& read) {
-  std::istringstream lines(ReadFile(run / train::RunLog::kMetricsFile));
-  for (std::string line; std::getline(lines, line);) {
-    const Json record = Json::parse(line, nullptr, /*allow_exceptions=*/false);
-    if (record.is_object()) read(record);
-  }
-}
-
-/// The same with the seconds of training until then: a line's own count since training last went on.
-void ForEachTimedRecord(const fs::path& run, const std::function<void(const Json&, double seconds)>& read) {
-  double total = 0, last = 0;
-  ForEachRecord(run, [&](const Json& record) {
-    const double seconds = record.value("seconds", 0.0);
-    total += seconds >= last ? seconds - last : seconds;
-    last = seconds;
-    read(record, total);
-  });
 }
 
 }  // namespace
@@ -199,19 +177,18 @@ AblationPicture AblationRuns::Picture(const Place& place) const {
 }
 
 double TrainSeconds(const fs::path& run) {
-  double total = 0;
-  ForEachTimedRecord(run, [&](const Json&, double seconds) { total = seconds; });
-  return total;
+  const std::vector<train::MetricsRecord> records = train::ReadMetrics(run);
+  return records.empty() ? 0 : records.back().seconds;
 }
 
 RunCurve ReadCurve(const fs::path& run, const std::string& phase, const std::string& metric) {
   RunCurve curve;
-  ForEachTimedRecord(run, [&](const Json& record, double seconds) {
-    if (record.value("phase", "") != phase || !record.contains(metric)) return;
-    curve.steps.push_back(record.at("step").get<double>());
-    curve.errors.push_back(record.at(metric).get<double>());
+  for (const auto& [line, seconds] : train::ReadMetrics(run)) {
+    if (line.value("phase", "") != phase || !line.contains(metric)) continue;
+    curve.steps.push_back(line.at("step").get<double>());
+    curve.errors.push_back(line.at(metric).get<double>());
     curve.seconds.push_back(seconds);
-  });
+  }
   return curve;
 }
 

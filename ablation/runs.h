@@ -73,7 +73,7 @@ class AblationRuns {
   std::vector<std::string> references_;
 };
 
-/// Seconds of a training that may have been stopped and gone on: metrics.jsonl tells them since it last went on.
+/// Total training time across resumes (train::ReadMetrics), in seconds.
 double TrainSeconds(const std::filesystem::path& run);
 
 /// A number of a run while it trained, as metrics.jsonl tells it.

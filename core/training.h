@@ -36,6 +36,8 @@ struct OptimiserOptions {
 struct TrainerOptions {
   int epochs = 20;
   int batch = 32;
+  int accumulate = 1;
+  std::string precision = "float32";
   int validate_every = 1;
   int patience = 0;
   int log_every = 10;
@@ -45,7 +47,12 @@ struct TrainerOptions {
   void Visit(V&& visit) {
     visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
     visit("batch", batch, Range{1, 65536},
-          "Samples a step; what is left over at the end of an epoch waits for the next.");
+          "Samples of a batch; those left over at the end of an epoch are skipped in it.");
+    visit("accumulate", accumulate, Range{1, 65536},
+          "Batches a step, whose gradients are averaged: without batch norm the same as a batch so many times as large.");
+    visit("precision", precision, Choices{{"float32", "bfloat16"}},
+          "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
+          "Weights, losses, validation and all that reads a run are float32.");
     visit("validate_every", validate_every, Range{1, 1e6},
           "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
     visit("patience", patience, Range{0, 1e6},
@@ -64,7 +71,7 @@ struct TrainingSummary {
   std::string metric;
   double best = 0;
   int64_t best_epoch = 0;
-  double seconds = 0;  ///< Since training began or went on.
+  double seconds = 0;  ///< Of training, across resumes.
 };
 
 /// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.

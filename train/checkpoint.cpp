@@ -10,9 +10,18 @@ namespace fs = std::filesystem;
 
 constexpr int kFormatVersion = 1;
 constexpr const char* kStateFile = "state.json";
+constexpr const char* kTimeFile = "time.json";
 
 fs::path Beside(const fs::path& directory, const char* suffix) {
   return directory.string() + suffix;
+}
+
+std::optional<double> ReadSeconds(const fs::path& file) {
+  if (!fs::exists(file)) return std::nullopt;
+  const Json time = Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false);
+  DAUMIER_CHECK(time.is_object() && time.contains("seconds") && time["seconds"].is_number(),
+                "{} is damaged: it has no seconds. Delete it to resume without the time until now", file.string());
+  return time["seconds"].get<double>();
 }
 
 tensor::NamedTensors ReadChecked(const fs::path& file, const Json& checksums) {
@@ -32,6 +41,8 @@ void WriteCheckpoint(const fs::path& directory, const Checkpoint& checkpoint) {
   checksums["model.safetensors"] = tensor::SaveTensors(fresh / "model.safetensors", checkpoint.model);
   checksums["optimiser.safetensors"] = tensor::SaveTensors(fresh / "optimiser.safetensors", checkpoint.optimiser);
   checksums["random.safetensors"] = tensor::SaveTensors(fresh / "random.safetensors", checkpoint.random);
+  if (checkpoint.seconds)
+    WriteFileAtomically(fresh / kTimeFile, Json{{"seconds", *checkpoint.seconds}}.dump() + "\n");
   const Json head = {{"format_version", kFormatVersion}, {"state", checkpoint.state}, {"checksums", checksums}};
   WriteFileAtomically(fresh / kStateFile, head.dump(2) + "\n");
 
@@ -56,7 +67,8 @@ std::optional<Checkpoint> ReadCheckpoint(const fs::path& directory) {
   const Json& checksums = head["checksums"];
   return Checkpoint{ReadChecked(source / "model.safetensors", checksums),
                     ReadChecked(source / "optimiser.safetensors", checksums),
-                    ReadChecked(source / "random.safetensors", checksums), head["state"]};
+                    ReadChecked(source / "random.safetensors", checksums), head["state"],
+                    ReadSeconds(source / kTimeFile)};
 }
 
 }  // namespace daumier::train

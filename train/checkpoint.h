@@ -7,14 +7,15 @@
 
 namespace daumier::train {
 
-/// All that a training needs to go on as if it had never stopped. On disk a folder: model.safetensors,
-/// optimiser.safetensors, random.safetensors and state.json ({format_version, state, checksums}). Holds no clock, path
-/// or host name.
+/// All that a training needs to resume as if it had never stopped, on any device. On disk a folder: model.safetensors,
+/// optimiser.safetensors, random.safetensors, state.json ({format_version, state, checksums}) and time.json ({seconds}).
+/// Only time.json has a clock; the others have equal bytes in equal trainings. None has a path or host name.
 struct Checkpoint {
   tensor::NamedTensors model;
   tensor::NamedTensors optimiser;
   tensor::NamedTensors random;  ///< States of LibTorch's generators by device name.
   Json state = Json::object();  ///< The trainer's own numbers.
+  std::optional<double> seconds;  ///< Of training until now, across resumes; absent in checkpoints of older versions.
 };
 
 /// Replaces the checkpoint of that folder. A kill at any point leaves either the old one or the new one whole: the new

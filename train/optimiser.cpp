@@ -3,29 +3,13 @@
 #include "core/error.h"
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
-
-#include <ATen/Parallel.h>
+#include "train/adamw.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace daumier::train {
-namespace {
-
-/// Calls work(begin, end) for parts of `count` numbers that a processor's cache holds, so that a chain of elementwise
-/// operations reads and writes the memory once.
-template <class Work>
-void ForEachPart(int64_t count, const torch::Device& device, const Work& work) {
-  constexpr int64_t kPart = 32768;
-  if (!device.is_cpu()) return work(0, count);
-  at::parallel_for(0, (count + kPart - 1) / kPart, 1, [&](int64_t first, int64_t last) {
-    const at::NoGradGuard no_grad;  // Holds for one thread alone.
-    for (int64_t i = first; i < last; ++i) work(i * kPart, std::min(count, (i + 1) * kPart));
-  });
-}
-
-}  // namespace
 
 double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps) {
   const double warm_up_steps = std::ceil(options.warm_up * double(total_steps));
@@ -35,29 +19,45 @@ double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total
   return options.learning_rate * (options.final_rate + (1 - options.final_rate) * cosine);
 }
 
-Optimiser::Optimiser(torch::nn::Module& module, const OptimiserOptions& options)
+Optimiser::Optimiser(torch::nn::Module& module, const OptimiserOptions& options,
+                     const std::vector<ParameterGroup>& groups)
     : options_(options), num_steps_(torch::zeros({1}, torch::kInt64)) {
+  std::vector<bool> is_used(groups.size());
   for (const auto& item : module.named_parameters()) {
     if (!item.value().requires_grad()) continue;
-    slots_.push_back({item.key(), item.value(), torch::zeros_like(item.value()), torch::zeros_like(item.value())});
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const ParameterGroup& candidate) {
+      return item.key().starts_with(candidate.prefix);
+    });
+    Slot slot{item.key(), item.value(), torch::zeros_like(item.value()), torch::zeros_like(item.value()),
+              /*rate=*/1, options.weight_decay};
+    if (group != groups.end()) {
+      is_used[size_t(group - groups.begin())] = true;
+      slot.rate = group->rate;
+      slot.weight_decay = group->weight_decay.value_or(options.weight_decay);
+    }
+    if (slot.parameter.dim() <= 1) slot.weight_decay = 0;
+    slots_.push_back(std::move(slot));
   }
   DAUMIER_CHECK(!slots_.empty(), "the network has no parameter to train");
+  for (size_t i = 0; i < groups.size(); ++i)
+    DAUMIER_CHECK(is_used[i], "no trained parameter is in the group '{}'", groups[i].prefix);
 }
 
 void Optimiser::ZeroGradients() {
   for (Slot& slot : slots_) slot.parameter.mutable_grad() = torch::Tensor();
 }
 
-double Optimiser::GradientNorm() const {
+torch::Tensor Optimiser::GradientNorm() const {
   const at::NoGradGuard no_grad;
   torch::Tensor sum = torch::zeros({}, slots_.front().parameter.options().dtype(torch::kFloat64));
   for (const Slot& slot : slots_)
     if (slot.parameter.grad().defined()) sum += slot.parameter.grad().norm().to(torch::kFloat64).square();
-  return std::sqrt(sum.item<double>());
+  return sum.sqrt();
 }
 
-void Optimiser::ScaleGradients(double factor) {
+void Optimiser::ClipGradients(const torch::Tensor& norm, double clip_norm) {
   const at::NoGradGuard no_grad;
+  const torch::Tensor factor = (clip_norm / norm).clamp_max(1);
   for (Slot& slot : slots_)
     if (slot.parameter.grad().defined()) slot.parameter.mutable_grad().mul_(factor);
 }
@@ -65,39 +65,38 @@ void Optimiser::ScaleGradients(double factor) {
 void Optimiser::Step(double learning_rate) {
   const at::NoGradGuard no_grad;
   num_steps_ += 1;
-  for (Slot& slot : slots_) {
-    if (!slot.parameter.grad().defined()) continue;
-    if (options_.kind == "sgd") {
-      StepSgd(slot, learning_rate);
-    } else {
-      StepAdamW(slot, learning_rate);
-    }
+  if (options_.kind == "sgd") {
+    for (Slot& slot : slots_)
+      if (slot.parameter.grad().defined()) StepSgd(slot, learning_rate * slot.rate);
+  } else {
+    StepAdamW(learning_rate);
   }
 }
 
-void Optimiser::StepAdamW(Slot& slot, double learning_rate) const {
+void Optimiser::StepAdamW(double learning_rate) {
   const double t = double(num_steps_.item<int64_t>());
   const double mean_correction = 1 - std::pow(options_.beta1, t);
   const double square_correction = 1 - std::pow(options_.beta2, t);
-  const double decay = slot.parameter.dim() > 1 ? 1 - learning_rate * options_.weight_decay : 1;
-  const torch::Tensor parameters = slot.parameter.detach().view({-1}),
-                      gradients = slot.parameter.grad().contiguous().view({-1}), means = slot.mean.view({-1}),
-                      squares = slot.square.view({-1});
-  ForEachPart(parameters.numel(), parameters.device(), [&](int64_t begin, int64_t end) {
-    const auto part = [&](const torch::Tensor& numbers) { return numbers.slice(0, begin, end); };
-    torch::Tensor parameter = part(parameters), mean = part(means), square = part(squares);
-    const torch::Tensor gradient = part(gradients);
-    mean.mul_(options_.beta1).add_(gradient, 1 - options_.beta1);
-    square.mul_(options_.beta2).addcmul_(gradient, gradient, 1 - options_.beta2);
-    if (decay != 1) parameter.mul_(decay);
-    const torch::Tensor denominator = square.sqrt().div_(std::sqrt(square_correction)).add_(1e-8);
-    parameter.addcdiv_(mean, denominator, -learning_rate / mean_correction);
-  });
+  std::vector<AdamWUpdate> updates;
+  for (Slot& slot : slots_) {
+    if (!slot.parameter.grad().defined()) continue;
+    const double rate = learning_rate * slot.rate;
+    updates.push_back({.factors = {.beta1 = options_.beta1,
+                                   .beta2 = options_.beta2,
+                                   .decay = 1 - rate * slot.weight_decay,
+                                   .root_correction = std::sqrt(square_correction),
+                                   .step_size = rate / mean_correction},
+                       .parameter = slot.parameter,
+                       .gradient = slot.parameter.grad(),
+                       .mean = slot.mean,
+                       .square = slot.square});
+  }
+  UpdateAdamW(updates);
 }
 
-void Optimiser::StepSgd(Slot& slot, double learning_rate) const {
-  slot.mean.mul_(options_.beta1).add_(slot.parameter.grad(), learning_rate);
-  if (slot.parameter.dim() > 1) slot.mean.add_(slot.parameter, learning_rate * options_.weight_decay);
+void Optimiser::StepSgd(Slot& slot, double rate) const {
+  slot.mean.mul_(options_.beta1).add_(slot.parameter.grad(), rate);
+  if (slot.weight_decay != 0) slot.mean.add_(slot.parameter, rate * slot.weight_decay);
   slot.parameter.sub_(slot.mean);
 }
 

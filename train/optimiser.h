@@ -5,6 +5,7 @@
 #include <torch/nn/module.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace daumier::train {
 /// final_rate:
 ///   p (step + 1) / W in the first W steps, then p (f + (1 - f) (1 + cos(pi (step - W) / (total_steps - W))) / 2).
 double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps);
+
+/// Parameters that train in another way than the rest: those whose dotted name begins with `prefix`.
+struct ParameterGroup {
+  std::string prefix;
+  double rate = 1;                     ///< Factor of the learning rate.
+  std::optional<double> weight_decay;  ///< Absent: that of OptimiserOptions.
+};
 
 /// With gradient g, at its t-th step, AdamW [Loshchilov and Hutter 2019]:
 ///   m = beta1 m + (1 - beta1) g,  v = beta2 v + (1 - beta2) g^2,
@@ -25,12 +33,15 @@ double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total
 /// must not be.
 class Optimiser {
  public:
-  Optimiser(torch::nn::Module& module, const OptimiserOptions& options);
+  /// A parameter belongs to the first group whose prefix it has; to none: rate 1 and the decay of the options.
+  /// @throws Error if nothing is to be trained or a group has no parameter that is.
+  Optimiser(torch::nn::Module& module, const OptimiserOptions& options, const std::vector<ParameterGroup>& groups = {});
 
   void ZeroGradients();
-  /// Length of all gradients together; NaN or infinite if any of them is.
-  double GradientNorm() const;
-  void ScaleGradients(double factor);
+  /// Length of all gradients together, a float64 scalar on their device; NaN or infinite if any of them is.
+  torch::Tensor GradientNorm() const;
+  /// Scales the gradients, whose length is `norm`, to the length `clip_norm` where they exceed it.
+  void ClipGradients(const torch::Tensor& norm, double clip_norm);
   void Step(double learning_rate);
   /// Forgets all gradients of the past.
   void Reset();
@@ -44,13 +55,14 @@ class Optimiser {
   struct Slot {
     std::string name;
     torch::Tensor parameter, mean, square;
+    double rate, weight_decay;
   };
-  void StepAdamW(Slot& slot, double learning_rate) const;
-  void StepSgd(Slot& slot, double learning_rate) const;
+  void StepAdamW(double learning_rate);
+  void StepSgd(Slot& slot, double rate) const;
 
   OptimiserOptions options_;
   std::vector<Slot> slots_;
-  torch::Tensor num_steps_;
+  torch::Tensor num_steps_;  ///< (1) int64 on the CPU.
 };
 
 }  // namespace daumier::train

@@ -1,5 +1,6 @@
 #pragma once
 #include "train/batch.h"
+#include "train/optimiser.h"
 
 #include <torch/nn/module.h>
 
@@ -39,10 +40,14 @@ class Recipe {
   /// The losses from now on are those of this stage. Called before the first step of a stage, and on resuming within
   /// it.
   virtual void EnterStage(int) {}
+  /// Parameters that train at another rate or decay; none by default.
+  virtual std::vector<ParameterGroup> groups() const { return {}; }
   /// Reads training samples, each in 0 .. num_samples - 1, as the epoch shows them, 0 the first. A function of its
-  /// arguments alone. Loader threads call it while Loss runs.
+  /// arguments alone; draws nothing from LibTorch's generators. Loader threads call it while Loss runs.
   virtual SampleBatch Read(std::span<const int> samples, int64_t epoch) const = 0;
-  /// The loss of what Read returned, moved to the device. Reads no data. Deterministic but for LibTorch's generators.
+  /// The loss of what Read returned, moved to the device: a mean over the samples. Reads no data, and does not wait for
+  /// the device. Runs under tensor::Autocast in the precision of TrainerOptions. Deterministic but for LibTorch's
+  /// generators.
   virtual LossTerms Loss(const Batch& batch) = 0;
   /// Numbers over the validation samples; the network is in evaluation mode and no gradient is kept.
   virtual std::map<std::string, double> Validate() = 0;

@@ -8,7 +8,8 @@
 namespace daumier::train {
 namespace {
 
-void AppendDifferences(const std::string& prefix, const Json& there, const Json& now, std::vector<std::string>& lines) {
+void AppendDifferences(const std::string& prefix, const Json& there, const Json& now, const Json& defaults,
+                       std::vector<std::string>& lines) {
   if (!there.is_object() || !now.is_object()) {
     if (there != now) lines.push_back(fmt::format("{} is {} there and {} now", prefix, there.dump(), now.dump()));
     return;
@@ -18,25 +19,27 @@ void AppendDifferences(const std::string& prefix, const Json& there, const Json&
     for (const auto& [key, value] : side->items()) keys.insert(key);
   for (const std::string& key : keys) {
     const std::string dotted = prefix.empty() ? key : fmt::format("{}.{}", prefix, key);
-    if (!there.contains(key)) {
-      lines.push_back(fmt::format("{} is missing there and {} now", dotted, now[key].dump()));
-    } else if (!now.contains(key)) {
+    const Json default_value = defaults.is_object() && defaults.contains(key) ? defaults.at(key) : Json();
+    if (!now.contains(key)) {
       lines.push_back(fmt::format("{} is {} there and missing now", dotted, there[key].dump()));
+    } else if (!there.contains(key) && default_value.is_null()) {
+      lines.push_back(fmt::format("{} is missing there and {} now", dotted, now[key].dump()));
     } else {
-      AppendDifferences(dotted, there[key], now[key], lines);
+      AppendDifferences(dotted, there.contains(key) ? there[key] : default_value, now[key], default_value, lines);
     }
   }
 }
 
 }  // namespace
 
-std::vector<std::string> ConfigDifferences(const Json& there, const Json& now) {
+std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, const Json& defaults) {
   std::vector<std::string> lines;
-  AppendDifferences("", there, now, lines);
+  AppendDifferences("", there, now, defaults, lines);
   return lines;
 }
 
-bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data) {
+bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data,
+                   const Json& defaults) {
   namespace fs = std::filesystem;
   const bool begun = fs::exists(directory / "resolved.toml") || fs::exists(directory / "manifest.json");
   if (begun && !resume)
@@ -49,7 +52,9 @@ bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Js
   if (!fs::exists(directory / "manifest.json")) return false;  // Stopped while it was being set up.
 
   const Manifest manifest = ReadManifest(directory, "run");
-  std::vector<std::string> lines = ConfigDifferences(manifest.config, config);
+  Json there = manifest.config;
+  there.erase("product");  // Of earlier versions, in the place of `system`.
+  std::vector<std::string> lines = ConfigDifferences(there, config, defaults);
   for (const std::string& line :
        ConfigDifferences({{"data", manifest.details.value("data", Json())}}, {{"data", data}}))
     lines.push_back(line);

@@ -3,29 +3,23 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/log.h"
+#include "core/prefetch.h"
 #include "core/progress.h"
-#include "core/random.h"
 #include "core/run_manifest.h"
+#include "tensor/autocast.h"
 #include "tensor/module_state.h"
 #include "tensor/torch_version.h"
 #include "train/checkpoint.h"
+#include "train/random_state.h"
 #include "train/run_log.h"
-
-#include <ATen/Context.h>
+#include "train/sample_order.h"
+#include "train/step_sums.h"
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace daumier::train {
 namespace {
-
-/// Generators of the devices that a training draws from.
-std::vector<torch::Device> RandomDevices(const torch::Device& device) {
-  std::vector<torch::Device> devices{torch::Device(torch::kCPU)};
-  if (device.is_cuda()) devices.push_back(device);
-  return devices;
-}
 
 class Training {
  public:
@@ -34,13 +28,11 @@ class Training {
       : recipe_(recipe),
         options_(options),
         optimiser_options_(optimiser_options),
-        seed_(seed),
         run_directory_(run_directory),
-        batch_(std::min(options.batch, recipe.num_samples())),
-        optimiser_(recipe.module(), optimiser_options) {
-    DAUMIER_CHECK(recipe.num_samples() > 0, "there is no training sample");
-    steps_per_epoch_ = recipe.num_samples() / batch_;
-    total_steps_ = steps_per_epoch_ * options.epochs;
+        order_(seed, recipe.num_samples(), options.batch, options.accumulate),
+        steps_per_epoch_(order_.steps_per_epoch()),
+        total_steps_(steps_per_epoch_ * options.epochs),
+        optimiser_(recipe.module(), optimiser_options, recipe.groups()) {
     double share = 0;
     for (const Stage& stage : recipe.stages()) {
       const auto begin = stages_.empty() ? 0 : stages_.back().end;
@@ -52,21 +44,20 @@ class Training {
   }
 
   TrainingSummary Run() {
-    Restore();
+    const bool has_time = Restore();
     EnterStage();
     RunLog log(run_directory_, step_);
+    if (!has_time) seconds_before_ = SecondsOfLog();
     Progress progress("Training", total_steps_ - step_, "steps");
     recipe_.module().train();
-    std::vector<int> order;
-    for (bool first = true; step_ < total_steps_ && !stopped_early_; first = false) {
-      const int64_t position = step_ % steps_per_epoch_;
-      if (first || position == 0)
-        order = Stream(seed_, "training order", uint64_t(Epoch())).Permutation(recipe_.num_samples());
+    BatchLoader loader(
+        step_ * options_.accumulate, total_steps_ * options_.accumulate,
+        [this](int64_t index) { return recipe_.Read(order_.Batch(index), order_.Epoch(index / options_.accumulate)); });
+    while (step_ < total_steps_ && !stopped_early_) {
       if (step_ == stages_[size_t(stage_)].end) BeginNextStage();
-      const auto begin = order.begin() + position * batch_;
-      TakeStep({begin, begin + batch_});
+      TakeStep(loader);
       progress.Step(1, fmt::format("loss {:.4g}", last_loss_));
-      if (num_summed_ == options_.log_every) WriteTrainingLine(log);
+      if (sums_.num_steps() == options_.log_every) WriteTrainingLine(log);
       const bool validated = step_ % (steps_per_epoch_ * options_.validate_every) == 0 || step_ == total_steps_;
       if (validated) Validate(log);
       const bool periodic = options_.checkpoint_every > 0 && step_ % options_.checkpoint_every == 0;
@@ -83,14 +74,16 @@ class Training {
             .metric = recipe_.metric(),
             .best = best_,
             .best_epoch = best_epoch_,
-            .seconds = Seconds()};
+            .seconds = Time().total};
   }
 
  private:
-  double Seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  using BatchLoader = Prefetcher<SampleBatch>;
 
-  /// Of the step under way, 0 the first.
-  int64_t Epoch() const { return step_ / steps_per_epoch_; }
+  TrainingTime Time() const {
+    const double session = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return {seconds_before_ + session, session};
+  }
 
   struct Part {
     Stage stage;
@@ -104,60 +97,83 @@ class Training {
       log::Info("Stage {}: steps {} to {} of {}", part.stage.name, part.begin + 1, part.end, total_steps_);
   }
 
-  /// One without steps is passed over.
+  /// Skips stages without steps.
   void BeginNextStage() {
+    CheckFinite();
     while (stages_[size_t(stage_)].end <= step_) ++stage_;
     EnterStage();
     optimiser_.Reset();
   }
 
-  /// Of the step under way.
-  double Rate() const {
+  double Rate(int64_t step) const {
     const Part& part = stages_[size_t(stage_)];
-    return part.stage.rate * LearningRate(optimiser_options_, step_ - part.begin, part.end - part.begin);
+    return part.stage.rate * LearningRate(optimiser_options_, step - part.begin, part.end - part.begin);
   }
 
-  void TakeStep(const std::vector<int>& samples) {
+  void TakeStep(BatchLoader& loader) {
     optimiser_.ZeroGradients();
-    const Batch batch = ToDevice(recipe_.Read(samples, Epoch()), recipe_.device());
-    const LossTerms loss = recipe_.Loss(batch);
-    last_loss_ = loss.total.item<double>();
-    std::map<std::string, double> values{{"loss", last_loss_}};
-    for (const auto& [name, part] : loss.parts) values[name] = part.item<double>();
-    for (const auto& [name, value] : values) CheckFinite(value, name, batch);
-    loss.total.backward();
-    const double norm = optimiser_.GradientNorm();
-    CheckFinite(norm, "gradient", batch);
-    values["gradient_norm"] = norm;
-    values["learning_rate"] = Rate();
-    if (optimiser_options_.clip_norm > 0 && norm > optimiser_options_.clip_norm)
-      optimiser_.ScaleGradients(optimiser_options_.clip_norm / norm);
-    optimiser_.Step(values["learning_rate"]);
+    std::map<std::string, torch::Tensor> numbers;
+    for (int k = 0; k < options_.accumulate; ++k) {
+      LossTerms loss = Loss(ToDevice(loader.Next(), recipe_.device()));
+      loss.parts["loss"] = loss.total.detach();
+      for (const auto& [name, part] : loss.parts) AddShare(part.detach(), numbers[name]);
+      (options_.accumulate == 1 ? loss.total : loss.total / options_.accumulate).backward();
+    }
+    const torch::Tensor norm = optimiser_.GradientNorm();
+    numbers["gradient_norm"] = norm;
+    const double rate = Rate(step_);
+    sums_.Add(step_, numbers);
+    rates_ += rate;
+    // Reading a number waits for a GPU: there it is done where numbers are written. A CPU has nothing to wait for.
+    if (recipe_.device().is_cpu()) {
+      last_loss_ = numbers.at("loss").item<double>();
+      CheckFinite();
+    }
+    if (optimiser_options_.clip_norm > 0) optimiser_.ClipGradients(norm, optimiser_options_.clip_norm);
+    optimiser_.Step(rate);
     ++step_;
-    for (const auto& [name, value] : values) sums_[name] += value;
-    ++num_summed_;
   }
 
-  void CheckFinite(double value, const std::string& name, const Batch& batch) {
-    if (std::isfinite(value)) return;
+  /// Adds a batch's share of a mean over the batches of a step.
+  void AddShare(const torch::Tensor& number, torch::Tensor& sum) const {
+    const torch::Tensor share = options_.accumulate == 1 ? number : number / options_.accumulate;
+    sum = sum.defined() ? sum + share : share;
+  }
+
+  LossTerms Loss(const Batch& batch) {
+    const tensor::Autocast precision(recipe_.device(), options_.precision == "bfloat16");
+    return recipe_.Loss(batch);
+  }
+
+  /// @throws Error if a step since the last check had a number that is not finite, once its batch is written.
+  void CheckFinite() const {
+    const std::optional<NotFinite> bad = sums_.FirstNotFinite();
+    if (!bad) return;
     const std::filesystem::path file = run_directory_ / "nan_batch.safetensors";
+    const int64_t epoch = order_.Epoch(bad->step);
+    const Batch batch = ToDevice(recipe_.Read(order_.Step(bad->step), epoch), torch::kCPU);
     tensor::NamedTensors tensors = batch.tensors;
     tensors["samples"] = batch.samples;
     tensor::SaveTensors(file, tensors);
     throw Error(
         fmt::format("{} is {} in step {} (epoch {}), with a learning rate of {:.3g}; its batch is in {}. Try a smaller "
                     "optimiser.learning_rate or optimiser.clip_norm=1",
-                    name, value, step_ + 1, Epoch() + 1, Rate(), file.string()));
+                    bad->name, bad->value, bad->step + 1, epoch + 1, Rate(bad->step), file.string()));
   }
 
   void WriteTrainingLine(RunLog& log) {
-    for (auto& [name, sum] : sums_) sum /= double(num_summed_);
-    log.Write(step_, (step_ - 1) / steps_per_epoch_ + 1, "train", sums_, Seconds());
-    sums_.clear();
-    num_summed_ = 0;
+    CheckFinite();
+    std::map<std::string, double> means = sums_.Totals();
+    means["learning_rate"] = rates_;
+    for (auto& [name, sum] : means) sum /= double(sums_.num_steps());
+    last_loss_ = means.at("loss");
+    log.Write(step_, (step_ - 1) / steps_per_epoch_ + 1, "train", means, Time());
+    sums_.Clear();
+    rates_ = 0;
   }
 
   void Validate(RunLog& log) {
+    CheckFinite();
     const int64_t epoch = step_ / steps_per_epoch_;
     recipe_.module().eval();
     std::map<std::string, double> values;
@@ -168,7 +184,7 @@ class Training {
     recipe_.module().train();
     const double value = values.at(recipe_.metric());
     DAUMIER_CHECK(std::isfinite(value), "the validation's {} is {} after epoch {}", recipe_.metric(), value, epoch);
-    log.Write(step_, epoch, "validation", values, Seconds());
+    log.Write(step_, epoch, "validation", values, Time());
     if (best_epoch_ == 0 || value < best_) {
       best_ = value;
       best_epoch_ = epoch;
@@ -180,39 +196,49 @@ class Training {
   }
 
   void Save() {
+    CheckFinite();
     Checkpoint checkpoint;
     checkpoint.model = tensor::StateOf(recipe_.module());
     checkpoint.optimiser = optimiser_.State();
-    for (const torch::Device& device : RandomDevices(recipe_.device()))
-      checkpoint.random[device.str()] = at::globalContext().defaultGenerator(device).get_state();
+    checkpoint.random = RandomState(recipe_.device());
+    std::map<std::string, double> sums = sums_.Totals();
+    if (sums_.num_steps() > 0) sums["learning_rate"] = rates_;
     checkpoint.state = {{"step", step_},
                         {"stage", stage_},
                         {"best", best_},
                         {"best_epoch", best_epoch_},
                         {"stopped_early", stopped_early_},
-                        {"sums", sums_},
-                        {"num_summed", num_summed_}};
+                        {"sums", sums},
+                        {"num_summed", sums_.num_steps()}};
+    checkpoint.seconds = Time().total;
     WriteCheckpoint(CheckpointDirectory(), checkpoint);
   }
 
-  void Restore() {
+  /// Returns whether the training time until now is known: false for a checkpoint of an older version.
+  bool Restore() {
     const std::optional<Checkpoint> checkpoint = ReadCheckpoint(CheckpointDirectory());
-    if (!checkpoint) return;
+    if (!checkpoint) return true;
     const std::string where = CheckpointDirectory().string();
     tensor::LoadState(recipe_.module(), checkpoint->model, where);
     optimiser_.LoadState(checkpoint->optimiser, where);
-    for (const auto& [device, random_state] : checkpoint->random) {
-      at::Generator generator = at::globalContext().defaultGenerator(torch::Device(device));
-      generator.set_state(random_state);
-    }
+    LoadRandomState(checkpoint->random, recipe_.device(), where);
     const Json& state = checkpoint->state;
     step_ = state.at("step").get<int64_t>();
     stage_ = state.at("stage").get<int>();
     best_ = state.at("best").get<double>();
     best_epoch_ = state.at("best_epoch").get<int64_t>();
     stopped_early_ = state.at("stopped_early").get<bool>();
-    sums_ = state.at("sums").get<std::map<std::string, double>>();
-    num_summed_ = state.at("num_summed").get<int>();
+    auto sums = state.at("sums").get<std::map<std::string, double>>();
+    if (const auto rates = sums.extract("learning_rate")) rates_ = rates.mapped();
+    sums_.Load(std::move(sums), state.at("num_summed").get<int>());
+    seconds_before_ = checkpoint->seconds.value_or(0);
+    return checkpoint->seconds.has_value();
+  }
+
+  /// The training time until the last line of the log.
+  double SecondsOfLog() const {
+    const std::vector<MetricsRecord> records = ReadMetrics(run_directory_);
+    return records.empty() ? 0 : records.back().seconds;
   }
 
   std::filesystem::path CheckpointDirectory() const { return LatestCheckpoint(run_directory_); }
@@ -220,12 +246,12 @@ class Training {
   Recipe& recipe_;
   const TrainerOptions options_;
   const OptimiserOptions optimiser_options_;
-  const uint64_t seed_;
   const std::filesystem::path run_directory_;
-  const int batch_;
+  const SampleOrder order_;
+  const int64_t steps_per_epoch_, total_steps_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_before_ = 0;  ///< Of training before this session.
   Optimiser optimiser_;
-  int64_t steps_per_epoch_ = 0, total_steps_ = 0;
   std::vector<Part> stages_;
   int stage_ = 0;
 
@@ -233,9 +259,9 @@ class Training {
   double best_ = 0;
   int64_t best_epoch_ = 0;  ///< 0: none yet.
   bool stopped_early_ = false;
-  std::map<std::string, double> sums_;  ///< Since the last line of the log.
-  int num_summed_ = 0;
-  double last_loss_ = 0;
+  StepSums sums_;  ///< Since the last line of the log.
+  double rates_ = 0;
+  double last_loss_ = 0;  ///< The last one that was read.
 };
 
 }  // namespace

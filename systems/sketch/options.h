@@ -51,7 +51,6 @@ struct SketchTrainingOptions {
   TrainerOptions trainer;
   std::string loss = "gram";
   double curve_weight = 2;
-  std::string precision = "float32";
   uint64_t seed = 1;
 
   template <class V>
@@ -69,9 +68,6 @@ struct SketchTrainingOptions {
           "How the vertex loss is computed; gram reads no vertex in a step and gives the same number.");
     visit("curve_weight", curve_weight, Range{1, 1000},
           "Weight of the vertices of feature curves in the vertex loss; all others weigh 1.");
-    visit("precision", precision, Choices{{"float32", "bfloat16"}},
-          "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
-          "Weights, losses, validation and all that reads a run are float32.");
     visit("seed", seed, Range{0, 9e15},
           "Of the split, the first weights, the order of the samples and their augmentation.");
   }

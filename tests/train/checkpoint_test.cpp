@@ -34,6 +34,19 @@ TEST(Checkpoint, ReadsWhatWasWritten) {
   EXPECT_EQ(read.state, OfStep(7).state);
 }
 
+TEST(Checkpoint, HoldsTheTrainingTimeInAFileOfItsOwn) {
+  const testing::TempDir folder;
+  Checkpoint checkpoint = OfStep(7);
+  WriteCheckpoint(folder / "untimed", checkpoint);
+  EXPECT_FALSE(ReadCheckpoint(folder / "untimed").value().seconds.has_value());
+  checkpoint.seconds = 12.25;
+  WriteCheckpoint(folder / "timed", checkpoint);
+  EXPECT_EQ(ReadCheckpoint(folder / "timed").value().seconds, 12.25);
+  EXPECT_EQ(ReadFile(folder / "timed" / "state.json"), ReadFile(folder / "untimed" / "state.json"));
+  WriteFileAtomically(folder / "timed" / "time.json", "{}");
+  testing::ExpectError([&] { ReadCheckpoint(folder / "timed"); }, "time.json is damaged");
+}
+
 TEST(Checkpoint, OfEqualContentHasEqualBytes) {
   const testing::TempDir folder;
   WriteCheckpoint(folder / "a", OfStep(7));

@@ -41,7 +41,7 @@ TEST(AdamW, MovesByTheRateAgainstTheSignInItsFirstStep) {
   Optimiser optimiser(*linear, options);
   const torch::Tensor before = linear->bias.detach().clone();
   (linear->bias * torch::tensor({3.0f, -0.01f})).sum().backward();
-  EXPECT_NEAR(optimiser.GradientNorm(), std::sqrt(9 + 0.0001), 1e-6);
+  EXPECT_NEAR(optimiser.GradientNorm().item<double>(), std::sqrt(9 + 0.0001), 1e-6);
   optimiser.Step(0.5);
   EXPECT_TRUE(torch::allclose(linear->bias.detach() - before, torch::tensor({-0.5f, 0.5f}), 1e-4));
 }
@@ -141,14 +141,49 @@ TEST(Optimiser, LeavesParametersWithoutAGradientAlone) {
   EXPECT_TRUE(torch::equal(linear->weight, weight));
 }
 
-TEST(AdamW, ScalesAndClearsGradients) {
+TEST(Optimiser, ClipsGradientsThatAreTooLongAndClearsThem) {
   torch::nn::Linear linear(1, 1);
   Optimiser optimiser(*linear, {});
   (linear->bias * 4).sum().backward();
-  optimiser.ScaleGradients(0.25);
+  optimiser.ClipGradients(optimiser.GradientNorm(), 5);
+  EXPECT_EQ(linear->bias.grad().item<float>(), 4.0f);
+  optimiser.ClipGradients(optimiser.GradientNorm(), 1);
   EXPECT_EQ(linear->bias.grad().item<float>(), 1.0f);
   optimiser.ZeroGradients();
   EXPECT_FALSE(linear->bias.grad().defined());
+}
+
+TEST(Optimiser, GroupsHaveTheirOwnRateAndDecay) {
+  for (const char* kind : {"adamw", "sgd"}) {
+    torch::nn::Linear linear(2, 2), halved(2, 2);
+    {
+      torch::NoGradGuard no_grad;
+      halved->weight.copy_(linear->weight);
+      halved->bias.copy_(linear->bias);
+    }
+    OptimiserOptions options;
+    options.kind = kind;
+    options.weight_decay = 0.1;
+    Optimiser grouped(*linear, options, {{.prefix = "weight", .rate = 0.5}, {.prefix = "b", .rate = 0}}),
+        whole(*halved, options);
+    const torch::Tensor bias = linear->bias.detach().clone();
+    for (const auto& layer : {linear, halved}) (layer->weight.square().sum() + layer->bias.sum()).backward();
+    grouped.Step(0.5);
+    whole.Step(0.25);
+    EXPECT_TRUE(torch::equal(linear->weight, halved->weight)) << kind;
+    EXPECT_TRUE(torch::equal(linear->bias, bias)) << kind;
+    Optimiser undecayed(*linear, options, {{.prefix = "weight", .weight_decay = 0}});
+    const torch::Tensor weight = linear->weight.detach().clone();
+    undecayed.ZeroGradients();
+    (linear->weight * 0).sum().backward();
+    undecayed.Step(0.5);
+    EXPECT_TRUE(torch::equal(linear->weight, weight)) << kind;
+  }
+}
+
+TEST(Optimiser, RefusesAGroupWithoutParameters) {
+  torch::nn::Linear linear(1, 1);
+  testing::ExpectError([&] { Optimiser(*linear, {}, {{.prefix = "trunk."}}); }, "group 'trunk.'");
 }
 
 TEST(AdamW, RefusesAStateOfAnotherNetwork) {

@@ -47,6 +47,28 @@ TEST(ConfigDifferences, NamesDottedKeysAndBothValues) {
   EXPECT_TRUE(ConfigDifferences(kConfig, kConfig).empty());
 }
 
+TEST(ConfigDifferences, AKeyThatIsMissingThereCountsAsItsDefault) {
+  Json now = kConfig;
+  now["accumulate"] = 1;
+  now["optimiser"]["beta2"] = 0.99;
+  now["stages"] = {{"rate", 2}};
+  const Json defaults = {{"accumulate", 1}, {"optimiser", {{"beta2", 0.999}}}, {"stages", {{"rate", 1}}}, {"data", ""}};
+  EXPECT_EQ(ConfigDifferences(kConfig, now, defaults),
+            (std::vector<std::string>{"optimiser.beta2 is 0.999 there and 0.99 now", "stages.rate is 1 there and 2 now"}));
+}
+
+TEST(OpenRunFolder, ResumesARunThatIsOlderThanAnOption) {
+  const testing::TempDir folder;
+  WriteRun(folder.path());
+  Json config = kConfig;
+  config["precision"] = "float32";
+  const Json defaults = {{"precision", "float32"}};
+  EXPECT_TRUE(OpenRunFolder(folder.path(), true, config, kData, defaults));
+  config["precision"] = "bfloat16";
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), true, config, kData, defaults); },
+                       "precision is \"float32\" there and \"bfloat16\" now");
+}
+
 TEST(OpenRunFolder, StartsANewOne) {
   const testing::TempDir folder;
   EXPECT_FALSE(OpenRunFolder(folder / "runs" / "new", false, kConfig, kData));

@@ -37,6 +37,8 @@ DeformRecipe::DeformRecipe(const DeformTrainingOptions& options, const faces::Fa
   DAUMIER_CHECK(!split.train.empty() && !split.validation.empty(),
                 "a training needs training and validation faces, here {} and {}: see split.validation and split.test",
                 split.train.size(), split.validation.size());
+  if (options.trainer.precision != "float32")
+    throw UsageError(fmt::format("precision=\"{}\": deformable models train in float32", options.trainer.precision));
   decoder_ = std::make_shared<AutoDecoder>(
       MakeDeformNetwork(options.network, TemplateOf(points), points.frame()), int64_t(split.train.size()));
   decoder_->to(device_);

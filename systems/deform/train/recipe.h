@@ -18,7 +18,7 @@ namespace daumier::deform {
 class DeformRecipe : public train::Recipe {
  public:
   /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a side of the split that
-  /// training needs is empty.
+  /// training needs is empty, UsageError if the precision is not float32.
   DeformRecipe(const DeformTrainingOptions& options, const faces::FaceDatabase& faces,
                const datasets::PointDatabase& points, const datasets::Split& split, torch::Device device);
 

@@ -61,7 +61,7 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
   FitLinear(recipe, options);
   const std::map<std::string, double> values = recipe.Validate();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  train::RunLog(directory, 0).Write(0, 0, "validation", values, seconds);
+  train::RunLog(directory, 0).Write(0, 0, "validation", values, {seconds, seconds});
   MakeDirectory(directory / "best");
   tensor::SaveModule(directory / kBestFile, recipe.module());
   return {.metric = recipe.metric(), .best = values.at(recipe.metric()), .seconds = seconds};
@@ -81,7 +81,8 @@ TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, 
   manifest.details["system"] = kSystem;
   manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}};
 
-  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"]);
+  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
+                                          ToJson(DeformTrainingOptions()));
   torch::manual_seed(options.seed);
   DeformRecipe recipe(options, faces, points, split, torch_device);
   if (begun) {

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "datasets/read/training_fit.h"
 #include "eval/metrics.h"
+#include "tensor/array.h"
 #include "tensor/autocast.h"
 #include "tensor/eigen.h"
 #include "tensor/shape.h"
@@ -123,14 +124,11 @@ datasets::SketchReading SketchRecipe::Reading(bool fixed) const {
           .fixed = fixed};
 }
 
-torch::Tensor SketchRecipe::Targets(std::span<const int> faces) const {
-  const int64_t num_coordinates = 3 * int64_t(faces_.num_vertices());
-  torch::Tensor targets = torch::empty({int64_t(faces.size()), num_coordinates});
-  for (size_t row = 0; row < faces.size(); ++row) {
-    const std::span<const float> vertices = faces_.vertices(faces[row]);
-    std::copy(vertices.begin(), vertices.end(), targets.data_ptr<float>() + int64_t(row) * num_coordinates);
-  }
-  return targets.to(device_);
+FloatArray SketchRecipe::Vertices(std::span<const int> faces) const {
+  FloatArray vertices({int64_t(faces.size()), 3 * int64_t(faces_.num_vertices())});
+  for (size_t row = 0; row < faces.size(); ++row)
+    std::ranges::copy(faces_.vertices(faces[row]), vertices.row(int64_t(row)));
+  return vertices;
 }
 
 void SketchRecipe::PrecomputeMoments() {
@@ -139,7 +137,7 @@ void SketchRecipe::PrecomputeMoments() {
   const std::span<const int> faces = training_.faces();
   for (size_t begin = 0; begin < faces.size(); begin += kBlock) {
     const losses::VertexMoments block =
-        gram_loss_->Moments(Targets(faces.subspan(begin, std::min<size_t>(kBlock, faces.size() - begin))));
+        gram_loss_->Moments(tensor::TakeTensor(Vertices(faces.subspan(begin, std::min<size_t>(kBlock, faces.size() - begin)))).to(device_));
     linear.push_back(block.linear);
     constant.push_back(block.constant);
   }
@@ -176,41 +174,52 @@ void SketchRecipe::PrecomputeCoefficients(const std::vector<int>& identities, co
   coefficients_ = {tensor::CopyToTensor(u).to(device_), tensor::CopyToTensor(v).to(device_), {}};
 }
 
+SampleBatch SketchRecipe::Read(std::span<const int> samples, int64_t epoch) const {
+  SampleBatch batch = training_.Get(samples, epoch);
+  if (gram_loss_) return batch;
+  std::vector<int> faces;
+  for (const int sample : samples) faces.push_back(training_.faces()[size_t(sample)]);
+  batch.arrays["vertices"] = Vertices(faces);
+  return batch;
+}
+
 train::LossTerms SketchRecipe::Loss(const train::Batch& batch) {
-  if (stage_ == "classification") return ClassificationLoss(batch);
-  if (stage_ == "regression") return RegressionLoss(batch);
-  return VertexLoss(batch);
+  const SketchNetworkImpl::BranchFeatures features = Features(batch);
+  const tensor::Autocast full(device_, false);
+  if (stage_ == "classification") return ClassificationLoss(features, batch.samples);
+  if (stage_ == "regression") return RegressionLoss(features, batch.samples);
+  return VertexLoss(features, batch);
 }
 
 SketchNetworkImpl::BranchFeatures SketchRecipe::Features(const train::Batch& batch) {
-  const tensor::Autocast precision(device_, options_.precision == "bfloat16");
   const auto [identity, expression] = network_->Features(InputOf(batch));
   return {identity.to(torch::kFloat32), expression.to(torch::kFloat32)};
 }
 
-train::LossTerms SketchRecipe::ClassificationLoss(const train::Batch& batch) {
-  const auto scores = classifier_->forward(Features(batch));
-  const torch::Tensor identity = CrossEntropy(scores.identity, identity_classes_.index_select(0, batch.samples)),
-                      expression = CrossEntropy(scores.expression, expression_classes_.index_select(0, batch.samples));
+train::LossTerms SketchRecipe::ClassificationLoss(const SketchNetworkImpl::BranchFeatures& features,
+                                                  const torch::Tensor& samples) {
+  const auto scores = classifier_->forward(features);
+  const torch::Tensor identity = CrossEntropy(scores.identity, identity_classes_.index_select(0, samples)),
+                      expression = CrossEntropy(scores.expression, expression_classes_.index_select(0, samples));
   return {identity + expression, {{"identity_entropy", identity}, {"expression_entropy", expression}}};
 }
 
-train::LossTerms SketchRecipe::RegressionLoss(const train::Batch& batch) {
-  const auto answer = network_->Standardised(network_->Answer(Features(batch)));
-  const auto truth =
-      network_->Standardised({coefficients_.u.index_select(0, batch.samples), coefficients_.v.index_select(0, batch.samples), {}});
+train::LossTerms SketchRecipe::RegressionLoss(const SketchNetworkImpl::BranchFeatures& features,
+                                              const torch::Tensor& samples) {
+  const auto answer = network_->Standardised(network_->Answer(features));
+  const auto truth = network_->Standardised(
+      {coefficients_.u.index_select(0, samples), coefficients_.v.index_select(0, samples), {}});
   const torch::Tensor u = MeanSquaredLength(answer.u - truth.u), v = MeanSquaredLength(answer.v - truth.v);
   return {u + v, {{"u_error", u}, {"v_error", v}}};
 }
 
-train::LossTerms SketchRecipe::VertexLoss(const train::Batch& batch) {
-  const torch::Tensor linear = network_->Linear(network_->Answer(Features(batch)));
-  if (gram_loss_)
-    return {(*gram_loss_)(linear, {moments_.linear.index_select(0, batch.samples), moments_.constant.index_select(0, batch.samples)}),
-            {}};
-  const torch::Tensor faces = batch.at("faces").cpu();
-  const std::vector<int> indices(faces.data_ptr<int64_t>(), faces.data_ptr<int64_t>() + faces.numel());
-  return {losses::VertexLoss(network_->basis(), linear, Targets(indices), vertex_weights_), {}};
+train::LossTerms SketchRecipe::VertexLoss(const SketchNetworkImpl::BranchFeatures& features,
+                                          const train::Batch& batch) {
+  const torch::Tensor linear = network_->Linear(network_->Answer(features));
+  if (!gram_loss_) return {losses::VertexLoss(network_->basis(), linear, batch.at("vertices"), vertex_weights_), {}};
+  const losses::VertexMoments moments{moments_.linear.index_select(0, batch.samples),
+                                      moments_.constant.index_select(0, batch.samples)};
+  return {(*gram_loss_)(linear, moments), {}};
 }
 
 std::map<std::string, double> SketchRecipe::Validate() {

@@ -58,7 +58,8 @@ class SketchRecipe : public train::Recipe {
   int num_samples() const override { return training_.size(); }
   std::vector<train::Stage> stages() const override;
   void EnterStage(int stage) override;
-  SampleBatch Read(std::span<const int> samples, int64_t epoch) const override { return training_.Get(samples, epoch); }
+  /// What SketchDataset::Get returns, and with loss = "vertices" the vertices, B x 3V in cm.
+  SampleBatch Read(std::span<const int> samples, int64_t epoch) const override;
   train::LossTerms Loss(const train::Batch& batch) override;
   std::map<std::string, double> Validate() override;
   std::string metric() const override { return "mean_vertex_error_mm"; }
@@ -67,18 +68,18 @@ class SketchRecipe : public train::Recipe {
 
  private:
   datasets::SketchReading Reading(bool fixed) const;
-  /// Vertices of some faces, (B, 3V), on the device.
-  torch::Tensor Targets(std::span<const int> faces) const;
+  /// Vertices of some faces, B x 3V in cm.
+  FloatArray Vertices(std::span<const int> faces) const;
   void PrecomputeMoments();
   /// Classes and coefficients of the training samples.
   void PrecomputeClasses(const std::vector<int>& identities);
   void PrecomputeCoefficients(const std::vector<int>& identities, const faces::BilinearModel& bilinear);
 
-  /// What the network makes of a batch, in the precision of the options, as float32.
+  /// The network's features of a batch, computed in the precision of the step, as float32.
   SketchNetworkImpl::BranchFeatures Features(const train::Batch& batch);
-  train::LossTerms ClassificationLoss(const train::Batch& batch);
-  train::LossTerms RegressionLoss(const train::Batch& batch);
-  train::LossTerms VertexLoss(const train::Batch& batch);
+  train::LossTerms ClassificationLoss(const SketchNetworkImpl::BranchFeatures& features, const torch::Tensor& samples);
+  train::LossTerms RegressionLoss(const SketchNetworkImpl::BranchFeatures& features, const torch::Tensor& samples);
+  train::LossTerms VertexLoss(const SketchNetworkImpl::BranchFeatures& features, const train::Batch& batch);
 
   const SketchTrainingOptions options_;
   const faces::FaceDatabase& faces_;

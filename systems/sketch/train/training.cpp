@@ -80,7 +80,8 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   manifest.details["sketches"] = SketchFrame(sketches);
   manifest.details["system"] = kSystem;
 
-  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"]);
+  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
+                                          ToJson(SketchTrainingOptions()));
   const FittedModels models =
       begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
 
