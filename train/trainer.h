@@ -1,4 +1,5 @@
 #pragma once
+#include "core/task.h"
 #include "train/optimiser.h"
 #include "train/recipe.h"
 
@@ -20,8 +21,8 @@ namespace daumier::train {
 /// The order of the samples of an epoch depends on (seed, epoch) alone, and all else that matters is in the checkpoint:
 /// a training that was stopped anywhere and went on ends with the same bytes as one that was not, on as many threads.
 /// @throws Error if a loss or a gradient is not a number (the batch is in nan_batch.safetensors, the message says
-/// where), and on Ctrl-C, after a checkpoint, saying how to go on.
+/// where); Cancelled, after a checkpoint, with the command that resumes.
 TrainingSummary Train(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options,
-                      uint64_t seed, const std::filesystem::path& run_directory);
+                      uint64_t seed, const std::filesystem::path& run_directory, const Task& task = {});
 
 }  // namespace daumier::train

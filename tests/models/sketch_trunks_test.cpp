@@ -2,7 +2,6 @@
 
 #include "tensor/autocast.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/sketch_networks.h"
 
 #include <torch/nn/modules/conv.h>
 #include <torch/utils.h>
@@ -65,18 +64,6 @@ TEST(InPlainLayout, MarksTheSameMemoryAndTheConvolutionsKeepIt) {
     SketchTrunk trunk = MakeSketchTrunk({.kind = "residual", .resolution = 32, .width = 8}, 6);
     EXPECT_EQ(trunk.convolutions->forward(plain).suggest_memory_format(), torch::MemoryFormat::Contiguous);
     EXPECT_EQ(trunk.convolutions->forward(last).suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
-  }
-}
-
-TEST(SketchTrunks, EveryTrunkEndsInHiddenFeatures) {
-  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
-    SCOPED_TRACE(name);
-    SketchTrunk trunk = MakeSketchTrunk(options, 6);
-    const sketch::SketchInput input = testing::RandomSketchInput(options, 3);
-    torch::Tensor features = input.shape;
-    if (options.reads_image()) features = trunk.convolutions->forward(input.images);
-    if (options.reads_points()) features = trunk.convolutions->forward(input.points);
-    EXPECT_EQ(trunk.features->forward(features).sizes().vec(), (std::vector<int64_t>{3, options.hidden}));
   }
 }
 

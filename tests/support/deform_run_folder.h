@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <torch/utils.h>
 
 namespace daumier::testing {
 

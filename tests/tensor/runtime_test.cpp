@@ -5,6 +5,7 @@
 #include <torch/cuda.h>
 
 #include <thread>
+#include <torch/utils.h>
 
 namespace daumier::tensor {
 namespace {

@@ -69,7 +69,7 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 
 }  // namespace
 
-TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, const Task&) {
+TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, const Task& task) {
   const fs::path& run_directory = place.directory;
   const DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::TorchDevice(place.device);
@@ -98,7 +98,7 @@ TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, 
             recipe.num_samples());
   TrainingSummary summary = options.network.kind == "linear"
                                 ? TrainLinear(recipe, options, run_directory)
-                                : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+                                : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
   train::FinishRun(run_directory, summary, num_parameters);
   exporting::StoreGraph(DescribeDeformExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,

@@ -66,7 +66,7 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 }  // namespace
 
-TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, const Task&) {
+TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, const Task& task) {
   const fs::path& run_directory = place.directory;
   const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
   RequireWholeBlocks(options.network);
@@ -88,7 +88,7 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
   log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
-  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
   train::FinishRun(run_directory, summary, recipe.network()->num_parameters());
   exporting::StoreGraph(DescribeSketchExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,

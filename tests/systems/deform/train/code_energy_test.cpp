@@ -5,6 +5,7 @@
 #include "tests/support/small_deform.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 #include <limits>
 #include <numeric>

@@ -10,6 +10,7 @@
 #include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {

@@ -8,6 +8,7 @@
 #include "tests/support/synthetic_face.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {

@@ -5,6 +5,7 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {

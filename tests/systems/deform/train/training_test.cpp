@@ -2,7 +2,7 @@
 
 #include "core/config.h"
 #include "core/files.h"
-#include "core/interrupt.h"
+#include "core/task.h"
 #include "core/manifest.h"
 #include "systems/deform/train/run.h"
 #include "tensor/tensor_file.h"
@@ -61,7 +61,7 @@ std::unique_ptr<testing::TempDir> DeformTrainingTest::folder_;
 TEST_F(DeformTrainingTest, EveryKindLeavesARunThatIsReadBack) {
   for (const std::string& kind : testing::DeformKinds()) {
     SCOPED_TRACE(kind);
-    const TrainingSummary summary = TrainDeform(Config(kind), Run(kind), false, "cpu");
+    const TrainingSummary summary = TrainDeform(Config(kind), {Run(kind), false}, {});
     const DeformRun run = LoadDeformRun(Run(kind));
     EXPECT_EQ(run.manifest.details.at("product"), "deform");
     EXPECT_EQ(run.manifest.counts.at("steps"), summary.steps);
@@ -77,18 +77,18 @@ TEST_F(DeformTrainingTest, LearnsItsTrainingFaces) {
   Json config = Config("hypernetwork");
   config["epochs"] = 40;
   config["validate_every"] = 40;
-  TrainDeform(config, Run("learns"), false, "cpu");
+  TrainDeform(config, {Run("learns"), false}, {});
   const std::vector<double> errors = TrainingErrors(Run("learns"));
   EXPECT_LT(errors.back(), 0.7 * errors.front());
 }
 
 TEST_F(DeformTrainingTest, ResumedEqualsUninterruptedByteForByte) {
   const Json config = Config("hypernetwork");
-  TrainDeform(config, Run("whole"), false, "cpu");
-  SetInterrupted(true);
-  EXPECT_THROW(TrainDeform(config, Run("stopped"), false, "cpu"), Error);
-  SetInterrupted(false);
-  TrainDeform(config, Run("stopped"), true, "cpu");
+  TrainDeform(config, {Run("whole"), false}, {});
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(TrainDeform(config, {Run("stopped"), false}, Task(stop.get_token())), Cancelled);
+  TrainDeform(config, {Run("stopped"), true}, {});
   for (const char* file : {"best/model.safetensors", "manifest.json"})
     EXPECT_EQ(ReadFile(Run("whole") / file), ReadFile(Run("stopped") / file)) << file;
 }
@@ -99,7 +99,7 @@ TEST_F(DeformTrainingTest, ALinearModelHasTheComponentsOfTrainingFaces) {
     Json config = Config("linear");
     config["network"]["latent"] = latent;
     const fs::path folder = Run("linear" + std::to_string(latent));
-    TrainDeform(config, folder, false, "cpu");
+    TrainDeform(config, {folder, false}, {});
     const DeformRun run = LoadDeformRun(folder);
     const faces::FaceDatabase faces(*folder_ / "faces");
     const Json persons = run.manifest.details.at("split").at("train").at("persons");
@@ -117,10 +117,10 @@ TEST_F(DeformTrainingTest, ALinearModelHasTheComponentsOfTrainingFaces) {
 TEST_F(DeformTrainingTest, RefusesWhatItCannotUse) {
   Json config = Config("hypernetwork");
   config["data"]["points"] = "";
-  testing::ExpectError([&] { TrainDeform(config, Run("refused"), false, "cpu"); }, "data.points=FOLDER");
+  testing::ExpectError([&] { TrainDeform(config, {Run("refused"), false}, {}); }, "data.points=FOLDER");
   config = Config("hypernetwork");
   config["network"]["kind"] = "hypernet";
-  testing::ExpectError([&] { TrainDeform(config, Run("refused"), false, "cpu"); }, "hypernetwork");
+  testing::ExpectError([&] { TrainDeform(config, {Run("refused"), false}, {}); }, "hypernetwork");
   EXPECT_FALSE(fs::exists(Run("refused")));
 }
 

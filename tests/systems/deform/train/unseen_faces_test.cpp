@@ -3,6 +3,7 @@
 #include "tests/support/deform_networks.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {

@@ -7,6 +7,7 @@
 #include <torch/linalg.h>
 #include <torch/optim.h>
 #include <torch/utils.h>
+#include <torch/nn/modules/conv.h>
 
 namespace daumier::sketch {
 namespace {
@@ -318,6 +319,18 @@ TEST(SketchNetworkOptions, HasWholeBlocksWhereAllChannelsAreMultiplesOfEight) {
     }
   }
   EXPECT_TRUE((SketchNetworkOptions{.trunk = "shape", .width = 5}.has_whole_blocks()));
+}
+
+TEST(SketchNetwork, EveryTrunkEndsInHiddenFeatures) {
+  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    models::SketchTrunk trunk = models::MakeSketchTrunk(TrunkOf(options), 6);
+    const SketchInput input = testing::RandomSketchInput(options, 3);
+    torch::Tensor features = input.shape;
+    if (options.reads_image()) features = trunk.convolutions->forward(input.images);
+    if (options.reads_points()) features = trunk.convolutions->forward(input.points);
+    EXPECT_EQ(trunk.features->forward(features).sizes().vec(), (std::vector<int64_t>{3, options.hidden}));
+  }
 }
 
 }  // namespace
