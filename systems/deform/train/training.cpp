@@ -5,12 +5,12 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "datasets/read/run_data.h"
-#include "systems/deform/train/array_deformations.h"
 #include "models/principal_components.h"
+#include "systems/deform/train/array_deformations.h"
+#include "systems/deform/train/recipe.h"
 #include "tensor/module_state.h"
 #include "tensor/runtime.h"
 #include "tensor/torch_version.h"
-#include "systems/deform/train/recipe.h"
 #include "train/run_folder.h"
 #include "train/run_log.h"
 
@@ -64,10 +64,16 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 }  // namespace
 
 TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
+  FolderCache databases;
+  return TrainDeform(config, run_directory, resume, device, databases);
+}
+
+TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device,
+                            FolderCache& databases) {
   const DeformTrainingOptions options = train::ParseTraining<DeformTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::ParseDevice(device);
-  const faces::FaceDatabase faces(options.data.faces);
-  const datasets::PointDatabase points(options.data.points);
+  const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
+  const auto& points = databases.Open<datasets::PointDatabase>(options.data.points);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);

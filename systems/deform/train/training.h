@@ -1,4 +1,5 @@
 #pragma once
+#include "core/folder_cache.h"
 #include "core/json.h"
 #include "systems/deform/options.h"
 #include "train/trainer.h"
@@ -15,6 +16,9 @@ namespace daumier::deform {
 /// choose, since the larger the rows, the less a code's weight holds it back; its codes are found as those of unseen
 /// faces. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
+TrainingSummary TrainDeform(const Json& config, const std::filesystem::path& run_directory, bool resume,
+                            const std::string& device, FolderCache& databases);
+/// The same with a cache of its own.
 TrainingSummary TrainDeform(const Json& config, const std::filesystem::path& run_directory, bool resume,
                             const std::string& device);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/folder_cache.h"
 #include "core/json.h"
 #include "train/trainer.h"
 
@@ -12,6 +13,9 @@ namespace daumier::sketch {
 /// LoadSketchRun reads. The manifest tells the split, what the models were fitted on, the camera of the
 /// sketches, the hashes of the data and their licences, and holds no path. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
+TrainingSummary TrainSketch(const Json& config, const std::filesystem::path& run_directory, bool resume,
+                            const std::string& device, FolderCache& databases);
+/// The same with a cache of its own.
 TrainingSummary TrainSketch(const Json& config, const std::filesystem::path& run_directory, bool resume,
                             const std::string& device);
 
