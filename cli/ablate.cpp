@@ -48,7 +48,9 @@ Verb AblateVerb() {
             return [arguments] {
               systems::AblationRequest request = arguments->request;
               request.device = ParseDevice(arguments->device);
-              const Json result = systems::LoadTrainingLibrary().ablate(request, Systems(), TaskOfProcess());
+              const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
+              const systems::System& system = SystemOfConfig(library.ablation_config(request));
+              const Json result = library.ablate(request, system, TaskOfProcess());
               if (request.dry_run) return PrintPlan(result, arguments->as_json);
               if (arguments->as_json) {
                 fmt::print("{}\n", result.dump(2));

@@ -63,9 +63,12 @@ void Evaluate(const EvalArguments& arguments) {
                    : given.contains("faces") ? arguments.run / "other"
                                              : ReportDirectory(arguments.run);
   const systems::SystemTraining& training = systems::LoadTrainingLibrary().at(system.name);
-  const Json metrics = training.evaluate_into(arguments.run, options, out, TaskOfProcess());
+  reports::CheckReportDirectory(out);
+  FolderCache databases;
+  const reports::Evaluation evaluation = training.evaluate(arguments.run, options, databases, TaskOfProcess());
+  reports::WriteEvaluation(out, evaluation);
   if (arguments.as_json) {
-    PrintResult(metrics, true);
+    PrintResult(evaluation.metrics, true);
     return;
   }
   const bool has_page = std::filesystem::exists(out / "index.html");

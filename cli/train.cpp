@@ -33,7 +33,8 @@ Verb TrainVerb() {
               const systems::System& system = SystemOfConfig(config);
               const Json resolved = system.resolve_config(config, arguments->config.file.string());
               const systems::RunPlace place{arguments->out, arguments->resume, ParseDevice(arguments->device)};
-              systems::LoadTrainingLibrary().at(system.name).train(resolved, place, TaskOfProcess());
+              FolderCache databases;
+              systems::LoadTrainingLibrary().at(system.name).train(resolved, place, databases, TaskOfProcess());
             };
           }};
 }

@@ -29,8 +29,10 @@ struct TrainingLibrary {
   std::unique_ptr<runtime::NetworkRunner> (*open_network)(const std::filesystem::path& run, const Device& device);
   /// Writes an export of a finished run of any system and returns parity.json.
   Json (*export_run)(const std::filesystem::path& run, const std::filesystem::path& out, const Task& task);
+  /// The config of the first row, as its file and the overrides give it: it names the system of all rows.
+  Json (*ablation_config)(const AblationRequest& request);
   /// The plan of a dry run: [{row, split, seed, state}]; else the table.
-  Json (*ablate)(const AblationRequest& request, const std::vector<System>& systems, const Task& task);
+  Json (*ablate)(const AblationRequest& request, const System& system, const Task& task);
 
   /// @throws Error naming the task and those that the library trains.
   const SystemTraining& at(std::string_view name) const;

@@ -1,4 +1,6 @@
 // The training library: rows of the systems' LibTorch half, and what is the same for all of them.
+#include "ablation/ablation.h"
+#include "core/error.h"
 #include "core/run_manifest.h"
 #include "core/runtime.h"
 #include "export/torch_runner.h"
@@ -44,6 +46,35 @@ Json DescribeLibTorch() {
           {"sgemm_gflops", MeasureMm()}};
 }
 
+std::string Text(ablation::RowState state) {
+  switch (state) {
+    case ablation::RowState::kToTrain:
+      return "to train";
+    case ablation::RowState::kToGoOn:
+      return "to resume";
+    case ablation::RowState::kToEvaluate:
+      return "to evaluate";
+    case ablation::RowState::kDone:
+      return "done";
+  }
+  return "";
+}
+
+Json Ablate(const systems::AblationRequest& request, const systems::System& system, const Task& task) {
+  const ablation::AblationSystem of_rows{system, Library().at(system.name), request.device};
+  const ablation::Ablation ablation =
+      ablation::LoadAblation(request.config, request.overrides, system.run_options);
+  if (!request.dry_run) return ablation::RunAblation(ablation, of_rows, request.out, request.only, task);
+  Json plan = Json::array();
+  for (const ablation::AblationStep& step : ablation::PlanAblation(ablation, of_rows, request.out, request.only))
+    plan.push_back({{"row", step.row}, {"split", step.split}, {"seed", step.seed}, {"state", Text(step.state)}});
+  return plan;
+}
+
+Json BaseConfig(const systems::AblationRequest& request) {
+  return ablation::LoadAblation(request.config, request.overrides, {}).rows.front().config;
+}
+
 const systems::TrainingLibrary& Library() {
   static const systems::TrainingLibrary library{
       .version = DAUMIER_VERSION,
@@ -56,7 +87,8 @@ const systems::TrainingLibrary& Library() {
       },
       .export_run = [](const std::filesystem::path& run, const std::filesystem::path& out,
                        const Task&) { return exporting::WriteExport(Describe(run), out); },
-      .ablate = nullptr,
+      .ablation_config = BaseConfig,
+      .ablate = Ablate,
   };
   return library;
 }

@@ -2,6 +2,7 @@
 
 #include "core/training.h"
 #include "systems/deform/evaluation_options.h"
+#include "systems/deform/metrics.h"
 #include "systems/deform/options.h"
 #include "systems/deform/run_folder.h"
 
@@ -21,6 +22,8 @@ systems::System DeformSystem() {
           [](const Json& options, const std::string& where) {
             return ToJson(ParseOptions<DeformEvalOptions>(options, where));
           },
+      .read_metrics = ReadDeformMetrics,
+      .summary_columns = DeformSummaryColumns,
   };
 }
 

@@ -3,23 +3,13 @@
 #include "core/training.h"
 #include "render/read_drawing.h"
 #include "systems/sketch/evaluation_options.h"
+#include "systems/sketch/metrics.h"
 #include "systems/sketch/options.h"
 #include "systems/sketch/predictor.h"
 #include "systems/sketch/run_folder.h"
 
 namespace daumier::sketch {
 namespace {
-
-std::string EvaluationHelp() {
-  return HelpText<SketchEvalOptions>() + "On an external database, faces=DIR sketches=DIR:\n" +
-         HelpText<OtherFacesOptions>();
-}
-
-/// Options with `faces` are those of an external evaluation.
-Json ResolveEvaluation(const Json& options, const std::string& where) {
-  if (options.contains("faces")) return ToJson(ParseOptions<OtherFacesOptions>(options, where));
-  return ToJson(ParseOptions<SketchEvalOptions>(options, where));
-}
 
 std::vector<systems::Input> ReadInputs(const std::filesystem::path& file) {
   std::vector<systems::Input> inputs;
@@ -34,12 +24,19 @@ systems::System SketchSystem() {
       .name = kSystem,
       .room = "systems/sketch",
       .training_help = [] { return HelpText<SketchTrainingOptions>(); },
-      .evaluation_help = EvaluationHelp,
+      .evaluation_help = [] { return HelpText<SketchEvalOptions>(); },
       .resolve_config =
           [](const Json& config, const std::string& where) {
-            return ToJson(ParseTraining<SketchTrainingOptions>(config, where));
+            const auto options = ParseTraining<SketchTrainingOptions>(config, where);
+            RequireWholeBlocks(options.network);
+            return ToJson(options);
           },
-      .resolve_evaluation = ResolveEvaluation,
+      .resolve_evaluation =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<SketchEvalOptions>(options, where));
+          },
+      .read_metrics = ReadSketchMetrics,
+      .summary_columns = SketchSummaryColumns,
       .run_options = {"recover_with"},
       .resolve_prediction =
           [](const Json& options, const std::string& where) {

@@ -1,17 +1,24 @@
 #include "systems/deform/train/system.h"
 
+#include "core/median_time.h"
 #include "export/run_export.h"
-#include "systems/deform/run_folder.h"
 #include "systems/deform/train/evaluation.h"
 #include "systems/deform/train/export.h"
+#include "systems/deform/train/run.h"
+#include "systems/deform/train/surface_decoder.h"
 #include "systems/deform/train/training.h"
 
 namespace daumier::deform {
 namespace {
 
-Json EvaluateInto(const std::filesystem::path& run, const Json& options, const std::filesystem::path& out,
-                  const Task&) {
-  return EvaluateDeformRun(run, out, ParseOptions<DeformEvalOptions>(options));
+reports::Evaluation Evaluate(const std::filesystem::path& run, const Json& options, FolderCache& databases,
+                             const Task& task) {
+  return EvaluateDeformRun(run, ParseOptions<DeformEvalOptions>(options), databases, task);
+}
+
+double InferMs(const std::filesystem::path& run) {
+  const DeformRun loaded = LoadDeformRun(run);
+  return MedianMs([&] { SurfaceDecoder(loaded.network, loaded.codes[0]).Vertices(); });
 }
 
 }  // namespace
@@ -19,10 +26,10 @@ Json EvaluateInto(const std::filesystem::path& run, const Json& options, const s
 systems::SystemTraining DeformTraining() {
   return {.name = kSystem,
           .train = TrainDeform,
-          .evaluate_into = EvaluateInto,
+          .evaluate = Evaluate,
           .describe_export = DescribeDeformExport,
-          .validation_metric = "mean_vertex_error_mm",
-          .training_metric = "training_error_mm"};
+          .infer_ms = InferMs,
+          .validation_metric = "mean_vertex_error_mm", .training_metric = "training_error_mm"};
 }
 
 }  // namespace daumier::deform

@@ -69,12 +69,13 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 
 }  // namespace
 
-TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, const Task& task) {
+TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task) {
   const fs::path& run_directory = place.directory;
   const DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
   const torch::Device torch_device = tensor::TorchDevice(place.device);
-  const faces::FaceDatabase faces(options.data.faces);
-  const datasets::PointDatabase points(options.data.points);
+  const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
+  const auto& points = databases.Open<datasets::PointDatabase>(options.data.points);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);

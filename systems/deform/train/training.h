@@ -1,4 +1,5 @@
 #pragma once
+#include "core/folder_cache.h"
 #include "systems/system.h"
 
 
@@ -11,6 +12,7 @@ namespace daumier::deform {
 /// choose, since the larger the rows, the less a code's weight holds it back; its codes are found as those of unseen
 /// faces. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
-TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, const Task& task);
+TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task);
 
 }  // namespace daumier::deform

@@ -1,19 +1,28 @@
 #include "systems/sketch/train/system.h"
 
+#include "core/median_time.h"
 #include "export/run_export.h"
-#include "systems/sketch/run_folder.h"
 #include "systems/sketch/train/evaluation.h"
 #include "systems/sketch/train/export.h"
-#include "systems/sketch/train/external_evaluation.h"
+#include "systems/sketch/train/run.h"
 #include "systems/sketch/train/training.h"
+#include "tensor/torch_version.h"
 
 namespace daumier::sketch {
 namespace {
 
-Json EvaluateInto(const std::filesystem::path& run, const Json& options, const std::filesystem::path& out,
-                  const Task&) {
-  if (options.contains("faces")) return EvaluateOnOtherFaces(run, out, ParseOptions<OtherFacesOptions>(options));
-  return EvaluateSketchRun(run, out, ParseOptions<SketchEvalOptions>(options));
+reports::Evaluation Evaluate(const std::filesystem::path& run, const Json& options, FolderCache& databases,
+                             const Task& task) {
+  return EvaluateSketchRun(run, ParseOptions<SketchEvalOptions>(options), databases, task);
+}
+
+double InferMs(const std::filesystem::path& run) {
+  const at::NoGradGuard no_grad;
+  SketchNetwork network = LoadSketchRun(run).network;
+  const SketchNetworkOptions& options = network->options();
+  const SketchInput sketch{torch::zeros({1, 1, options.resolution, options.resolution}),
+                           torch::zeros({1, 4, options.num_points}), torch::zeros({1, network->num_shape()})};
+  return MedianMs([&] { network->Decode(network->forward(sketch)); });
 }
 
 }  // namespace
@@ -21,8 +30,9 @@ Json EvaluateInto(const std::filesystem::path& run, const Json& options, const s
 systems::SystemTraining SketchTraining() {
   return {.name = kSystem,
           .train = TrainSketch,
-          .evaluate_into = EvaluateInto,
+          .evaluate = Evaluate,
           .describe_export = DescribeSketchExport,
+          .infer_ms = InferMs,
           .validation_metric = "mean_vertex_error_mm"};
 }
 

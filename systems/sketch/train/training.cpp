@@ -6,8 +6,9 @@
 #include "core/log.h"
 #include "datasets/read/run_data.h"
 #include "datasets/read/training_fit.h"
-#include "systems/sketch/train/run.h"
 #include "render/camera_json.h"
+#include "systems/sketch/train/recipe.h"
+#include "systems/sketch/train/run.h"
 #include "tensor/runtime.h"
 #include "train/run_folder.h"
 #include "train/trainer.h"
@@ -32,8 +33,8 @@ Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchData
 
 /// The models of a run: fitted and written with all else that begins a run folder, or read back from it.
 FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
-                              const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
-                              const datasets::Split& split) {
+                      const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
+                      const datasets::Split& split) {
   log::Info("Fitting the bilinear models on {} training faces", split.train.size());
   const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear),
                                  curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear);
@@ -66,13 +67,14 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 }  // namespace
 
-TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, const Task& task) {
+TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task) {
   const fs::path& run_directory = place.directory;
   const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
   RequireWholeBlocks(options.network);
   const torch::Device torch_device = tensor::TorchDevice(place.device);
-  const faces::FaceDatabase faces(options.data.faces);
-  const datasets::SketchDatabase sketches(options.data.sketches);
+  const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
+  const auto& sketches = databases.Open<datasets::SketchDatabase>(options.data.sketches);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);

@@ -1,6 +1,6 @@
 #include "systems/deform/train/code_energy.h"
 
-#include "models/array_deformations.h"
+#include "systems/deform/train/array_deformations.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_deform.h"
 
@@ -107,7 +107,7 @@ TEST_F(CodeEnergyTest, SparsePointsThatAreAllPointsWithWeightOneAreTheAllPointsT
 
 TEST_F(CodeEnergyTest, HandlesByHand) {
   // A linear model whose positions are zero whatever the code: squared distances are those of the targets.
-  models::LinearDeformation network({.kind = "linear", .latent = 2}, testing::SpherePoints(4), {});
+  LinearDeformation network({.kind = "linear", .latent = 2}, testing::SpherePoints(4), {});
   network.Set(torch::zeros({12}), torch::zeros({2, 12}));
   const std::vector<int> vertices = {0, 2};
   CodeEnergy energy;

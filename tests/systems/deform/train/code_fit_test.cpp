@@ -128,7 +128,7 @@ TEST_F(CodeFitTest, PointsBetweenVerticesAreFittedToo) {
 }
 
 TEST_F(CodeFitTest, HandlesAndASurfaceOfALinearModelAreSolvedAsByRidgeRegression) {
-  models::LinearDeformation network({.kind = "linear", .latent = 4}, template_, {});
+  LinearDeformation network({.kind = "linear", .latent = 4}, template_, {});
   network.Set(template_.flatten() * 1.1, 0.3 * torch::randn({4, 180}));
   network.to(torch::kFloat64);
   const torch::Tensor rows = network.named_buffers()["rows"], mean = network.named_buffers()["mean"];
@@ -291,7 +291,7 @@ TEST_F(CodeFitTest, RefusesNumbersThatAreNotFinite) {
   testing::ExpectError([&] { FitCode(*network, targets); }, "targets: 1 of 180 numbers are not finite");
   const torch::Tensor endless = torch::full({8}, std::numeric_limits<float>::infinity());
   testing::ExpectError([&] { FitCode(*network, CodeEnergy{}, {}, endless); }, "start has numbers that are not finite");
-  models::LinearDeformation endless_network({.kind = "linear", .latent = 8}, template_, {});
+  LinearDeformation endless_network({.kind = "linear", .latent = 8}, template_, {});
   endless_network.Set(template_.flatten(), endless.unsqueeze(1).expand({8, 180}).contiguous());
   for (const char* method : {"gauss_newton", "adam"})
     testing::ExpectError([&] { FitCode(endless_network, template_, {.solve = {.method = method}}); },

@@ -22,6 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TrainingSummary RunDeform(const Json& config, const systems::RunPlace& place, const Task& task) {
+  FolderCache databases;
+  return TrainDeform(config, place, databases, task);
+}
+
 class DeformTrainingTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -61,7 +66,7 @@ std::unique_ptr<testing::TempDir> DeformTrainingTest::folder_;
 TEST_F(DeformTrainingTest, EveryKindLeavesARunThatIsReadBack) {
   for (const std::string& kind : testing::DeformKinds()) {
     SCOPED_TRACE(kind);
-    const TrainingSummary summary = TrainDeform(Config(kind), {Run(kind), false}, {});
+    const TrainingSummary summary = RunDeform(Config(kind), {Run(kind), false}, {});
     const DeformRun run = LoadDeformRun(Run(kind));
     EXPECT_EQ(run.manifest.details.at("product"), "deform");
     EXPECT_EQ(run.manifest.counts.at("steps"), summary.steps);
@@ -77,18 +82,18 @@ TEST_F(DeformTrainingTest, LearnsItsTrainingFaces) {
   Json config = Config("hypernetwork");
   config["epochs"] = 40;
   config["validate_every"] = 40;
-  TrainDeform(config, {Run("learns"), false}, {});
+  RunDeform(config, {Run("learns"), false}, {});
   const std::vector<double> errors = TrainingErrors(Run("learns"));
   EXPECT_LT(errors.back(), 0.7 * errors.front());
 }
 
 TEST_F(DeformTrainingTest, ResumedEqualsUninterruptedByteForByte) {
   const Json config = Config("hypernetwork");
-  TrainDeform(config, {Run("whole"), false}, {});
+  RunDeform(config, {Run("whole"), false}, {});
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(TrainDeform(config, {Run("stopped"), false}, Task(stop.get_token())), Cancelled);
-  TrainDeform(config, {Run("stopped"), true}, {});
+  EXPECT_THROW(RunDeform(config, {Run("stopped"), false}, Task(stop.get_token())), Cancelled);
+  RunDeform(config, {Run("stopped"), true}, {});
   for (const char* file : {"best/model.safetensors", "manifest.json"})
     EXPECT_EQ(ReadFile(Run("whole") / file), ReadFile(Run("stopped") / file)) << file;
 }
@@ -99,7 +104,7 @@ TEST_F(DeformTrainingTest, ALinearModelHasTheComponentsOfTrainingFaces) {
     Json config = Config("linear");
     config["network"]["latent"] = latent;
     const fs::path folder = Run("linear" + std::to_string(latent));
-    TrainDeform(config, {folder, false}, {});
+    RunDeform(config, {folder, false}, {});
     const DeformRun run = LoadDeformRun(folder);
     const faces::FaceDatabase faces(*folder_ / "faces");
     const Json persons = run.manifest.details.at("split").at("train").at("persons");
@@ -117,10 +122,10 @@ TEST_F(DeformTrainingTest, ALinearModelHasTheComponentsOfTrainingFaces) {
 TEST_F(DeformTrainingTest, RefusesWhatItCannotUse) {
   Json config = Config("hypernetwork");
   config["data"]["points"] = "";
-  testing::ExpectError([&] { TrainDeform(config, {Run("refused"), false}, {}); }, "data.points=FOLDER");
+  testing::ExpectError([&] { RunDeform(config, {Run("refused"), false}, {}); }, "data.points=FOLDER");
   config = Config("hypernetwork");
   config["network"]["kind"] = "hypernet";
-  testing::ExpectError([&] { TrainDeform(config, {Run("refused"), false}, {}); }, "hypernetwork");
+  testing::ExpectError([&] { RunDeform(config, {Run("refused"), false}, {}); }, "hypernetwork");
   EXPECT_FALSE(fs::exists(Run("refused")));
 }
 

@@ -50,7 +50,7 @@ TEST(SketchExport, FunctionIsTheNetworkAndItsDecoder) {
 TEST(SketchExport, WithoutARuntimeWritesAGraphThatHoldsTheNetwork) {
   testing::AllowWarnings();
   const TempDir folder;
-  const WithoutNpmPackage without;
+  const exporting::WithoutNpmPackage without;
   auto network = WriteSketchRun(folder / "run");
   const Json report = Export(folder / "run", folder / "out");
   EXPECT_EQ(NamesIn(folder / "out"),
@@ -118,7 +118,7 @@ TEST(SketchExport, EveryKindOfNetworkAnswersAsLibTorchInOnnxRuntime) {
 TEST(SketchExport, ManifestCarriesSourcesAndChecksums) {
   testing::AllowWarnings();
   const TempDir folder;
-  const WithoutNpmPackage without;
+  const exporting::WithoutNpmPackage without;
   WriteSketchRun(folder / "run");
   Export(folder / "run", folder / "out");
   const Manifest manifest = ReadManifest(folder / "out", "export");

@@ -1,8 +1,12 @@
-#include "systems/sketch/train/predict_drawings.h"
+#include "systems/sketch/predictor.h"
 
 #include "core/files.h"
 #include "core/manifest.h"
 #include "geometry/obj.h"
+#include "export/torch_runner.h"
+#include "systems/predict_files.h"
+#include "systems/sketch/system.h"
+#include "systems/sketch/train/export.h"
 #include "systems/sketch/train/run.h"
 #include "render/draw.h"
 #include "render/read_drawing.h"
@@ -18,13 +22,18 @@ namespace {
 using render::Image;
 using testing::ExpectError;
 
-TEST(SheetPlacement, PutsTheLongerSideOnTheCanvas) {
-  const auto placement = SheetPlacement({512, 256, {}});
-  EXPECT_EQ(placement.scale, 0.5);
-  EXPECT_EQ(placement.shift, Eigen::Vector2d(0, 64)) << "128 pixels of paper above, then halved";
+SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options = {}) {
+  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU),
+          options};
 }
 
-TEST(PredictSketches, WritesAMeshAndASheetForEveryPicture) {
+void PredictSketches(const std::filesystem::path& run, const std::vector<std::filesystem::path>& files,
+                     const std::filesystem::path& out, const PredictOptions& options = {}) {
+  PredictOptions all = options;
+  systems::PredictFiles(SketchSystem(), Open(run, options), run, files, out, ToJson(all));
+}
+
+TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   MakeDirectory(folder / "other");
@@ -48,7 +57,7 @@ TEST(PredictSketches, WritesAMeshAndASheetForEveryPicture) {
   EXPECT_GT(render::ReadImage(folder / "out/face.png").width, 1000);
 }
 
-TEST(PredictSketches, ReadsStrokesDirectly) {
+TEST(TrainedSketchPredictor, ReadsStrokesDirectly) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   WriteFileAtomically(folder / "two.ndjson",
@@ -56,7 +65,7 @@ TEST(PredictSketches, ReadsStrokesDirectly) {
                       "{\"drawing\": [[[0, 255], [0, 255]]]}\n");
   render::WriteSvg(folder / "face.svg", Circles(), {"line"});
   PredictSketches(folder / "run", {folder / "two.ndjson", folder / "face.svg"}, folder / "out",
-                  {.framing = Framing::kKeep});
+                  {.framing = "keep"});
   for (const char* name : {"two.obj", "two-2.obj", "face.obj"})
     EXPECT_TRUE(std::filesystem::exists(folder / "out" / name));
   const auto strokes = render::ReadSvg(folder / "out/face.svg").strokes;
@@ -64,23 +73,23 @@ TEST(PredictSketches, ReadsStrokesDirectly) {
   EXPECT_EQ(strokes[2].points, Circles()[2].points) << "the canvas is kept as it is";
 }
 
-TEST(PredictSketches, TheNetworksOwnFaceIsKeptIfWished) {
+TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteSvg(folder / "face.svg", Circles(), {"line"});
-  PredictSketches(folder / "run", {folder / "face.svg"}, folder / "own", {.framing = Framing::kKeep, .refine = false});
+  PredictSketches(folder / "run", {folder / "face.svg"}, folder / "own", {.framing = "keep", .refine = false});
   const Json details = ReadManifest(folder / "own", "predictions").details;
   const Json distance = details.at("drawings").at("face").at("two_way_distance_px");
   EXPECT_EQ(distance.at("before"), distance.at("after"));
 }
 
-TEST(PredictSketches, ADeformedSurfaceIsNearerToTheDrawing) {
+TEST(TrainedSketchPredictor, ADeformedSurfaceIsNearerToTheDrawing) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteSvg(folder / "face.svg", Circles(), {"line"});
   const auto after = [&](bool deform) {
     const auto out = folder / (deform ? "deformed" : "refined");
-    PredictSketches(folder / "run", {folder / "face.svg"}, out, {.framing = Framing::kKeep, .deform = deform});
+    PredictSketches(folder / "run", {folder / "face.svg"}, out, {.framing = "keep", .deform = deform});
     const Manifest manifest = ReadManifest(out, "predictions");
     EXPECT_EQ(manifest.config.at("deform"), deform);
     return manifest.details.at("drawings").at("face").at("two_way_distance_px").at("after").get<double>();
@@ -88,7 +97,7 @@ TEST(PredictSketches, ADeformedSurfaceIsNearerToTheDrawing) {
   EXPECT_LT(after(true), after(false));
 }
 
-TEST(PredictSketches, NamesTheBadPictureAndWritesNothing) {
+TEST(TrainedSketchPredictor, NamesTheBadPictureAndWritesNothing) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteImage(folder / "blank.png", Image(30, 30, 1));

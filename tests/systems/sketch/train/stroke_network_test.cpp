@@ -1,6 +1,8 @@
-#include "systems/sketch/train/sketch_predictor.h"
+#include "systems/sketch/stroke_network.h"
 
-#include "systems/sketch/train/predict_drawings.h"
+#include "export/torch_runner.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/train/export.h"
 #include "render/draw.h"
 #include "render/read_drawing.h"
 #include "tests/fitting/drawn_circles.h"
@@ -11,19 +13,28 @@
 namespace daumier::sketch {
 namespace {
 
+SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options = {}) {
+  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU),
+          options};
+}
+
+torch::Tensor SketchTensor(const std::vector<render::Stroke>& strokes, int resolution) {
+  return torch::tensor(InkOf(strokes, resolution)).view({1, 1, resolution, resolution});
+}
+
 torch::Tensor TrainingRaster(int resolution) {
   const render::Image image = render::RasteriseStrokes(Circles(), resolution);
   const auto grey = torch::tensor(std::vector<float>(image.pixels.begin(), image.pixels.end()));
   return (1 - grey / 255).view({1, 1, resolution, resolution});
 }
 
-TEST(SketchTensor, IsTheTrainingRaster) {
+TEST(InkOf, IsTheTrainingRaster) {
   const auto sketch = SketchTensor(Circles(), 128);
   EXPECT_EQ(sketch.sizes().vec(), (std::vector<int64_t>{1, 1, 128, 128}));
   EXPECT_TRUE(torch::allclose(sketch, TrainingRaster(128), 0, 1e-6));
 }
 
-TEST(SketchTensor, OfATracedTrainingRasterIsTheRaster) {
+TEST(InkOf, OfATracedTrainingRasterIsTheRaster) {
   const testing::TempDir folder;
   render::WriteImage(folder / "face.png", render::RasteriseStrokes(Circles(), 512));
   const render::Drawing traced = render::ReadDrawings(folder / "face.png")[0];
@@ -31,13 +42,13 @@ TEST(SketchTensor, OfATracedTrainingRasterIsTheRaster) {
   EXPECT_LT((sketch - TrainingRaster(64)).abs().mean().item<double>(), 0.03);
 }
 
-TEST(SketchPredictor, AnswersWhatTheNetworkAnswers) {
+TEST(TrainedStrokeNetwork, AnswersWhatTheNetworkAnswers) {
   const testing::TempDir folder;
   auto network = testing::WriteSketchRun(folder.path());
-  SketchPredictor predictor(folder.path());
+  const SketchPredictor predictor = Open(folder.path());
   auto other = Circles();
   other.pop_back();
-  const auto faces = predictor.Predict({Circles(), other});
+  const auto faces = predictor.FromStrokes({Circles(), other});
   ASSERT_EQ(faces.size(), 2u);
   const at::NoGradGuard no_grad;
   const auto coefficients =
@@ -50,33 +61,33 @@ TEST(SketchPredictor, AnswersWhatTheNetworkAnswers) {
     EXPECT_NEAR(found.u[2], coefficients.u[face][2].item<float>(), 1e-5);
     EXPECT_NEAR(found.v[1], coefficients.v[face][1].item<float>(), 1e-5);
   }
-  EXPECT_TRUE(predictor.Predict({}).empty());
+  EXPECT_TRUE(predictor.FromStrokes({}).empty());
 }
 
-TEST(SketchPredictor, EveryKindOfNetworkIsGivenWhatItReads) {
+TEST(TrainedStrokeNetwork, EveryKindOfNetworkIsGivenWhatItReads) {
   for (const auto& [kind, options] : testing::SmallSketchNetworks()) {
     const testing::TempDir folder;
     testing::WriteSketchRun(folder.path(), kind);
-    SketchPredictor predictor(folder.path());
-    const fitting::PredictedFace face = predictor.Predict({Circles()}).front();
+    const SketchPredictor predictor = Open(folder.path());
+    const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
     EXPECT_TRUE(Eigen::Map<const Eigen::VectorXf>(face.vertices.data(), Eigen::Index(face.vertices.size())).allFinite())
         << kind;
     EXPECT_EQ(face.u.size(), 6) << kind;
   }
 }
 
-TEST(SketchPredictor, ASketchWithoutLengthHasNoPoints) {
+TEST(TrainedStrokeNetwork, ASketchWithoutLengthHasNoPoints) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder.path(), "points");
-  SketchPredictor predictor(folder.path());
-  testing::ExpectError([&] { predictor.Predict({{{0, {{5, 5}}}}}); }, "");
+  const SketchPredictor predictor = Open(folder.path());
+  testing::ExpectError([&] { predictor.FromStrokes({{{0, {{5, 5}}}}}); }, "");
 }
 
-TEST(SketchPredictor, SeesTheCurvesOfTheTrainingSketches) {
+TEST(TrainedStrokeNetwork, SeesTheCurvesOfTheTrainingSketches) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder.path());
-  SketchPredictor predictor(folder.path());
-  const fitting::PredictedFace face = predictor.Predict({Circles()}).front();
+  const SketchPredictor predictor = Open(folder.path());
+  const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
   const auto curves = predictor.CurvesOf(face);
   ASSERT_EQ(curves.size(), predictor.run().feature_curves.size());
   EXPECT_EQ(curves[0].points.size(), size_t(predictor.curves().num_points()));

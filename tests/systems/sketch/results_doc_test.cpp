@@ -1,6 +1,6 @@
 #include "core/files.h"
 #include "core/json.h"
-#include "systems/sketch/train/error_table.h"
+#include "systems/sketch/metrics.h"
 #include "tests/support/paths.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ TEST(ResultsDocument, ShowsTheTablesOfItsRecords) {
     for (const char* key : {"command", "commit", "seeds", "train_seconds", "metrics"})
       EXPECT_TRUE(record.contains(key)) << key;
     EXPECT_TRUE(record.at("metrics").contains("data_hash"));
-    EXPECT_NE(document.find(TableMarkdown(TableFromJson(record.at("metrics").at("table")))), std::string::npos)
+    EXPECT_NE(document.find(reports::TableMarkdown(reports::TextTable(ReadSketchMetrics(record.at("metrics"))))), std::string::npos)
         << file.path() << " and docs/results.md do not agree";
     EXPECT_NE(document.find(record.at("command").get<std::string>()), std::string::npos) << file.path();
   }
