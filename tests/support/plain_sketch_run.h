@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
 #include "systems/sketch/train/baseline_rows.h"
 
 #include "core/log.h"
-#include "eval/baselines.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "faces/bilinear_projector.h"
 #include "systems/sketch/metrics.h"
 
@@ -26,15 +27,16 @@ class Baselines {
     log::Info("Fitting the training-free baselines on {} training faces", data.split.train.size());
     const eval::SketchSamples samples{[&](int face) { return data.faces.vertices(face); },
                                       [&](int face) { return CurvePoints(face); }};
-    const Eigen::VectorXf mean_face = eval::MeanFace(samples, data.split.train);
+    const Eigen::VectorXf mean_face = eval::MeanFace(samples.vertices, data.split.train).transpose();
     AddEachFace(kMeanFace, [&](int) { return mean_face; });
-    const eval::NearestNeighbour nearest(samples, data.split.train);
-    AddEachFace(kNearestNeighbour,
-                [&](int face) { return AsVector(samples.vertices(nearest.Nearest(samples.curve_points(face)))); });
+    const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, data.split.train));
+    AddEachFace(kNearestNeighbour, [&](int face) {
+      return AsVector(samples.vertices(data.split.train[size_t(nearest.Nearest(samples.curve_points(face)))]));
+    });
     const eval::RidgeFit ridge = Fit(samples);
     rows_.ridge_lambda = ridge.lambda;
     Add(kRidge, "none",
-        [&](const FaceBlock& block) { return ridge.model.Predict(eval::PointRows(samples, block.faces)); });
+        [&](const FaceBlock& block) { return ridge.model.Predict(eval::ReadRows(samples.curve_points, block.faces)); });
     rows_.rows.back().baseline = true;
     Eigen::VectorXf weights = Eigen::VectorXf::Zero(test_.num_coordinates());
     for (const int vertex : test_.region()) weights.segment<3>(3 * vertex).setOnes();

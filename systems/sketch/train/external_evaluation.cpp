@@ -6,7 +6,8 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "datasets/read/sketch_variation.h"
-#include "eval/baselines.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "export/torch_runner.h"
 #include "eval/metrics.h"
 #include "faces/bilinear_projector.h"
@@ -113,9 +114,9 @@ class ExternalEvaluation {
     log::Info("Fitting the free baselines on {} training faces", own->split.train.size());
     const eval::SketchSamples samples{[&](int face) { return own->faces.vertices(face); },
                                       [&](int face) { return own->sketches.curve_points(face); }};
-    const eval::NearestNeighbour nearest(samples, own->split.train);
+    const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own->split.train));
     AddRow(kNearestNeighbour, [&](int face) {
-      const auto vertices = samples.vertices(nearest.Nearest(sketches_.curve_points(face)));
+      const auto vertices = samples.vertices(own->split.train[size_t(nearest.Nearest(sketches_.curve_points(face)))]);
       return PredictedFace{{}, {}, {vertices.begin(), vertices.end()}};
     });
     const eval::RidgeFit ridge =
