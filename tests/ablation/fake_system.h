@@ -104,7 +104,7 @@ class FakeSystem {
     static const systems::SystemTraining training{.name = "fake",
                                                   .train = Train,
                                                   .evaluate = Evaluate,
-                                                  .export_run = nullptr,
+                                                  .describe_export = nullptr,
                                                   .infer_ms = [](const std::filesystem::path&) { return 2.5; },
                                                   .validation_metric = "error"};
     return {plain, training};

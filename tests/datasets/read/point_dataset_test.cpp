@@ -6,7 +6,11 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
-#include <torch/types.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
 
 namespace daumier::datasets {
 namespace {
@@ -35,26 +39,44 @@ class PointDatasetTest : public ::testing::Test {
   static PointDataset Dataset(const PointReading& reading, std::vector<int> which = {3, 11, 5}, uint64_t seed = 9) {
     return PointDataset(*faces_, *points_, std::move(which), reading, seed);
   }
-  static torch::Tensor Model(const geometry::Points& points_cm) {
-    const geometry::Points model = points_->frame().FromCm(points_cm);
-    return torch::from_blob(const_cast<double*>(model.data()), {model.rows(), 3}, torch::kFloat64).to(torch::kFloat32);
+  static geometry::Points Model(int face) { return points_->frame().FromCm(faces_->points(face)); }
+  static Eigen::RowVector3d OnTemplate(int64_t vertex) {
+    const std::span<const float> open = points_->template_vertices();
+    return {open[size_t(3 * vertex)], open[size_t(3 * vertex + 1)], open[size_t(3 * vertex + 2)]};
   }
-  static torch::Tensor Template() {
-    return torch::tensor(std::vector<float>(points_->template_vertices().begin(), points_->template_vertices().end()))
-        .view({-1, 3});
+  /// Three numbers of point n of face `row`.
+  template <class T>
+  static std::array<T, 3> Triple(const Array<T>& array, int64_t row, int64_t n) {
+    const T* const first = array.row(row) + 3 * n;
+    return {first[0], first[1], first[2]};
   }
-  /// What the batch says of face `row` against tensor operations on its corners.
-  static void ExpectPointsOf(const PointBatch& batch, int64_t row, int face) {
-    const auto mixed = [&](const torch::Tensor& vertices) {
-      const torch::Tensor corners = vertices.index_select(0, batch.corners[row].flatten()).view({-1, 3, 3});
-      return (corners * batch.weights[row].unsqueeze(2)).sum(1);
-    };
-    EXPECT_TRUE(torch::allclose(batch.positions[row], mixed(Template()), 0, 1e-6));
-    EXPECT_TRUE(torch::allclose(batch.targets[row], mixed(Model(faces_->points(face))), 0, 1e-5));
+  static std::array<float, 3> Triple(const SampleBatch& batch, const char* name, int64_t row, int64_t n) {
+    return Triple(batch.arrays.at(name), row, n);
   }
-  static bool Equal(const PointBatch& a, const PointBatch& b) {
-    return torch::equal(a.corners, b.corners) && torch::equal(a.weights, b.weights) &&
-           torch::equal(a.positions, b.positions) && torch::equal(a.targets, b.targets);
+  static std::array<int64_t, 3> Corners(const SampleBatch& batch, int64_t row, int64_t n) {
+    return Triple(batch.indices.at("corners"), row, n);
+  }
+  /// The points of `row` are those that corners and weights give on the template and on the face.
+  static void ExpectPointsOf(const SampleBatch& batch, int64_t row, int face) {
+    const geometry::Points model = Model(face);
+    for (int64_t n = 0; n < batch.arrays.at("weights").shape[1]; ++n) {
+      const auto corners = Corners(batch, row, n);
+      const auto weights = Triple(batch, "weights", row, n);
+      Eigen::RowVector3d position = Eigen::RowVector3d::Zero(), target = position;
+      for (size_t c = 0; c < 3; ++c) {
+        position += double(weights[c]) * OnTemplate(corners[c]);
+        target += double(weights[c]) * model.row(corners[c]);
+      }
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_NEAR(Triple(batch, "positions", row, n)[size_t(k)], position[k], 1e-6);
+        ASSERT_NEAR(Triple(batch, "targets", row, n)[size_t(k)], target[k], 1e-5);
+      }
+    }
+  }
+  static bool Equal(const SampleBatch& a, const SampleBatch& b) {
+    const auto same = [&](const char* name) { return a.arrays.at(name).values == b.arrays.at(name).values; };
+    return a.indices.at("corners").values == b.indices.at("corners").values && same("weights") && same("positions") &&
+           same("targets");
   }
 
   static inline TempDir* folder_ = nullptr;
@@ -63,69 +85,85 @@ class PointDatasetTest : public ::testing::Test {
 };
 
 TEST_F(PointDatasetTest, PointsLieInTheirTrianglesOnTemplateAndFace) {
-  const PointBatch batch = Dataset({.num_points = 200}).Get(std::vector<int>{2, 0}, 3);
+  const SampleBatch batch = Dataset({.num_points = 200}).Get(std::vector<int>{2, 0}, 3);
   const std::vector<int64_t> shape{2, 200, 3};
-  for (const torch::Tensor& tensor : {batch.corners, batch.weights, batch.positions, batch.targets})
-    ASSERT_EQ(tensor.sizes().vec(), shape);
-  EXPECT_EQ(batch.corners.scalar_type(), torch::kInt64);
-  for (const torch::Tensor& tensor : {batch.weights, batch.positions, batch.targets})
-    EXPECT_EQ(tensor.scalar_type(), torch::kFloat32);
-  EXPECT_GE(batch.weights.min().item<float>(), 0);
-  EXPECT_TRUE(torch::allclose(batch.weights.sum(2), torch::ones({2, 200}), 0, 1e-6));
+  EXPECT_EQ(batch.indices.at("corners").shape, shape);
+  for (const char* name : {"weights", "positions", "targets"}) EXPECT_EQ(batch.arrays.at(name).shape, shape);
+  EXPECT_EQ(batch.samples, (std::vector<int>{2, 0}));
+  for (int64_t n = 0; n < 200; ++n) {
+    const auto weights = Triple(batch, "weights", 1, n);
+    EXPECT_GE(std::min({weights[0], weights[1], weights[2]}), 0);
+    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-6);
+  }
   ExpectPointsOf(batch, 0, 5);
   ExpectPointsOf(batch, 1, 3);
 }
 
 TEST_F(PointDatasetTest, AllPointsAreTheVerticesAndThenTheSamples) {
-  const PointBatch batch = Dataset({.num_points = 0}).Get(std::vector<int>{1});
+  const SampleBatch batch = Dataset({.num_points = 0}).Get(std::vector<int>{1});
   const int64_t num_vertices = points_->num_vertices();
-  ASSERT_EQ(batch.corners.size(1), num_vertices + 600);
+  ASSERT_EQ(batch.indices.at("corners").shape[1], num_vertices + 600);
   ExpectPointsOf(batch, 0, 11);
   const SurfaceSamples samples = points_->samples(11);
   for (const int s : {0, 77, 599}) {
     for (int k = 0; k < 3; ++k)
-      EXPECT_EQ(batch.corners[0][num_vertices + s][k].item<int64_t>(),
+      EXPECT_EQ(Corners(batch, 0, num_vertices + s)[size_t(k)],
                 points_->face_template().triangles(samples.triangles[size_t(s)], k));
-    EXPECT_EQ(batch.weights[0][num_vertices + s][1].item<float>(), samples.weights[size_t(2 * s + 1)]);
+    EXPECT_EQ(Triple(batch, "weights", 0, num_vertices + s)[1], samples.weights[size_t(2 * s + 1)]);
   }
-  EXPECT_EQ(Dataset({.num_points = 0, .sampling = "vertices"}).Get(std::vector<int>{1}).corners.size(1), num_vertices);
+  const SampleBatch vertices = Dataset({.num_points = 0, .sampling = "vertices"}).Get(std::vector<int>{1});
+  EXPECT_EQ(vertices.indices.at("corners").shape[1], num_vertices);
 }
 
 TEST_F(PointDatasetTest, VerticesAreAllVerticesInOrder) {
-  const PointBatch batch = Dataset({.num_points = 50}).Vertices(std::vector<int>{1, 2});
-  const int64_t num_vertices = points_->num_vertices();
-  const torch::Tensor order = torch::arange(num_vertices).unsqueeze(1).expand({num_vertices, 3});
-  const torch::Tensor first = torch::tensor({1.0f, 0.0f, 0.0f}).expand({num_vertices, 3});
+  const SampleBatch batch = Dataset({.num_points = 50}).Vertices(std::vector<int>{1, 2});
   for (const auto& [row, face] : {std::pair{0, 11}, {1, 5}}) {
-    EXPECT_TRUE(torch::equal(batch.corners[row], order));
-    EXPECT_TRUE(torch::equal(batch.weights[row], first));
-    EXPECT_TRUE(torch::equal(batch.positions[row], Template()));
-    EXPECT_TRUE(torch::allclose(batch.targets[row], Model(faces_->points(face)), 0, 1e-5));
+    for (int64_t n = 0; n < points_->num_vertices(); ++n) {
+      EXPECT_EQ(Corners(batch, row, n), (std::array<int64_t, 3>{n, n, n}));
+      EXPECT_EQ(Triple(batch, "weights", row, n), (std::array<float, 3>{1, 0, 0}));
+    }
+    ExpectPointsOf(batch, row, face);
   }
 }
 
 TEST_F(PointDatasetTest, ABatchIsAFunctionOfSeedFaceAndEpoch) {
   const PointReading reading{.num_points = 300};
   const PointDataset dataset = Dataset(reading);
-  const PointBatch alone = dataset.Get(std::vector<int>{1}, 4);
+  const SampleBatch alone = dataset.Get(std::vector<int>{1}, 4), all = dataset.Get(std::vector<int>{0, 1, 2}, 4);
+  const auto corners = [](const SampleBatch& batch) { return batch.indices.at("corners").values; };
   EXPECT_TRUE(Equal(Dataset(reading, {0, 11}).Get(std::vector<int>{1}, 4), alone));
-  EXPECT_TRUE(torch::equal(dataset.Get(std::vector<int>{0, 1, 2}, 4).targets[1], alone.targets[0]));
-  EXPECT_FALSE(torch::equal(dataset.Get(std::vector<int>{1}, 5).corners, alone.corners));
-  EXPECT_FALSE(torch::equal(Dataset(reading, {11}, 8).Get(std::vector<int>{0}, 4).corners, alone.corners));
-  EXPECT_FALSE(torch::equal(dataset.Get(std::vector<int>{0}, 4).corners, alone.corners));
+  for (int64_t n = 0; n < 300; ++n) EXPECT_EQ(Triple(all, "targets", 1, n), Triple(alone, "targets", 0, n));
+  EXPECT_NE(corners(dataset.Get(std::vector<int>{1}, 5)), corners(alone));
+  EXPECT_NE(corners(Dataset(reading, {11}, 8).Get(std::vector<int>{0}, 4)), corners(alone));
+  EXPECT_NE(corners(dataset.Get(std::vector<int>{0}, 4)), corners(alone));
+}
+
+TEST_F(PointDatasetTest, MayBeReadFromSeveralThreads) {
+  const PointDataset dataset = Dataset({.num_points = 300});
+  const SampleBatch expected = dataset.Get(std::vector<int>{0, 1, 2}, 4);
+  std::atomic<int> num_equal = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&] { num_equal += Equal(dataset.Get(std::vector<int>{0, 1, 2}, 4), expected); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(num_equal, 4);
 }
 
 TEST_F(PointDatasetTest, HybridsTakeVerticesAndSamplesInTheirProportion) {
-  const auto share_of_vertices = [](const PointBatch& batch) {
-    return batch.corners.select(2, 0).eq(batch.corners.select(2, 1)).to(torch::kFloat32).mean().item<double>();
+  const auto share_of_vertices = [](const SampleBatch& batch) {
+    const std::vector<int64_t>& corners = batch.indices.at("corners").values;
+    int64_t count = 0;
+    for (size_t i = 0; i < corners.size(); i += 3) count += corners[i] == corners[i + 1];
+    return double(count) / double(corners.size() / 3);
   };
   const std::vector<int> samples{0, 1, 2};
   const double expected = double(points_->num_vertices()) / (points_->num_vertices() + 600);
   EXPECT_NEAR(share_of_vertices(Dataset({.num_points = 4000}).Get(samples)), expected, 0.02);
-  const PointBatch vertices = Dataset({.num_points = 4000, .sampling = "vertices"}).Get(samples);
+  const SampleBatch vertices = Dataset({.num_points = 4000, .sampling = "vertices"}).Get(samples);
   EXPECT_EQ(share_of_vertices(vertices), 1);
-  EXPECT_LT(vertices.corners.min().item<int64_t>(), 20);
-  EXPECT_GT(vertices.corners.max().item<int64_t>(), points_->num_vertices() - 20);
+  const auto [least, greatest] = std::ranges::minmax(vertices.indices.at("corners").values);
+  EXPECT_LT(least, 20);
+  EXPECT_GT(greatest, points_->num_vertices() - 20);
 }
 
 TEST_F(PointDatasetTest, WhatIsNotThereIsRefused) {

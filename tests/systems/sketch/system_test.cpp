@@ -22,7 +22,7 @@ TEST(SketchSystem, HasItsNameAndRoom) {
   EXPECT_EQ(system.run_options, std::vector<std::string>{"recover_with"});
 }
 
-TEST(SketchSystem, HelpListsTheOptionsOfTrainingAndOfBothEvaluations) {
+TEST(SketchSystem, HelpListsTheOptionsOfTrainingAndEvaluation) {
   EXPECT_NE(SketchSystem().training_help().find("epochs"), std::string::npos);
   const std::string help = SketchSystem().evaluation_help();
   for (const char* const option : {"recover_with", "split", "faces", "sketches"})
@@ -45,20 +45,24 @@ TEST(SketchSystem, UnknownKeysAreUsageErrors) {
   EXPECT_THROW(system.resolve_config(config, "recipe.toml"), UsageError);
   ExpectError([&] { system.resolve_config(config, "recipe.toml"); }, "recipe.toml: unknown key 'epoch'");
   EXPECT_THROW(system.resolve_evaluation({{"splits", "test"}}, "options"), UsageError);
-  EXPECT_THROW(system.resolve_evaluation({{"faces", "a"}, {"split", "test"}}, "options"), UsageError);
   EXPECT_THROW(system.resolve_prediction({{"refined", true}}, "options"), UsageError);
 }
 
-TEST(SketchSystem, AnEvaluationWithFacesIsOneOfAnExternalDatabase) {
+TEST(SketchSystem, AResolvedEvaluationHasEveryOption) {
   const Json own = SketchSystem().resolve_evaluation({{"fit", true}}, "options");
   EXPECT_EQ(own["split"], "test");
   EXPECT_EQ(own["fit"], true);
-  EXPECT_FALSE(own.contains("faces"));
+  EXPECT_EQ(own["faces"], "");
   const Json external = SketchSystem().resolve_evaluation({{"faces", "a"}, {"sketches", "b"}}, "options");
   EXPECT_EQ(external["faces"], "a");
   EXPECT_EQ(external["sketches"], "b");
   EXPECT_EQ(external["baselines"], true);
-  EXPECT_FALSE(external.contains("split"));
+}
+
+TEST(SketchSystem, AWidthThatIsNoMultipleOfABlockIsAUsageError) {
+  Json config = kConfig;
+  config["network"] = {{"width", 12}};
+  EXPECT_THROW(SketchSystem().resolve_config(config, "recipe.toml"), UsageError);
 }
 
 TEST(SketchSystem, APredictionFitsTheFrameAndRefinesByDefault) {

@@ -3,6 +3,8 @@
 #include "core/config.h"
 #include "core/files.h"
 #include "core/task.h"
+#include "faces/face_database.h"
+#include "systems/deform/options.h"
 #include "core/manifest.h"
 #include "systems/deform/train/run.h"
 #include "tensor/tensor_file.h"
@@ -37,7 +39,7 @@ class DeformTrainingTest : public ::testing::Test {
   static void TearDownTestSuite() { folder_.reset(); }
 
   static Json Config(const std::string& kind) {
-    return {{"product", "deform"},
+    return {{"system", "deform"},
             {"data", {{"faces", (*folder_ / "faces").string()}, {"points", (*folder_ / "points").string()}}},
             {"network", ToJson(testing::SmallDeformOptions(kind))},
             {"points", {{"num_points", 50}}},
@@ -68,7 +70,7 @@ TEST_F(DeformTrainingTest, EveryKindLeavesARunThatIsReadBack) {
     SCOPED_TRACE(kind);
     const TrainingSummary summary = RunDeform(Config(kind), {Run(kind), false}, {});
     const DeformRun run = LoadDeformRun(Run(kind));
-    EXPECT_EQ(run.manifest.details.at("product"), "deform");
+    EXPECT_EQ(run.manifest.details.at("system"), "deform");
     EXPECT_EQ(run.manifest.counts.at("steps"), summary.steps);
     EXPECT_EQ(run.network->options().kind, kind);
     EXPECT_EQ(run.codes.size(0), run.manifest.counts.at("training_faces"));
@@ -132,7 +134,7 @@ TEST_F(DeformTrainingTest, RefusesWhatItCannotUse) {
 TEST_F(DeformTrainingTest, EveryConfigOfADeformableModelIsParsed) {
   for (const char* name : {"paper", "cpu"}) {
     const Json config = LoadConfig(testing::SourceRoot() / "configs/deform" / (std::string(name) + ".toml"), {});
-    EXPECT_EQ(ParseOptions<DeformTrainingOptions>(config, name).product, "deform");
+    EXPECT_EQ(ParseOptions<DeformTrainingOptions>(config, name).system, "deform");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "systems/sketch/train/evaluation.h"
 
-#include "eval/baselines.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "eval/metrics.h"
 #include "render/strokes.h"
 #include "systems/sketch/metrics.h"
@@ -76,7 +77,7 @@ TEST_F(SketchEvalTest, ANetworkThatPredictsTheMeanFaceHasItsErrors) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "mean run");
   const eval::SketchSamples samples{[&](int face) { return data.faces.vertices(face); },
                                     [&](int face) { return data.sketches.curve_points(face); }};
-  PredictOneFace(*folder_ / "mean run", eval::MeanFace(samples, data.split.train));
+  PredictOneFace(*folder_ / "mean run", eval::MeanFace(samples.vertices, data.split.train).transpose());
   const reports::Evaluation evaluation = Evaluate("mean run");
   const reports::MetricRow &network = reports::FindRow(evaluation.table, ""),
                            &mean = reports::FindRow(evaluation.table, kMeanFace);
@@ -147,7 +148,7 @@ TEST_F(SketchEvalTest, MeasuresBaselinesAsWorkedOutByHand) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
   const eval::SketchSamples samples{[&](int face) { return data.faces.vertices(face); },
                                     [&](int face) { return data.sketches.curve_points(face); }};
-  const Eigen::VectorXf mean = eval::MeanFace(samples, data.split.train);
+  const Eigen::VectorXf mean = eval::MeanFace(samples.vertices, data.split.train).transpose();
   std::vector<double> errors;
   for (const int face : data.split.validation) {
     errors.push_back(eval::MeanVertexError({mean.data(), size_t(mean.size())}, data.faces.vertices(face),

@@ -1,11 +1,14 @@
 #include "systems/sketch/train/external_evaluation.h"
 
 #include "core/safetensors.h"
-#include "eval/baselines.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "eval/metrics.h"
 #include "systems/sketch/train/evaluation.h"
 #include "systems/sketch/train/run_data.h"
-#include "systems/sketch/train/sketch_predictor.h"
+#include "export/torch_runner.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/train/export.h"
 #include "tests/support/expect_error.h"
 #include "tests/systems/sketch/train/run_fixture.h"
 
@@ -14,6 +17,10 @@
 
 namespace daumier::sketch {
 namespace {
+
+SketchPredictor Open(const std::filesystem::path& run) {
+  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU)};
+}
 
 class ExternalEvaluationTest : public SketchRunFixture {
  protected:
@@ -33,10 +40,10 @@ TEST_F(ExternalEvaluationTest, OfTheOwnTopologyErrorsAreThoseOfThePredictor) {
   ASSERT_EQ(metrics.at("table").size(), 8u);
   const faces::FaceDatabase faces(*folder_ / "faces");
   const datasets::SketchDatabase sketches(*folder_ / "sketches");
-  SketchPredictor predictor(*folder_ / "run");
+  const SketchPredictor predictor = Open(*folder_ / "run");
   std::vector<double> errors;
   for (int face = 0; face < faces.num_faces(); ++face) {
-    errors.push_back(eval::MeanVertexError(predictor.Predict({sketches.strokes(face)})[0].vertices,
+    errors.push_back(eval::MeanVertexError(predictor.FromStrokes({sketches.strokes(face)})[0].vertices,
                                            faces.vertices(face), faces.face_template().annotation.regions.at("face"),
                                            faces::MillimetresPerCm(faces.face_template())));
   }
@@ -54,7 +61,7 @@ TEST_F(ExternalEvaluationTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
   const eval::SketchSamples samples{[&](int face) { return own.faces.vertices(face); },
                                     [&](int face) { return own.sketches.curve_points(face); }};
   const auto& region = own.faces.face_template().annotation.regions.at("face");
-  const eval::NearestNeighbour nearest(samples, own.split.train);
+  const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own.split.train));
   const eval::RidgeRegression ridge =
       eval::FitRidge(samples, own.split.train, own.split.validation, region, eval::DefaultRidgeLambdas()).model;
   std::vector<double> nearest_errors, ridge_errors;
@@ -64,7 +71,7 @@ TEST_F(ExternalEvaluationTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
                                    faces::MillimetresPerCm(own.faces.face_template()));
     };
     const std::vector<float> points = samples.curve_points(face);
-    nearest_errors.push_back(error(samples.vertices(nearest.Nearest(points))));
+    nearest_errors.push_back(error(samples.vertices(own.split.train[size_t(nearest.Nearest(points))])));
     const eval::FaceRows answer =
         ridge.Predict(Eigen::Map<const eval::FaceRows>(points.data(), 1, Eigen::Index(points.size())));
     ridge_errors.push_back(error({answer.data(), size_t(answer.size())}));
@@ -128,10 +135,10 @@ TEST_F(ExternalEvaluationTest, OfRegisteredFacesAlsoWhereTheMeshIs) {
   const Json& table = registered.metrics.at("table");
   const faces::FaceDatabase faces(*folder_ / "registered");
   const datasets::SketchDatabase sketches(*folder_ / "registered_sketches");
-  SketchPredictor predictor(*folder_ / "run");
+  const SketchPredictor predictor = Open(*folder_ / "run");
   double sum = 0;
   for (int face = 0; face < faces.num_faces(); ++face) {
-    const std::vector<float> predicted = predictor.Predict({sketches.strokes(face)})[0].vertices;
+    const std::vector<float> predicted = predictor.FromStrokes({sketches.strokes(face)})[0].vertices;
     const std::span<const float> truth = faces.vertices(face);
     double of_face = 0;
     int count = 0;

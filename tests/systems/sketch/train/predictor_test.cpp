@@ -38,7 +38,7 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
   testing::WriteSketchRun(folder / "run");
   MakeDirectory(folder / "other");
   for (const auto* name : {"face.png", "other/face.png"}) {
-    render::WriteImage(folder / name, render::RasteriseStrokes(Circles(), 240));
+    render::WriteImage(folder / name, render::RasteriseStrokes(fitting::Circles(), 240));
   }
   PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out",
                   {.search = {.shares = {1.0}, .starts = 1, .halvings = 1}});
@@ -63,20 +63,20 @@ TEST(TrainedSketchPredictor, ReadsStrokesDirectly) {
   WriteFileAtomically(folder / "two.ndjson",
                       "{\"drawing\": [[[0, 90], [10, 200]], [[50, 60, 70], [5, 9, 5]]]}\n"
                       "{\"drawing\": [[[0, 255], [0, 255]]]}\n");
-  render::WriteSvg(folder / "face.svg", Circles(), {"line"});
+  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
   PredictSketches(folder / "run", {folder / "two.ndjson", folder / "face.svg"}, folder / "out",
                   {.framing = "keep"});
   for (const char* name : {"two.obj", "two-2.obj", "face.obj"})
     EXPECT_TRUE(std::filesystem::exists(folder / "out" / name));
   const auto strokes = render::ReadSvg(folder / "out/face.svg").strokes;
-  ASSERT_EQ(strokes.size(), Circles().size());
-  EXPECT_EQ(strokes[2].points, Circles()[2].points) << "the canvas is kept as it is";
+  ASSERT_EQ(strokes.size(), fitting::Circles().size());
+  EXPECT_EQ(strokes[2].points, fitting::Circles()[2].points) << "the canvas is kept as it is";
 }
 
 TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
-  render::WriteSvg(folder / "face.svg", Circles(), {"line"});
+  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
   PredictSketches(folder / "run", {folder / "face.svg"}, folder / "own", {.framing = "keep", .refine = false});
   const Json details = ReadManifest(folder / "own", "predictions").details;
   const Json distance = details.at("drawings").at("face").at("two_way_distance_px");
@@ -86,7 +86,7 @@ TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
 TEST(TrainedSketchPredictor, ADeformedSurfaceIsNearerToTheDrawing) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
-  render::WriteSvg(folder / "face.svg", Circles(), {"line"});
+  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
   const auto after = [&](bool deform) {
     const auto out = folder / (deform ? "deformed" : "refined");
     PredictSketches(folder / "run", {folder / "face.svg"}, out, {.framing = "keep", .deform = deform});

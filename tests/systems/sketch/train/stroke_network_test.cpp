@@ -23,20 +23,20 @@ torch::Tensor SketchTensor(const std::vector<render::Stroke>& strokes, int resol
 }
 
 torch::Tensor TrainingRaster(int resolution) {
-  const render::Image image = render::RasteriseStrokes(Circles(), resolution);
+  const render::Image image = render::RasteriseStrokes(fitting::Circles(), resolution);
   const auto grey = torch::tensor(std::vector<float>(image.pixels.begin(), image.pixels.end()));
   return (1 - grey / 255).view({1, 1, resolution, resolution});
 }
 
 TEST(InkOf, IsTheTrainingRaster) {
-  const auto sketch = SketchTensor(Circles(), 128);
+  const auto sketch = SketchTensor(fitting::Circles(), 128);
   EXPECT_EQ(sketch.sizes().vec(), (std::vector<int64_t>{1, 1, 128, 128}));
   EXPECT_TRUE(torch::allclose(sketch, TrainingRaster(128), 0, 1e-6));
 }
 
 TEST(InkOf, OfATracedTrainingRasterIsTheRaster) {
   const testing::TempDir folder;
-  render::WriteImage(folder / "face.png", render::RasteriseStrokes(Circles(), 512));
+  render::WriteImage(folder / "face.png", render::RasteriseStrokes(fitting::Circles(), 512));
   const render::Drawing traced = render::ReadDrawings(folder / "face.png")[0];
   const auto sketch = SketchTensor(render::Place(traced.strokes, SheetPlacement(traced)), 64);
   EXPECT_LT((sketch - TrainingRaster(64)).abs().mean().item<double>(), 0.03);
@@ -46,13 +46,13 @@ TEST(TrainedStrokeNetwork, AnswersWhatTheNetworkAnswers) {
   const testing::TempDir folder;
   auto network = testing::WriteSketchRun(folder.path());
   const SketchPredictor predictor = Open(folder.path());
-  auto other = Circles();
+  auto other = fitting::Circles();
   other.pop_back();
-  const auto faces = predictor.FromStrokes({Circles(), other});
+  const auto faces = predictor.FromStrokes({fitting::Circles(), other});
   ASSERT_EQ(faces.size(), 2u);
   const at::NoGradGuard no_grad;
   const auto coefficients =
-      network->forward({torch::cat({SketchTensor(Circles(), 32), SketchTensor(other, 32)}), {}, {}});
+      network->forward({torch::cat({SketchTensor(fitting::Circles(), 32), SketchTensor(other, 32)}), {}, {}});
   const auto vertices = network->Decode(coefficients);
   ASSERT_EQ(int64_t(faces[1].vertices.size()), vertices.size(1));
   for (int face = 0; face < 2; ++face) {
@@ -69,7 +69,7 @@ TEST(TrainedStrokeNetwork, EveryKindOfNetworkIsGivenWhatItReads) {
     const testing::TempDir folder;
     testing::WriteSketchRun(folder.path(), kind);
     const SketchPredictor predictor = Open(folder.path());
-    const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
+    const fitting::PredictedFace face = predictor.FromStrokes({fitting::Circles()}).front();
     EXPECT_TRUE(Eigen::Map<const Eigen::VectorXf>(face.vertices.data(), Eigen::Index(face.vertices.size())).allFinite())
         << kind;
     EXPECT_EQ(face.u.size(), 6) << kind;
@@ -87,7 +87,7 @@ TEST(TrainedStrokeNetwork, SeesTheCurvesOfTheTrainingSketches) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder.path());
   const SketchPredictor predictor = Open(folder.path());
-  const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
+  const fitting::PredictedFace face = predictor.FromStrokes({fitting::Circles()}).front();
   const auto curves = predictor.CurvesOf(face);
   ASSERT_EQ(curves.size(), predictor.run().feature_curves.size());
   EXPECT_EQ(curves[0].points.size(), size_t(predictor.curves().num_points()));
