@@ -31,7 +31,7 @@ class RunExportTest : public ::testing::Test {
 
   RunExport Export() const {
     const auto module = std::make_shared<Weights>(tensor::NamedTensors{{"w", torch::full({3}, 2.0f)}});
-    const torch::Tensor w = module->named_parameters()["w"].detach();
+    const torch::Tensor w = module->named_parameters()["w"];
     return {.run_directory = folder_ / "run",
             .run_manifest = ManifestOfRun(),
             .module = module,
