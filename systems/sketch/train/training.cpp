@@ -6,11 +6,11 @@
 #include "core/log.h"
 #include "datasets/read/run_data.h"
 #include "datasets/read/training_fit.h"
-#include "systems/sketch/train/run.h"
 #include "render/camera_json.h"
+#include "systems/sketch/train/recipe.h"
+#include "systems/sketch/train/run.h"
 #include "tensor/runtime.h"
 #include "train/run_folder.h"
-#include "systems/sketch/train/recipe.h"
 
 #include <torch/utils.h>
 
@@ -30,8 +30,8 @@ Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchData
 
 /// The models of a run: fitted and written with all else that begins a run folder, or read back from it.
 FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
-                              const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
-                              const datasets::Split& split) {
+                      const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
+                      const datasets::Split& split) {
   log::Info("Fitting the bilinear models on {} training faces", split.train.size());
   const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear),
                                  curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear);

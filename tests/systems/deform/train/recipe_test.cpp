@@ -45,10 +45,10 @@ std::unique_ptr<testing::TempDir> DeformRecipeTest::folder_;
 TEST_F(DeformRecipeTest, LossIsTheWeightedSumOfMissesAndCodes) {
   DeformRecipe recipe = MakeRecipe();
   const std::vector<int> samples = {4, 0, 7};
-  const train::LossTerms loss = recipe.Loss(samples, 2);
+  const train::LossTerms loss = recipe.Loss(train::ToDevice(recipe.Read(samples, 2), torch::kCPU));
   // A second way: the points that the dataset gives, one face and one point after the other.
   const datasets::PointDataset dataset(faces_, points_, split_.train, options_.points, options_.seed);
-  const datasets::PointBatch batch = dataset.Get(samples, 2);
+  const train::Batch batch = train::ToDevice(dataset.Get(samples, 2), torch::kCPU);
   double squares = 0, distances = 0, code_squares = 0;
   for (int64_t i = 0; i < 3; ++i) {
     const torch::Tensor code = recipe.decoder().codes()[samples[size_t(i)]].unsqueeze(0);
@@ -56,8 +56,9 @@ TEST_F(DeformRecipeTest, LossIsTheWeightedSumOfMissesAndCodes) {
     for (int64_t n = 0; n < 30; ++n) {
       const auto one = [&](const torch::Tensor& numbers) { return numbers[i].slice(0, n, n + 1); };
       const torch::Tensor miss =
-          recipe.decoder().network()->Deform(code, {one(batch.corners), one(batch.weights), one(batch.positions)})[0] -
-          one(batch.targets);
+          recipe.decoder().network()->Deform(
+              code, {one(batch.at("corners")), one(batch.at("weights")), one(batch.at("positions"))})[0] -
+          one(batch.at("targets"));
       squares += miss.square().sum().item<double>();
       distances += miss.norm().item<double>();
     }
@@ -91,6 +92,11 @@ TEST_F(DeformRecipeTest, ValidationChangesNoWeight) {
     EXPECT_FALSE(after[i].grad().defined());
   }
   EXPECT_EQ(recipe.Validate(), recipe.Validate());
+}
+
+TEST_F(DeformRecipeTest, RefusesReducedPrecision) {
+  options_.trainer.precision = "bfloat16";
+  testing::ExpectError([&] { MakeRecipe(); }, "train in float32");
 }
 
 TEST_F(DeformRecipeTest, RefusesASideWithoutFaces) {

@@ -2,8 +2,9 @@
 
 #include "datasets/read/sketch_dataset.h"
 #include "tensor/eigen.h"
-#include "tests/systems/sketch/train/run_fixture.h"
 #include "tests/support/expect_error.h"
+#include "tests/systems/sketch/train/run_fixture.h"
+#include "train/batch.h"
 
 namespace daumier::sketch {
 namespace {
@@ -19,8 +20,9 @@ TEST_F(SketchReaderTest, ShowsTheNetworkWhatIsSeen) {
   const eval::FaceRows predicted = reader.Predict(data.run.network, faces);
   const datasets::SketchDataset dataset(data.sketches, faces, {.resolution = 32}, variation, 3);
   SketchNetwork network = data.run.network;
-  const auto expected = tensor::CopyToMatrix<float>(
-      network->Decode(network->forward({dataset.Get(std::vector<int>{0, 1}).images, {}, {}})));
+  const train::Batch batch = train::ToDevice(dataset.Get(std::vector<int>{0, 1}), torch::kCPU);
+  const auto expected =
+      tensor::CopyToMatrix<float>(network->Decode(network->forward({ChannelsLast(batch.at("images")), {}, {}})));
   EXPECT_EQ(predicted, expected);
   const auto seen = datasets::VariedSketch(data.sketches, 4, variation, 3, 0);
   ASSERT_EQ(reader.Seen(4).strokes.size(), seen.strokes.size());

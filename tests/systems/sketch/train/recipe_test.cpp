@@ -1,6 +1,7 @@
 #include "systems/sketch/train/recipe.h"
 
 #include "datasets/read/training_fit.h"
+#include "tensor/autocast.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_networks.h"
 #include "tests/support/synthetic_database.h"
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <string>
+#include <thread>
 
 namespace daumier::sketch {
 namespace {
@@ -39,6 +42,13 @@ class SketchRecipeTest : public ::testing::Test {
     options_.loss = loss;
     torch::manual_seed(3);
     return SketchRecipe(options_, faces_, sketches_, split_, models_, torch::kCPU);
+  }
+
+  static train::Batch ReadBatch(const SketchRecipe& recipe, const std::vector<int>& samples, int64_t epoch) {
+    return train::ToDevice(recipe.Read(samples, epoch), torch::kCPU);
+  }
+  static train::LossTerms Loss(SketchRecipe& recipe, const std::vector<int>& samples, int64_t epoch) {
+    return recipe.Loss(ReadBatch(recipe, samples, epoch));
   }
 
   void SetNetwork(const SketchNetworkOptions& network) {
@@ -76,7 +86,7 @@ TEST_F(SketchRecipeTest, BothFormsOfTheLossGiveTheSameNumberAndGradient) {
   for (const char* loss : {"gram", "vertices"}) {
     SketchRecipe recipe = MakeRecipe(loss);
     recipe.module().train();
-    const train::LossTerms terms = recipe.Loss(samples, 0);
+    const train::LossTerms terms = Loss(recipe, samples, 0);
     terms.total.backward();
     losses.push_back(terms.total.item<double>());
     gradients.push_back(recipe.module().parameters().front().grad());
@@ -90,8 +100,28 @@ TEST_F(SketchRecipeTest, SamplesAreTheTrainingFaces) {
   ASSERT_EQ(recipe.num_samples(), int(split_.train.size()));
   std::vector<int> all(split_.train.size());
   std::iota(all.begin(), all.end(), 0);
-  const torch::Tensor faces = recipe.BatchTensors(all, 0).at("faces");
+  const torch::Tensor faces = ReadBatch(recipe, all, 0).at("faces");
   for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(faces[int64_t(i)].item<int64_t>(), split_.train[i]);
+}
+
+TEST_F(SketchRecipeTest, ReadsTheSameBatchesFromSeveralThreadsWhileLossRuns) {
+  options_.sketch.augmentation.strength = 1;
+  SketchRecipe recipe = MakeRecipe("vertices");
+  const std::vector<int> samples = {0, 7, 11, 3};
+  std::vector<SampleBatch> batches(6);
+  {
+    std::vector<std::jthread> threads;
+    for (size_t t = 0; t < 2; ++t)
+      threads.emplace_back([&, t] {
+        for (size_t i = t; i < batches.size(); i += 2) batches[i] = recipe.Read(samples, int64_t(i / 2));
+      });
+    Loss(recipe, samples, 0).total.backward();
+  }
+  for (size_t i = 0; i < batches.size(); ++i) {
+    const SampleBatch alone = recipe.Read(samples, int64_t(i / 2));
+    for (const auto& [name, array] : alone.arrays) EXPECT_EQ(batches[i].arrays.at(name).values, array.values) << name;
+    EXPECT_EQ(batches[i].indices.at("faces").values, alone.indices.at("faces").values);
+  }
 }
 
 TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
@@ -105,7 +135,8 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
   std::vector<int> all(split_.validation.size());
   std::iota(all.begin(), all.end(), 0);
   SketchNetwork network = recipe.network();
-  torch::Tensor distances = network->Decode(network->forward({validation.Get(all).images, {}, {}}));
+  torch::Tensor distances =
+      network->Decode(network->forward({train::ToDevice(validation.Get(all), torch::kCPU).at("images"), {}, {}}));
   for (size_t i = 0; i < all.size(); ++i) {
     const auto truth = faces_.vertices(split_.validation[i]);
     distances[int64_t(i)] -= torch::tensor(std::vector<float>(truth.begin(), truth.end()));
@@ -118,12 +149,12 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
 TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndThoseOfValidationOnce) {
   const std::vector<int> samples = {0, 7, 11, 3};
   const auto images = [&](SketchRecipe& recipe, int64_t epoch) {
-    return recipe.BatchTensors(samples, epoch).at("images");
+    return ReadBatch(recipe, samples, epoch).at("images");
   };
   const auto loss = [&](SketchRecipe& recipe, int64_t epoch) {
     const torch::NoGradGuard no_grad;
     recipe.module().eval();
-    return recipe.Loss(samples, epoch).total.item<double>();
+    return Loss(recipe, samples, epoch).total.item<double>();
   };
   const auto validation = [](SketchRecipe& recipe) {
     const torch::NoGradGuard no_grad;
@@ -169,7 +200,7 @@ TEST_F(SketchRecipeTest, ClassificationOfAnUntrainedNetworkKnowsNothing) {
   for (auto& item : recipe.module().named_parameters()) {
     if (item.key().rfind("identity.", 0) == 0 || item.key().rfind("expression.", 0) == 0) item.value().zero_();
   }
-  const train::LossTerms terms = recipe.Loss({0, 7, 11}, 0);
+  const train::LossTerms terms = Loss(recipe, {0, 7, 11}, 0);
   const auto identities = datasets::TrainingIdentities(faces_, split_);
   EXPECT_NEAR(terms.parts.at("identity_entropy").item<double>(), std::log(double(identities.size())), 1e-5);
   EXPECT_NEAR(terms.parts.at("expression_entropy").item<double>(), std::log(double(faces_.num_expressions())), 1e-5);
@@ -182,9 +213,8 @@ TEST_F(SketchRecipeTest, RegressionIsTheDistanceFromTheFactorsOfTheFace) {
   recipe.module().eval();
   const torch::NoGradGuard no_grad;
   const int sample = 11, face = split_.train[11];
-  const train::LossTerms terms = recipe.Loss({sample}, 0);
-  const auto answer =
-      SketchNetwork(recipe.network())->forward({recipe.BatchTensors({sample}, 0).at("images"), {}, {}});
+  const train::LossTerms terms = Loss(recipe, {sample}, 0);
+  const auto answer = SketchNetwork(recipe.network())->forward({ReadBatch(recipe, {sample}, 0).at("images"), {}, {}});
   const auto identities = datasets::TrainingIdentities(faces_, split_);
   const auto row =
       std::find(identities.begin(), identities.end(), face / faces_.num_expressions()) - identities.begin();
@@ -209,7 +239,7 @@ TEST_F(SketchRecipeTest, EveryKindOfNetworkTakesAStepInEachStage) {
     for (int stage = 0; stage < 3; ++stage) {
       recipe.EnterStage(stage);
       recipe.module().train();
-      const train::LossTerms terms = recipe.Loss({0, 7, 11, 3}, 0);
+      const train::LossTerms terms = Loss(recipe, {0, 7, 11, 3}, 0);
       EXPECT_TRUE(std::isfinite(terms.total.item<double>()));
       EXPECT_NO_THROW(terms.total.backward());
     }
@@ -223,12 +253,15 @@ TEST_F(SketchRecipeTest, Bfloat16RoundsTheStepAndNothingElse) {
     SetNetwork(network);
     std::vector<double> losses, validations;
     for (const char* precision : {"float32", "bfloat16"}) {
-      options_.precision = precision;
       SketchRecipe recipe = MakeRecipe("gram");
       recipe.EnterStage(2);
       recipe.module().eval();
       validations.push_back(recipe.Validate().at("mean_vertex_error_mm"));
-      const train::LossTerms terms = recipe.Loss({0, 7, 11, 3}, 0);
+      const train::LossTerms terms = [&] {
+        const tensor::Autocast reduced(torch::kCPU, precision == std::string("bfloat16"));
+        return Loss(recipe, {0, 7, 11, 3}, 0);
+      }();
+      EXPECT_EQ(terms.total.scalar_type(), torch::kFloat32);
       terms.total.backward();
       losses.push_back(terms.total.item<double>());
       for (const auto& parameter : recipe.product().parameters()) {
