@@ -48,8 +48,9 @@ struct TrainerOptions {
     visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
     visit("batch", batch, Range{1, 65536},
           "Samples of a batch; those left over at the end of an epoch are skipped in it.");
-    visit("accumulate", accumulate, Range{1, 65536},
-          "Batches a step, whose gradients are averaged: without batch norm the same as a batch so many times as large.");
+    visit(
+        "accumulate", accumulate, Range{1, 65536},
+        "Batches a step, whose gradients are averaged: without batch norm the same as a batch so many times as large.");
     visit("precision", precision, Choices{{"float32", "bfloat16"}},
           "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
           "Weights, losses, validation and all that reads a run are float32.");

@@ -30,15 +30,16 @@ struct Floats {
 // The last sum is written as a fused 1 * x + y, which rounds as x + y does and which no compiler fuses with the decay.
 
 __attribute__((target("avx512f"))) int64_t Avx512(const Floats& f, const AdamWNumbers& n, int64_t i, int64_t end) {
-  const auto all = [](float number) __attribute__((target("avx512f"))) { return _mm512_set1_ps(number); };
+  const auto all = [](float number) __attribute__((target("avx512f"))) {
+    return _mm512_set1_ps(number);
+  };
   const __m512 beta1 = all(f.beta1), beta2 = all(f.beta2), rest1 = all(f.rest1), rest2 = all(f.rest2),
                decay = all(f.decay), correction = all(f.root_correction), step = all(f.negative_step),
                epsilon = all(1e-8f), one = all(1);
   for (; i + 16 <= end; i += 16) {
     const __m512 g = _mm512_loadu_ps(n.gradient + i);
     const __m512 m = _mm512_fmadd_ps(g, rest1, _mm512_mul_ps(_mm512_loadu_ps(n.mean + i), beta1));
-    const __m512 v =
-        _mm512_fmadd_ps(_mm512_mul_ps(rest2, g), g, _mm512_mul_ps(_mm512_loadu_ps(n.square + i), beta2));
+    const __m512 v = _mm512_fmadd_ps(_mm512_mul_ps(rest2, g), g, _mm512_mul_ps(_mm512_loadu_ps(n.square + i), beta2));
     const __m512 denominator = _mm512_add_ps(_mm512_div_ps(_mm512_sqrt_ps(v), correction), epsilon);
     const __m512 p = _mm512_mul_ps(_mm512_loadu_ps(n.parameter + i), decay);
     _mm512_storeu_ps(n.mean + i, m);
@@ -49,15 +50,16 @@ __attribute__((target("avx512f"))) int64_t Avx512(const Floats& f, const AdamWNu
 }
 
 __attribute__((target("avx2,fma"))) int64_t Avx2(const Floats& f, const AdamWNumbers& n, int64_t i, int64_t end) {
-  const auto all = [](float number) __attribute__((target("avx2,fma"))) { return _mm256_set1_ps(number); };
+  const auto all = [](float number) __attribute__((target("avx2,fma"))) {
+    return _mm256_set1_ps(number);
+  };
   const __m256 beta1 = all(f.beta1), beta2 = all(f.beta2), rest1 = all(f.rest1), rest2 = all(f.rest2),
                decay = all(f.decay), correction = all(f.root_correction), step = all(f.negative_step),
                epsilon = all(1e-8f), one = all(1);
   for (; i + 8 <= end; i += 8) {
     const __m256 g = _mm256_loadu_ps(n.gradient + i);
     const __m256 m = _mm256_fmadd_ps(g, rest1, _mm256_mul_ps(_mm256_loadu_ps(n.mean + i), beta1));
-    const __m256 v =
-        _mm256_fmadd_ps(_mm256_mul_ps(rest2, g), g, _mm256_mul_ps(_mm256_loadu_ps(n.square + i), beta2));
+    const __m256 v = _mm256_fmadd_ps(_mm256_mul_ps(rest2, g), g, _mm256_mul_ps(_mm256_loadu_ps(n.square + i), beta2));
     const __m256 denominator = _mm256_add_ps(_mm256_div_ps(_mm256_sqrt_ps(v), correction), epsilon);
     const __m256 p = _mm256_mul_ps(_mm256_loadu_ps(n.parameter + i), decay);
     _mm256_storeu_ps(n.mean + i, m);

@@ -41,8 +41,7 @@ void WriteCheckpoint(const fs::path& directory, const Checkpoint& checkpoint) {
   checksums["model.safetensors"] = tensor::SaveTensors(fresh / "model.safetensors", checkpoint.model);
   checksums["optimiser.safetensors"] = tensor::SaveTensors(fresh / "optimiser.safetensors", checkpoint.optimiser);
   checksums["random.safetensors"] = tensor::SaveTensors(fresh / "random.safetensors", checkpoint.random);
-  if (checkpoint.seconds)
-    WriteFileAtomically(fresh / kTimeFile, Json{{"seconds", *checkpoint.seconds}}.dump() + "\n");
+  if (checkpoint.seconds) WriteFileAtomically(fresh / kTimeFile, Json{{"seconds", *checkpoint.seconds}}.dump() + "\n");
   const Json head = {{"format_version", kFormatVersion}, {"state", checkpoint.state}, {"checksums", checksums}};
   WriteFileAtomically(fresh / kStateFile, head.dump(2) + "\n");
 
@@ -65,10 +64,9 @@ std::optional<Checkpoint> ReadCheckpoint(const fs::path& directory) {
   DAUMIER_CHECK(head["format_version"] == kFormatVersion, "{} has the format version {}, this program reads {}",
                 (source / kStateFile).string(), head["format_version"].dump(), kFormatVersion);
   const Json& checksums = head["checksums"];
-  return Checkpoint{ReadChecked(source / "model.safetensors", checksums),
-                    ReadChecked(source / "optimiser.safetensors", checksums),
-                    ReadChecked(source / "random.safetensors", checksums), head["state"],
-                    ReadSeconds(source / kTimeFile)};
+  return Checkpoint{
+      ReadChecked(source / "model.safetensors", checksums), ReadChecked(source / "optimiser.safetensors", checksums),
+      ReadChecked(source / "random.safetensors", checksums), head["state"], ReadSeconds(source / kTimeFile)};
 }
 
 }  // namespace daumier::train

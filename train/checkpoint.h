@@ -13,8 +13,8 @@ namespace daumier::train {
 struct Checkpoint {
   tensor::NamedTensors model;
   tensor::NamedTensors optimiser;
-  tensor::NamedTensors random;  ///< States of LibTorch's generators by device name.
-  Json state = Json::object();  ///< The trainer's own numbers.
+  tensor::NamedTensors random;    ///< States of LibTorch's generators by device name.
+  Json state = Json::object();    ///< The trainer's own numbers.
   std::optional<double> seconds;  ///< Of training until now, across resumes; absent in checkpoints of older versions.
 };
 

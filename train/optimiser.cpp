@@ -28,7 +28,7 @@ Optimiser::Optimiser(torch::nn::Module& module, const OptimiserOptions& options,
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const ParameterGroup& candidate) {
       return item.key().starts_with(candidate.prefix);
     });
-    Slot slot{item.key(), item.value(), torch::zeros_like(item.value()), torch::zeros_like(item.value()),
+    Slot slot{item.key(), item.value(),        torch::zeros_like(item.value()), torch::zeros_like(item.value()),
               /*rate=*/1, options.weight_decay};
     if (group != groups.end()) {
       is_used[size_t(group - groups.begin())] = true;

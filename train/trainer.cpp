@@ -50,9 +50,9 @@ class Training {
     if (!has_time) seconds_before_ = SecondsOfLog();
     Progress progress(task_.Stage("Training"), total_steps_ - step_, "steps");
     recipe_.module().train();
-    BatchLoader loader(
-        step_ * options_.accumulate, total_steps_ * options_.accumulate,
-        [this](int64_t index) { return recipe_.Read(order_.Batch(index), order_.Epoch(index / options_.accumulate)); });
+    BatchLoader loader(step_ * options_.accumulate, total_steps_ * options_.accumulate, [this](int64_t index) {
+      return recipe_.Read(order_.Batch(index), order_.Epoch(index / options_.accumulate));
+    });
     while (step_ < total_steps_ && !stopped_early_) {
       if (step_ == stages_[size_t(stage_)].end) BeginNextStage();
       TakeStep(loader);

@@ -30,14 +30,16 @@ TEST(Prefetcher, GivesTheItemsInOrderWhateverTheThreads) {
 
 TEST(Prefetcher, ComputesEachItemOnce) {
   std::vector<std::atomic<int>> calls(200);
-  Prefetcher<int> items(0, 200, [&](int64_t i) { return ++calls[size_t(i)]; }, 4, 3);
+  Prefetcher<int> items(
+      0, 200, [&](int64_t i) { return ++calls[size_t(i)]; }, 4, 3);
   for (int i = 0; i < 200; ++i) EXPECT_EQ(items.Next(), 1);
   for (const auto& count : calls) EXPECT_EQ(count, 1);
 }
 
 TEST(Prefetcher, ComputesAheadOfUseButNoFurtherThanItsDepth) {
   std::atomic<int> begun = 0;
-  Prefetcher<int> items(0, 100, [&](int64_t) { return ++begun; }, 3, 2);
+  Prefetcher<int> items(
+      0, 100, [&](int64_t) { return ++begun; }, 3, 2);
   WaitUntil([&] { return begun == 3; });
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(begun, 3);
@@ -107,8 +109,18 @@ TEST(Prefetcher, ItemsAreMadeOnThePoolWhileTheCallerUsesItToo) {
 }
 
 TEST(Prefetcher, NeedsADepthAndAThread) {
-  testing::ExpectError([] { Prefetcher<int>(0, 1, [](int64_t) { return 0; }, 0, 1); }, "0 items by 1 threads");
-  testing::ExpectError([] { Prefetcher<int>(0, 1, [](int64_t) { return 0; }, 1, 0); }, "1 items by 0 threads");
+  testing::ExpectError(
+      [] {
+        Prefetcher<int>(
+            0, 1, [](int64_t) { return 0; }, 0, 1);
+      },
+      "0 items by 1 threads");
+  testing::ExpectError(
+      [] {
+        Prefetcher<int>(
+            0, 1, [](int64_t) { return 0; }, 1, 0);
+      },
+      "1 items by 0 threads");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <torch/nn/modules/linear.h>
 #include <torch/optim.h>
-#include <torch/utils.h>
 #include <torch/optim/adamw.h>
+#include <torch/utils.h>
 
 namespace daumier::train {
 namespace {

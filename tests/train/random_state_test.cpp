@@ -31,8 +31,11 @@ TEST(RandomState, SkipsTheStateOfADeviceThatIsNotUsedAndKeepsAGeneratorWithoutSt
 }
 
 TEST(RandomState, RefusesAStateThatDoesNotFit) {
-  testing::ExpectError([] { LoadRandomState({{"cpu", torch::zeros({3}, torch::kUInt8)}}, torch::kCPU, "FILE"); },
-                       "FILE: the random state of cpu");
+  testing::ExpectError(
+      [] {
+        LoadRandomState({{"cpu", torch::zeros({3}, torch::kUInt8)}}, torch::kCPU, "FILE");
+      },
+      "FILE: the random state of cpu");
 }
 
 }  // namespace

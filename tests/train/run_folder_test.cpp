@@ -53,8 +53,9 @@ TEST(ConfigDifferences, AKeyThatIsMissingThereCountsAsItsDefault) {
   now["optimiser"]["beta2"] = 0.99;
   now["stages"] = {{"rate", 2}};
   const Json defaults = {{"accumulate", 1}, {"optimiser", {{"beta2", 0.999}}}, {"stages", {{"rate", 1}}}, {"data", ""}};
-  EXPECT_EQ(ConfigDifferences(kConfig, now, defaults),
-            (std::vector<std::string>{"optimiser.beta2 is 0.999 there and 0.99 now", "stages.rate is 1 there and 2 now"}));
+  EXPECT_EQ(
+      ConfigDifferences(kConfig, now, defaults),
+      (std::vector<std::string>{"optimiser.beta2 is 0.999 there and 0.99 now", "stages.rate is 1 there and 2 now"}));
 }
 
 TEST(OpenRunFolder, ResumesARunThatIsOlderThanAnOption) {

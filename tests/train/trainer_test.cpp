@@ -21,7 +21,8 @@ TEST(Trainer, LearnsAndLeavesItsFiles) {
   EXPECT_FALSE(summary.stopped_early);
   const std::string log = ReadFile(run / RunLog::kMetricsFile);
   const Json first = Json::parse(log.substr(0, log.find('\n')));
-  for (const char* key : {"step", "epoch", "phase", "loss", "absolute", "gradient_norm", "learning_rate", "seconds", "session_seconds"})
+  for (const char* key :
+       {"step", "epoch", "phase", "loss", "absolute", "gradient_norm", "learning_rate", "seconds", "session_seconds"})
     EXPECT_TRUE(first.contains(key)) << key;
   EXPECT_TRUE(fs::exists(run / "best" / "model.safetensors"));
 }

@@ -1,8 +1,8 @@
 #pragma once
 #include "datasets/read/point_dataset.h"
 #include "datasets/read/splits.h"
-#include "systems/deform/train/run.h"
 #include "systems/deform/options.h"
+#include "systems/deform/train/run.h"
 #include "train/recipe.h"
 
 #include <memory>

@@ -136,8 +136,8 @@ void SketchRecipe::PrecomputeMoments() {
   std::vector<torch::Tensor> linear, constant;
   const std::span<const int> faces = training_.faces();
   for (size_t begin = 0; begin < faces.size(); begin += kBlock) {
-    const losses::VertexMoments block =
-        gram_loss_->Moments(tensor::TakeTensor(Vertices(faces.subspan(begin, std::min<size_t>(kBlock, faces.size() - begin)))).to(device_));
+    const losses::VertexMoments block = gram_loss_->Moments(
+        tensor::TakeTensor(Vertices(faces.subspan(begin, std::min<size_t>(kBlock, faces.size() - begin)))).to(device_));
     linear.push_back(block.linear);
     constant.push_back(block.constant);
   }
@@ -207,8 +207,8 @@ train::LossTerms SketchRecipe::ClassificationLoss(const SketchNetworkImpl::Branc
 train::LossTerms SketchRecipe::RegressionLoss(const SketchNetworkImpl::BranchFeatures& features,
                                               const torch::Tensor& samples) {
   const auto answer = network_->Standardised(network_->Answer(features));
-  const auto truth = network_->Standardised(
-      {coefficients_.u.index_select(0, samples), coefficients_.v.index_select(0, samples), {}});
+  const auto truth =
+      network_->Standardised({coefficients_.u.index_select(0, samples), coefficients_.v.index_select(0, samples), {}});
   const torch::Tensor u = MeanSquaredLength(answer.u - truth.u), v = MeanSquaredLength(answer.v - truth.v);
   return {u + v, {{"u_error", u}, {"v_error", v}}};
 }
@@ -229,7 +229,9 @@ std::map<std::string, double> SketchRecipe::Validate() {
   for (int begin = 0; begin < validation_.size(); begin += kBlock) {
     const std::vector<int> samples = Indices(begin, std::min(begin + kBlock, validation_.size()));
     const torch::Tensor predicted =
-        network_->Decode(network_->forward(InputOf(train::ToDevice(validation_.Get(samples), device_)))).to(torch::kCPU).contiguous();
+        network_->Decode(network_->forward(InputOf(train::ToDevice(validation_.Get(samples), device_))))
+            .to(torch::kCPU)
+            .contiguous();
     const size_t num_coordinates = size_t(predicted.size(1));
     for (size_t row = 0; row < samples.size(); ++row) {
       errors.push_back(eval::MeanVertexError({predicted.data_ptr<float>() + row * num_coordinates, num_coordinates},

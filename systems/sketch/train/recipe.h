@@ -4,9 +4,9 @@
 #include "faces/curve_encoder.h"
 #include "faces/face_database.h"
 #include "losses/vertex_loss.h"
+#include "systems/sketch/options.h"
 #include "systems/sketch/train/network.h"
 #include "train/recipe.h"
-#include "systems/sketch/options.h"
 
 #include <filesystem>
 #include <optional>
@@ -49,8 +49,8 @@ class SketchRecipe : public train::Recipe {
   /// Draws the first weights from LibTorch's CPU generator. @throws Error if a side of the split that training needs is
   /// empty.
   SketchRecipe(const SketchTrainingOptions& options, const faces::FaceDatabase& faces,
-               const datasets::SketchDatabase& sketches, const datasets::Split& split,
-               const FittedModels& models, torch::Device device);
+               const datasets::SketchDatabase& sketches, const datasets::Split& split, const FittedModels& models,
+               torch::Device device);
 
   torch::nn::Module& module() override;
   torch::nn::Module& product() override { return *network_; }
