@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/run_manifest.h"
+#include "core/training.h"
 #include "systems/deform/system.h"
 #include "systems/sketch/system.h"
 
@@ -24,15 +25,8 @@ const systems::System& SystemNamed(std::string_view name) {
   throw UsageError(fmt::format("there is no task '{}' (expected {})", name, fmt::join(names, ", ")));
 }
 
-Json WithSystem(Json config) {
-  if (config.contains("system")) return config;
-  config["system"] = config.value("product", "sketch");
-  config.erase("product");
-  return config;
-}
-
 const systems::System& SystemOfConfig(const Json& config) {
-  const Json system = WithSystem(config).at("system");
+  const Json system = WithSystemKey(config).value("system", Json("sketch"));
   if (!system.is_string()) throw UsageError(fmt::format("system is {}, expected a text", system.dump()));
   return SystemNamed(system.get<std::string>());
 }

@@ -17,7 +17,4 @@ const systems::System& SystemOfConfig(const Json& config);
 /// The task of the run folder. @throws Error if there is no run.
 const systems::System& SystemOfRun(const std::filesystem::path& run);
 
-/// A config of an earlier version with `system` in the place of `product`.
-Json WithSystem(Json config);
-
 }  // namespace daumier::cli

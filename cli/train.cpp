@@ -29,7 +29,7 @@ Verb TrainVerb() {
               footer += fmt::format("Options, system = \"{}\":\n{}", system.name, system.training_help());
             command.footer(footer);
             return [arguments] {
-              const Json config = WithSystem(arguments->config.Load());
+              const Json config = arguments->config.Load();
               const systems::System& system = SystemOfConfig(config);
               const Json resolved = system.resolve_config(config, arguments->config.file.string());
               const systems::RunPlace place{arguments->out, arguments->resume, ParseDevice(arguments->device)};

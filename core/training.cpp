@@ -6,6 +6,13 @@
 
 namespace daumier {
 
+Json WithSystemKey(Json config) {
+  if (!config.contains("product")) return config;
+  if (!config.contains("system")) config["system"] = config["product"];
+  config.erase("product");
+  return config;
+}
+
 Json WithAbsoluteData(Json config, const std::string& where) {
   Json& data = config.at("data");
   std::vector<std::string> keys;

@@ -78,10 +78,13 @@ struct TrainingSummary {
 /// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
 Json WithAbsoluteData(Json config, const std::string& where);
 
-/// The options of a training with WithAbsoluteData. @throws UsageError as ParseOptions.
+/// A config of an earlier version, which has `product` in the place of `system`, as one of today; others unchanged.
+Json WithSystemKey(Json config);
+
+/// The options of a training with WithSystemKey and WithAbsoluteData. @throws UsageError as ParseOptions.
 template <class Options>
 Options ParseTraining(const Json& config, const std::string& where) {
-  const Json resolved = ToJson(ParseOptions<Options>(config, where));
+  const Json resolved = ToJson(ParseOptions<Options>(WithSystemKey(config), where));
   return ParseOptions<Options>(WithAbsoluteData(resolved, where), where);
 }
 

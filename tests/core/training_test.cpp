@@ -74,5 +74,10 @@ TEST(ParseTraining, RefusesMissingFoldersUnknownKeysAndValuesOutOfRange) {
   ExpectError([&] { parse(config); }, "'layers' is 10");
 }
 
+TEST(WithSystemKey, RenamesTheKeyOfEarlierVersions) {
+  EXPECT_EQ(WithSystemKey({{"product", "deform"}, {"epochs", 2}}), (Json{{"system", "deform"}, {"epochs", 2}}));
+  EXPECT_EQ(WithSystemKey({{"epochs", 2}}), (Json{{"epochs", 2}}));
+}
+
 }  // namespace
 }  // namespace daumier

@@ -98,9 +98,9 @@ TEST_F(DeformEvalTest, OtherFacesAreAllMeasuredAndNamed) {
 TEST_F(DeformEvalTest, RefusesARunOfAnotherProduct) {
   WriteRun(*folder_ / "sketch");
   Manifest manifest = ReadManifest(*folder_ / "sketch", "run");
-  manifest.details.erase("product");
+  manifest.details.erase("system");
   WriteManifest(*folder_ / "sketch", manifest);
-  testing::ExpectError([&] { Evaluate("sketch"); }, "not of a deformable model");
+  testing::ExpectError([&] { Evaluate("sketch"); }, "(expected a run of 'deform')");
 }
 
 }  // namespace
