@@ -2,8 +2,8 @@
 // the same template subdivided three times, and a step of training on 32 faces x 2,048 points.
 #include "core/log.h"
 #include "geometry/subdivision.h"
-#include "systems/deform/train/siren_deformations.h"
 #include "models/siren_field.h"
+#include "systems/deform/train/siren_deformations.h"
 #include "systems/deform/train/surface_decoder.h"
 #include "tensor/runtime.h"
 #include "tensor/torch_version.h"

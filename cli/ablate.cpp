@@ -25,41 +25,41 @@ void PrintPlan(const Json& plan, bool as_json) {
 }  // namespace
 
 Verb AblateVerb() {
-  return {"ablate", "Train and evaluate every row of a table", [](CLI::App& command) {
-            struct Arguments {
-              systems::AblationRequest request;
-              std::string device = "cpu";
-              bool as_json = false;
-            };
-            auto arguments = std::make_shared<Arguments>();
-            systems::AblationRequest& request = arguments->request;
-            command.add_option("config", request.config, "TOML file of the table")->required();
-            command.add_option("overrides", request.overrides,
-                               "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
-            command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
-            command.add_option("--only", request.only, "A row to make, and what it needs; may be repeated")
-                ->allow_extra_args(false);
-            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.add_flag("--dry-run", request.dry_run, "Print what is done and what would be, and do nothing");
-            command.add_flag("--json", arguments->as_json, "Machine-readable");
-            command.footer(
-                "[config] and [eval] of the table or of a row override the base config and the defaults of `daumier eval`; "
-                "docs/formats.md lists the options of the table and of its [[rows]].");
-            return [arguments] {
-              systems::AblationRequest request = arguments->request;
-              request.device = ParseDevice(arguments->device);
-              const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
-              const systems::System& system = SystemOfConfig(library.ablation_config(request));
-              const Json result = library.ablate(request, system, TaskOfProcess());
-              if (request.dry_run) return PrintPlan(result, arguments->as_json);
-              if (arguments->as_json) {
-                fmt::print("{}\n", result.dump(2));
-              } else {
-                fmt::print("{}\npictures: {}\n", ReadFile(request.out / "table.md"),
-                           (request.out / "index.html").string());
-              }
-            };
-          }};
+  return {
+      "ablate", "Train and evaluate every row of a table", [](CLI::App& command) {
+        struct Arguments {
+          systems::AblationRequest request;
+          std::string device = "cpu";
+          bool as_json = false;
+        };
+        auto arguments = std::make_shared<Arguments>();
+        systems::AblationRequest& request = arguments->request;
+        command.add_option("config", request.config, "TOML file of the table")->required();
+        command.add_option("overrides", request.overrides,
+                           "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
+        command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
+        command.add_option("--only", request.only, "A row to make, and what it needs; may be repeated")
+            ->allow_extra_args(false);
+        command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+        command.add_flag("--dry-run", request.dry_run, "Print what is done and what would be, and do nothing");
+        command.add_flag("--json", arguments->as_json, "Machine-readable");
+        command.footer(
+            "[config] and [eval] of the table or of a row override the base config and the defaults of `daumier eval`; "
+            "docs/formats.md lists the options of the table and of its [[rows]].");
+        return [arguments] {
+          systems::AblationRequest request = arguments->request;
+          request.device = ParseDevice(arguments->device);
+          const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
+          const systems::System& system = SystemOfConfig(library.ablation_config(request));
+          const Json result = library.ablate(request, system, TaskOfProcess());
+          if (request.dry_run) return PrintPlan(result, arguments->as_json);
+          if (arguments->as_json) {
+            fmt::print("{}\n", result.dump(2));
+          } else {
+            fmt::print("{}\npictures: {}\n", ReadFile(request.out / "table.md"), (request.out / "index.html").string());
+          }
+        };
+      }};
 }
 
 }  // namespace daumier::cli

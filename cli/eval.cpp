@@ -26,7 +26,8 @@ const std::vector<OptionFlag>& OptionFlags() {
       {"--faces", "faces", "Measure on all of these faces instead, which the run was not trained on"},
       {"--sketches", "sketches", "The sketches of these faces, for a sketch run"},
       {"--strength", "strength", "Augment the sketches: 0 not, 1 as in training, 2 strongly"},
-      {"--recover-with", "recover_with", "Run whose faces curve coefficients are recovered from, where a network reads them"},
+      {"--recover-with", "recover_with",
+       "Run whose faces curve coefficients are recovered from, where a network reads them"},
       {"--max-faces", "max_faces", "Of a deformable model: number of faces, evenly spread over the side"},
       {"--adam-faces", "adam_faces", "Of a deformable model: also find the codes of this many faces by Adam"},
       {"--fit", "fit", "Also fit the bilinear model to the labelled strokes", false},
@@ -57,9 +58,8 @@ Json OptionsOf(const EvalArguments& arguments) {
 void Evaluate(const EvalArguments& arguments) {
   const systems::System& system = SystemOfRun(arguments.run);
   const Json given = OptionsOf(arguments);
-  const Json options =
-      system.resolve_evaluation(given, fmt::format("eval of a run of the task '{}'", system.name));
-  const auto out = !arguments.out.empty()   ? arguments.out
+  const Json options = system.resolve_evaluation(given, fmt::format("eval of a run of the task '{}'", system.name));
+  const auto out = !arguments.out.empty()    ? arguments.out
                    : given.contains("faces") ? arguments.run / "other"
                                              : ReportDirectory(arguments.run);
   const systems::SystemTraining& training = systems::LoadTrainingLibrary().at(system.name);
@@ -87,7 +87,8 @@ Verb EvalVerb() {
               if (flag.value) {
                 command.add_option(flag.flag, arguments->texts[i], flag.help);
               } else {
-                command.add_flag_callback(flag.flag, [arguments, i] { arguments->texts[i] = "true"; }, flag.help);
+                command.add_flag_callback(
+                    flag.flag, [arguments, i] { arguments->texts[i] = "true"; }, flag.help);
               }
             }
             command.add_flag("!--no-baselines", arguments->baselines, "Leave out the training-free baselines");
@@ -96,7 +97,8 @@ Verb EvalVerb() {
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             std::string footer;
             for (const systems::System& system : Systems())
-              footer += fmt::format("Options of an evaluation of a run of '{}':\n{}", system.name, system.evaluation_help());
+              footer +=
+                  fmt::format("Options of an evaluation of a run of '{}':\n{}", system.name, system.evaluation_help());
             command.footer(footer);
             return [arguments] { Evaluate(*arguments); };
           }};

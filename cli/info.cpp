@@ -15,8 +15,7 @@ Verb InfoVerb() {
           Json info = systems::LoadTrainingLibrary().describe();
           const BlasInfo blas = DescribeBlas();
           info["daumier"] = DAUMIER_VERSION;
-          info["blas"] = {
-              {"library", blas.library}, {"kernel", blas.kernel}, {"double_library", blas.double_library}};
+          info["blas"] = {{"library", blas.library}, {"kernel", blas.kernel}, {"double_library", blas.double_library}};
           PrintResult(info, *as_json);
         };
       }};

@@ -29,10 +29,11 @@ void Predict(const PredictArguments& arguments) {
   if (arguments.no_refine) overrides.push_back("refine=false");
   if (arguments.deform) overrides.push_back("deform=true");
   const systems::System& system = SystemOfRun(arguments.run);
-  DAUMIER_CHECK(system.open != nullptr,
-                "{}: a run of the task '{}' has no predictions (expected a run of a task that reads drawings or images). "
-                "Name a run of 'sketch'",
-                arguments.run.string(), system.name);
+  DAUMIER_CHECK(
+      system.open != nullptr,
+      "{}: a run of the task '{}' has no predictions (expected a run of a task that reads drawings or images). "
+      "Name a run of 'sketch'",
+      arguments.run.string(), system.name);
   const Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
   const auto predictor = system.open(arguments.run, ParseDevice(arguments.device), options);
   systems::PredictFiles(system, *predictor, arguments.run, files, arguments.out, options, TaskOfProcess());

@@ -52,9 +52,9 @@ std::string Exactness(const ParityReport& parity) {
 
 std::string ModelCard(const CardText& text, const Manifest& run, const ParityReport& parity,
                       const std::optional<Json>& metrics) {
-  std::string card = fmt::format("# {}\n\n{}\n\n## Input and outputs\n\n{}", text.title, text.summary,
-                                 text.inputs_and_outputs) +
-                     TrainingData(run) + Errors(metrics) + Exactness(parity) + "## Limits\n\n";
+  std::string card =
+      fmt::format("# {}\n\n{}\n\n## Input and outputs\n\n{}", text.title, text.summary, text.inputs_and_outputs) +
+      TrainingData(run) + Errors(metrics) + Exactness(parity) + "## Limits\n\n";
   for (const std::string& limit : text.limits) card += fmt::format("- {}\n", limit);
   return card;
 }

@@ -4,7 +4,6 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/run_manifest.h"
-#include "core/run_manifest.h"
 #include "core/staged_directory.h"
 #include "export/onnx_export.h"
 #include "export/onnx_graph.h"

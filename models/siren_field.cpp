@@ -46,7 +46,8 @@ struct Work {
   int64_t num_sirens, num_points, num_pieces, stride;
 };
 
-torch::Tensor Displacements(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
+torch::Tensor Displacements(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
+                            const torch::Tensor& points) {
   const Work work(parameters, points);
   torch::Tensor displacements = torch::empty({work.num_sirens, work.num_points, 3}, points.options());
   const float *const p = parameters.data_ptr<float>(), *const x = points.data_ptr<float>();
@@ -58,8 +59,8 @@ torch::Tensor Displacements(const runtime::SirenLayout& layout, const torch::Ten
   return displacements;
 }
 
-torch::Tensor ParameterGradient(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points,
-                                const torch::Tensor& displacement_gradient) {
+torch::Tensor ParameterGradient(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
+                                const torch::Tensor& points, const torch::Tensor& displacement_gradient) {
   const Work work(parameters, points);
   torch::Tensor gradient =
       torch::zeros({work.num_sirens, work.num_pieces, layout.num_parameters()}, parameters.options());
@@ -90,15 +91,16 @@ class KernelFunction : public torch::autograd::Function<KernelFunction> {
                                                  const torch::autograd::variable_list& gradients) {
     const auto saved = context->get_saved_variables();
     const runtime::SirenLayout layout{int(context->saved_data["width"].toInt()),
-                             int(context->saved_data["hidden_layers"].toInt()),
-                             context->saved_data["omega"].toDouble()};
+                                      int(context->saved_data["hidden_layers"].toInt()),
+                                      context->saved_data["omega"].toDouble()};
     return {ParameterGradient(layout, saved[0], saved[1], gradients[0].contiguous()), {}, {}, {}, {}};
   }
 };
 
 }  // namespace
 
-torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points) {
+torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
+                         const torch::Tensor& points) {
   CheckShapes(layout, parameters, points);
   const bool by_kernel = parameters.is_cpu() && parameters.scalar_type() == torch::kFloat32 &&
                          points.scalar_type() == torch::kFloat32 && !torch::jit::tracer::isTracing();

@@ -11,7 +11,8 @@ namespace daumier::models {
 /// stand in the order of `layout`. Differentiable by the parameters, not by the points. On the CPU in float32 by
 /// runtime::SirenKernel on all threads, elsewhere as SirenFieldByOperations. @throws Error if a shape disagrees, or if points
 /// ask for a gradient.
-torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters, const torch::Tensor& points);
+torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
+                         const torch::Tensor& points);
 
 /// The same number by LibTorch's operators, layer by layer, differentiable by both: for other devices, for float64, for
 /// tracing, and as a check.

@@ -1,7 +1,7 @@
 #include "reports/face_pictures.h"
 
-#include "reports/face_surface.h"
 #include "render/shading.h"
+#include "reports/face_surface.h"
 
 namespace daumier::reports {
 
@@ -31,8 +31,7 @@ render::Image FrontView(const faces::FaceTemplate& face_template, const geometry
 
 render::Image SideView(const faces::FaceTemplate& face_template, const geometry::Points& face,
                        const render::Frame& frame) {
-  return render::RenderMesh(SurfaceOf(face_template, face),
-                            render::SideCamera(frame.centre, frame.half_height, kCell));
+  return render::RenderMesh(SurfaceOf(face_template, face), render::SideCamera(frame.centre, frame.half_height, kCell));
 }
 
 render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {

@@ -1,7 +1,7 @@
 #include "core/error.h"
+#include "render/ticks.h"
 #include "reports/chart_panel.h"
 #include "reports/report.h"
-#include "render/ticks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -47,8 +47,7 @@ render::Image SheetOf(const FaceResult& face) {
   std::vector<render::SheetCell> cells;
   if (!face.drawn.empty())
     cells.push_back({render::DrawnWithCurves(face.drawn, face.curves, kPictureSide), "sketch, and the face's curves"});
-  cells.push_back(
-      {RenderMesh(surface, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)), "front"});
+  cells.push_back({RenderMesh(surface, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)), "front"});
   cells.push_back({RenderMesh(surface, render::SideCamera(frame.centre, frame.half_height, kPictureSide)), "side"});
   return render::MakeSheet(cells, int(cells.size()));
 }

@@ -24,10 +24,10 @@ using Input = std::variant<render::Drawing, render::Image, geometry::PolygonMesh
 /// A face found for an input.
 struct FaceResult {
   std::shared_ptr<const faces::FaceTemplate> face_template;
-  geometry::Points vertices;                         ///< V x 3, cm.
+  geometry::Points vertices;                                  ///< V x 3, cm.
   Eigen::VectorXf identity = {}, expression = {}, code = {};  ///< Of the system's model; empty where it has none.
-  geometry::Points landmarks = {};                   ///< 68 x 3, cm, iBUG order; NaN where the template has none.
-  std::optional<render::Placement> frame = {};       ///< Of a drawing: p_canvas = scale * p_sheet + shift.
+  geometry::Points landmarks = {};                      ///< 68 x 3, cm, iBUG order; NaN where the template has none.
+  std::optional<render::Placement> frame = {};          ///< Of a drawing: p_canvas = scale * p_sheet + shift.
   std::vector<render::Stroke> drawn = {}, curves = {};  ///< On the canvas: the drawing, and the face's feature curves.
   std::vector<std::string> warnings = {};
   Json record = Json::object();  ///< Numbers of the prediction, by system.

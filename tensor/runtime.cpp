@@ -6,7 +6,6 @@
 #include <ATen/Parallel.h>
 #include <torch/cuda.h>
 
-
 namespace daumier::tensor {
 
 int SetUpTorch(int threads) {

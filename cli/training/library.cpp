@@ -62,8 +62,7 @@ std::string Text(ablation::RowState state) {
 
 Json Ablate(const systems::AblationRequest& request, const systems::System& system, const Task& task) {
   const ablation::AblationSystem of_rows{system, Library().at(system.name), request.device};
-  const ablation::Ablation ablation =
-      ablation::LoadAblation(request.config, request.overrides, system.run_options);
+  const ablation::Ablation ablation = ablation::LoadAblation(request.config, request.overrides, system.run_options);
   if (!request.dry_run) return ablation::RunAblation(ablation, of_rows, request.out, request.only, task);
   Json plan = Json::array();
   for (const ablation::AblationStep& step : ablation::PlanAblation(ablation, of_rows, request.out, request.only))

@@ -1,11 +1,11 @@
 #include "datasets/gallery/face_gallery.h"
 
-#include "reports/face_pictures.h"
 #include "datasets/gallery/sketch_gallery.h"
-#include "reports/face_surface.h"
 #include "render/draw.h"
 #include "render/shading.h"
 #include "render/sheet.h"
+#include "reports/face_pictures.h"
+#include "reports/face_surface.h"
 
 #include <algorithm>
 
@@ -130,8 +130,7 @@ render::Image Curves(const faces::FaceTemplate& face_template) {
 
 }  // namespace
 
-void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches,
-                  const std::filesystem::path& folder) {
+void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches, const std::filesystem::path& folder) {
   render::WriteImage(folder / "identities.jpg", Identities(database));
   render::WriteImage(folder / "expressions.jpg", Expressions(database));
   render::WriteImage(folder / "levels.jpg", Levels(database));

@@ -2,11 +2,11 @@
 
 #include "core/error.h"
 #include "core/safetensors.h"
-#include "reports/face_surface.h"
 #include "geometry/obj.h"
 #include "render/draw.h"
 #include "render/heat_map.h"
 #include "render/sheet.h"
+#include "reports/face_surface.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 
 #include "core/error.h"
 #include "datasets/read/augmentation.h"
-#include "reports/face_pictures.h"
 #include "render/contour_strokes.h"
 #include "render/draw.h"
 #include "render/sheet.h"
+#include "reports/face_pictures.h"
 
 #include <algorithm>
 
@@ -26,7 +26,8 @@ std::vector<int> Diagonal(const FaceDatabase& database, int count) {
   return indices;
 }
 
-render::Image Drawn(const std::vector<Stroke>& strokes, int size = reports::kCell, const render::StrokeStyle& style = {}) {
+render::Image Drawn(const std::vector<Stroke>& strokes, int size = reports::kCell,
+                    const render::StrokeStyle& style = {}) {
   return render::ToRgb(render::RasteriseStrokes(strokes, size, style));
 }
 

@@ -14,17 +14,15 @@ void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, c
 }
 
 Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
-                           const faces::FaceDatabase& faces) {
-  Split split = MakeSplit(
-      faces, ParseOptions<SplitOptions>(config.at("split"), "split of the run"), manifest.seed);
+                 const faces::FaceDatabase& faces) {
+  Split split = MakeSplit(faces, ParseOptions<SplitOptions>(config.at("split"), "split of the run"), manifest.seed);
   DAUMIER_CHECK(SplitToJson(faces, split) == manifest.details.at("split"),
                 "{} was split otherwise when it was trained: it comes from another version of this program",
                 run.string());
   return split;
 }
 
-Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces,
-                            const Split& split) {
+Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const Split& split) {
   Manifest manifest;
   manifest.kind = "run";
   manifest.verb = "train";

@@ -18,7 +18,7 @@ void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, c
 
 /// The split of the run's faces. @throws Error if it comes out otherwise than the manifest tells.
 Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
-                           const faces::FaceDatabase& faces);
+                 const faces::FaceDatabase& faces);
 
 /// The manifest with which a training begins: its config without paths, seed, the sources of its faces, how many of
 /// them are on which side of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.

@@ -48,8 +48,7 @@ SketchDataset::SketchDataset(const SketchDatabase& sketches, std::vector<int> fa
 
 SketchDataset::Rows SketchDataset::EmptyRows(int64_t count) const {
   Rows rows;
-  if (reading_.resolution > 0)
-    rows.ink = Array<uint8_t>({count, 1, reading_.resolution, reading_.resolution});
+  if (reading_.resolution > 0) rows.ink = Array<uint8_t>({count, 1, reading_.resolution, reading_.resolution});
   if (reading_.num_points > 0) rows.points = FloatArray({count, 4, reading_.num_points});
   if (reading_.encoder) rows.shape = FloatArray({count, reading_.encoder->num_numbers()});
   return rows;
@@ -58,8 +57,7 @@ SketchDataset::Rows SketchDataset::EmptyRows(int64_t count) const {
 void SketchDataset::Read(int face, int64_t epoch, int64_t row, Rows& rows) const {
   const AugmentedSketch sketch = VariedSketch(sketches_, face, variation_, seed_, epoch);
   if (rows.ink.defined())
-    WriteInk(render::RasteriseStrokes(sketch.strokes, reading_.resolution, sketch.style),
-             rows.ink.row(row));
+    WriteInk(render::RasteriseStrokes(sketch.strokes, reading_.resolution, sketch.style), rows.ink.row(row));
   if (rows.points.defined())
     std::ranges::copy(render::SampleRows(sketch.strokes, reading_.num_points), rows.points.row(row));
   if (rows.shape.defined()) {

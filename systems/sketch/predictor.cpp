@@ -29,7 +29,8 @@ geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geo
 render::Drawing DrawingOf(const systems::Input& input) {
   if (const auto* drawing = std::get_if<render::Drawing>(&input)) return *drawing;
   if (const auto* image = std::get_if<render::Image>(&input)) return render::TraceLineDrawing(*image).drawing;
-  throw Error("a mesh is no input of a sketch run (expected a drawing or an image of one). Draw it first: daumier draw");
+  throw Error(
+      "a mesh is no input of a sketch run (expected a drawing or an image of one). Draw it first: daumier draw");
 }
 
 }  // namespace

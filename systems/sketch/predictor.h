@@ -49,7 +49,8 @@ class SketchPredictor : public systems::Predictor {
   /// Drawings, and images of line drawings (render::TraceLineDrawing). record holds the frame and the two-way distance
   /// between drawing and curves in pixels of the canvas: of the first frame ("before"), of the frame taken ("framed"),
   /// of the result ("after"), and that trimmed as FrameSearchOptions specify ("after_trimmed").
-  std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs, const Task& task = {}) const override;
+  std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs,
+                                           const Task& task = {}) const override;
 
   /// The three stages on strokes that are on the canvas. `strokes` of the last two: without labels. @throws Error by
   /// Deformed if the options do not ask for it.

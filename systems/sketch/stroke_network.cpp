@@ -47,8 +47,7 @@ std::vector<fitting::PredictedFace> StrokeNetwork::Predict(
   }
   if (options.reads_points()) {
     FloatArray& points = input["points"] = FloatArray({count, 4, options.num_points});
-    for (size_t i = 0; i < sketches.size(); ++i)
-      SetRow(points, i, render::SampleRows(sketches[i], options.num_points));
+    for (size_t i = 0; i < sketches.size(); ++i) SetRow(points, i, render::SampleRows(sketches[i], options.num_points));
   }
   if (!options.reads_shape()) return Forward(input);
 

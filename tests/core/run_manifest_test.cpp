@@ -29,7 +29,8 @@ TEST(ReadFinishedRun, NamesBothTasksAndEveryOtherCause) {
   const auto run = folder.path();
   ExpectError([&] { ReadFinishedRun(run); }, "is not a run folder");
   WriteManifest(run, RunOf({{"system", "deform"}}));
-  ExpectError([&] { ReadFinishedRun(run, "sketch"); }, "this is a run of the task 'deform' (expected a run of 'sketch')");
+  ExpectError([&] { ReadFinishedRun(run, "sketch"); },
+              "this is a run of the task 'deform' (expected a run of 'sketch')");
   ExpectError([&] { ReadFinishedRun(run, "deform"); }, "has no best weights yet");
   MakeDirectory(run / "best");
   WriteFileAtomically(BestWeights(run), "weights");

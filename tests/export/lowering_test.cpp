@@ -4,9 +4,9 @@
 #include "tests/export/test_function.h"
 #include "tests/support/expect_error.h"
 
-#include <set>
 #include <torch/nn/modules/linear.h>
 #include <torch/utils.h>
+#include <set>
 
 namespace daumier::exporting {
 namespace {

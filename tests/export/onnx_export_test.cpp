@@ -3,11 +3,11 @@
 #include "tests/export/test_function.h"
 #include "tests/support/expect_error.h"
 
-#include <cstring>
 #include <torch/nn/modules/batchnorm.h>
 #include <torch/nn/modules/conv.h>
 #include <torch/nn/modules/linear.h>
 #include <torch/utils.h>
+#include <cstring>
 
 namespace daumier::exporting {
 namespace {

@@ -1,8 +1,8 @@
 #include "losses/vertex_loss.h"
 
+#include <torch/utils.h>
 #include "tests/support/expect_error.h"
 #include "tests/support/gradcheck.h"
-#include <torch/utils.h>
 
 namespace daumier::losses {
 namespace {

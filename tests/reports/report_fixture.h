@@ -1,7 +1,7 @@
 #pragma once
 #include "core/random.h"
-#include "reports/report.h"
 #include "render/draw.h"
+#include "reports/report.h"
 #include "tests/support/synthetic_face.h"
 
 #include <gtest/gtest.h>

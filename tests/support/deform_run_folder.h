@@ -9,10 +9,10 @@
 #include "tests/support/deform_networks.h"
 #include "tests/support/synthetic_face.h"
 
+#include <torch/utils.h>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <torch/utils.h>
 
 namespace daumier::testing {
 

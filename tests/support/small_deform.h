@@ -1,9 +1,9 @@
 #pragma once
 #include "tests/support/deform_networks.h"
 
+#include <torch/utils.h>
 #include <memory>
 #include <string>
-#include <torch/utils.h>
 
 namespace daumier::testing {
 

@@ -4,8 +4,8 @@
 
 #include <torch/cuda.h>
 
-#include <thread>
 #include <torch/utils.h>
+#include <thread>
 
 namespace daumier::tensor {
 namespace {

@@ -1,7 +1,7 @@
 // Trainings that are stopped and resumed.
+#include <torch/utils.h>
 #include "tests/train/toy_recipe.h"
 #include "train/trainer.h"
-#include <torch/utils.h>
 
 namespace daumier::train {
 namespace {

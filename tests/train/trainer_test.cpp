@@ -1,7 +1,7 @@
 #include "train/trainer.h"
 
-#include "tests/train/toy_recipe.h"
 #include <torch/utils.h>
+#include "tests/train/toy_recipe.h"
 
 namespace daumier::train {
 namespace {

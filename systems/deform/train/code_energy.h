@@ -13,17 +13,17 @@ namespace daumier::deform {
 /// weight / 3N sum_i |D(z, p_i) - g_i|^2 over N points of a whole surface [Jung et al. 2022, eq. 1]. The mean is over
 /// coordinates, as in the authors' program; the printed sum is three times that.
 struct AllPointsTerm {
-  SurfacePoints points;  ///< N points p_i.
-  torch::Tensor targets;         ///< (N, 3) g_i, model units.
+  SurfacePoints points;   ///< N points p_i.
+  torch::Tensor targets;  ///< (N, 3) g_i, model units.
   double weight = 3e3;
 };
 
 /// weight / 3P sum_i w_i |D(z, p_i) - g_i|^2 over P points, as handles of an edit. With all weights 1 and the points of
 /// an AllPointsTerm it is that term.
 struct SparsePointsTerm {
-  SurfacePoints points;  ///< P points p_i.
-  torch::Tensor targets;         ///< (P, 3) g_i, model units.
-  torch::Tensor weights;         ///< (P) w_i >= 0.
+  SurfacePoints points;   ///< P points p_i.
+  torch::Tensor targets;  ///< (P, 3) g_i, model units.
+  torch::Tensor weights;  ///< (P) w_i >= 0.
   double weight = 3e3;
 };
 

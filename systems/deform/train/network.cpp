@@ -1,8 +1,8 @@
 #include "systems/deform/train/network.h"
 
 #include "core/error.h"
-#include "systems/deform/train/array_deformations.h"
 #include "runtime/block_product.h"
+#include "systems/deform/train/array_deformations.h"
 #include "systems/deform/train/siren_deformations.h"
 #include "tensor/shape.h"
 

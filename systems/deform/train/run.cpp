@@ -19,9 +19,9 @@ DeformRun LoadDeformRun(const fs::path& directory) {
   const auto counts = run.manifest.counts.find("training_faces");
   DAUMIER_CHECK(counts != run.manifest.counts.end() && counts->is_number_integer(),
                 "{}: the manifest does not hold the number of training faces. Train again", directory.string());
-  AutoDecoder decoder(MakeDeformNetwork(run.network_options, torch::zeros({run.face_template.num_vertices(), 3}),
-                                        faces::ModelFrame{}),
-                      counts->get<int64_t>());
+  AutoDecoder decoder(
+      MakeDeformNetwork(run.network_options, torch::zeros({run.face_template.num_vertices(), 3}), faces::ModelFrame{}),
+      counts->get<int64_t>());
   tensor::LoadModule(BestWeights(directory), decoder);
   decoder.eval();
   run.network = decoder.network();

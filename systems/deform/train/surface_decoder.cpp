@@ -1,8 +1,8 @@
 #include "systems/deform/train/surface_decoder.h"
 
 #include "core/error.h"
-#include "systems/deform/train/siren_deformations.h"
 #include "models/siren_field.h"
+#include "systems/deform/train/siren_deformations.h"
 #include "tensor/eigen.h"
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
@@ -37,7 +37,8 @@ torch::Tensor SurfaceDecoder::Vertices(const geometry::Subdivider& subdivider,
   tensor::CheckShape(template_vertices, {subdivider.num_vertices(), 3}, "template_vertices");
   const at::NoGradGuard no_grad;
   if (!siren_parameters_.defined()) return Subdivided(Vertices(), subdivider);
-  return models::SirenField(network_->options().siren(), siren_parameters_, template_vertices)[0].add_(template_vertices);
+  return models::SirenField(network_->options().siren(), siren_parameters_, template_vertices)[0].add_(
+      template_vertices);
 }
 
 torch::Tensor SubdividedTemplate(const DeformNetwork& network, const geometry::Subdivider& subdivider) {

@@ -29,7 +29,8 @@ systems::SystemTraining DeformTraining() {
           .evaluate = Evaluate,
           .describe_export = DescribeDeformExport,
           .infer_ms = InferMs,
-          .validation_metric = "mean_vertex_error_mm", .training_metric = "training_error_mm"};
+          .validation_metric = "mean_vertex_error_mm",
+          .training_metric = "training_error_mm"};
 }
 
 }  // namespace daumier::deform

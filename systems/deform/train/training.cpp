@@ -7,15 +7,15 @@
 #include "datasets/read/run_data.h"
 #include "eval/principal_components.h"
 #include "systems/deform/train/array_deformations.h"
+#include "systems/deform/train/export.h"
+#include "systems/deform/train/recipe.h"
 #include "tensor/eigen.h"
 #include "tensor/module_state.h"
 #include "tensor/runtime.h"
 #include "tensor/torch_version.h"
-#include "systems/deform/train/export.h"
-#include "systems/deform/train/recipe.h"
 #include "train/run_folder.h"
-#include "train/trainer.h"
 #include "train/run_log.h"
+#include "train/trainer.h"
 
 #include <torch/utils.h>
 
@@ -97,9 +97,9 @@ TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, 
   const int64_t num_parameters = recipe.decoder().network()->num_parameters();
   log::Info("Training {} parameters and a code of {} for each of {} faces", num_parameters, options.network.latent,
             recipe.num_samples());
-  TrainingSummary summary = options.network.kind == "linear"
-                                ? TrainLinear(recipe, options, run_directory)
-                                : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
+  TrainingSummary summary = options.network.kind == "linear" ? TrainLinear(recipe, options, run_directory)
+                                                             : train::Train(recipe, options.trainer, options.optimiser,
+                                                                            options.seed, run_directory, task);
   train::FinishRun(run_directory, summary, num_parameters);
   exporting::StoreGraph(DescribeDeformExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,

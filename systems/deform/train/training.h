@@ -2,7 +2,6 @@
 #include "core/folder_cache.h"
 #include "systems/system.h"
 
-
 namespace daumier::deform {
 
 /// `daumier train` of a deformable model: opens the databases, splits, trains and leaves a run folder that

@@ -56,7 +56,8 @@ std::string InputsAndOutputs(const SketchNetworkImpl& network) {
                     "| `vertices` | ({0}, {1}, 3) float32 | the face in centimetres: x to its own left, y up, z to the "
                     "front; order and triangles in `template.safetensors` |\n\n"
                     "{0} is any batch size. `vertices` is the bilinear face of `u` and `v`{2}.\n\n",
-                    exporting::kBatchDimension, network.num_vertices(), options.residual > 0 ? ", plus the residual" : "");
+                    exporting::kBatchDimension, network.num_vertices(),
+                    options.residual > 0 ? ", plus the residual" : "");
 }
 
 }  // namespace

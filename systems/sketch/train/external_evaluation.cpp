@@ -6,10 +6,10 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "datasets/read/sketch_variation.h"
+#include "eval/metrics.h"
 #include "eval/nearest_neighbour.h"
 #include "eval/ridge_regression.h"
 #include "export/torch_runner.h"
-#include "eval/metrics.h"
 #include "faces/bilinear_projector.h"
 #include "faces/face_database.h"
 #include "fitting/contour_refinement.h"
@@ -21,10 +21,10 @@
 #include "reports/chosen_faces.h"
 #include "reports/face_pictures.h"
 #include "systems/sketch/metrics.h"
-#include "systems/sketch/train/reader.h"
-#include "systems/sketch/train/run_data.h"
 #include "systems/sketch/predictor.h"
 #include "systems/sketch/train/export.h"
+#include "systems/sketch/train/reader.h"
+#include "systems/sketch/train/run_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,7 +208,8 @@ class ExternalEvaluation {
 
   void Refine() {
     ForEachInOrder(
-        faces_.num_faces(), [&](int face) { return predictor_.Refined(predicted_[size_t(face)], SketchOf(face).strokes); },
+        faces_.num_faces(),
+        [&](int face) { return predictor_.Refined(predicted_[size_t(face)], SketchOf(face).strokes); },
         [&](PredictedFace face) { refined_.push_back(std::move(face)); });
   }
 

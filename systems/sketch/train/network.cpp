@@ -131,7 +131,8 @@ SketchNetworkImpl::BranchFeatures SketchNetworkImpl::Features(const SketchInput&
   }
   if (options_.reads_image()) {
     tensor::CheckShape(input.images, {tensor::kAny, 1, options_.resolution, options_.resolution}, "images");
-    features = trunk_.convolutions->forward(options_.has_whole_blocks() ? input.images : models::InPlainLayout(input.images));
+    features =
+        trunk_.convolutions->forward(options_.has_whole_blocks() ? input.images : models::InPlainLayout(input.images));
   } else if (options_.reads_points()) {
     tensor::CheckShape(input.points, {tensor::kAny, 4, options_.num_points}, "points");
     features = trunk_.convolutions->forward(input.points);

@@ -1,7 +1,7 @@
 #pragma once
+#include "models/sketch_trunks.h"
 #include "systems/sketch/fitted_models.h"
 #include "systems/sketch/network_options.h"
-#include "models/sketch_trunks.h"
 
 #include <torch/nn/module.h>
 #include <torch/nn/modules/container/sequential.h>

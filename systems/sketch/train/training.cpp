@@ -7,13 +7,12 @@
 #include "datasets/read/run_data.h"
 #include "datasets/read/training_fit.h"
 #include "render/camera_json.h"
+#include "systems/sketch/train/export.h"
 #include "systems/sketch/train/recipe.h"
 #include "systems/sketch/train/run.h"
 #include "tensor/runtime.h"
 #include "train/run_folder.h"
 #include "train/trainer.h"
-#include "systems/sketch/train/export.h"
-#include "systems/sketch/train/recipe.h"
 
 #include <torch/utils.h>
 

@@ -2,7 +2,6 @@
 #include "core/folder_cache.h"
 #include "systems/system.h"
 
-
 namespace daumier::sketch {
 
 /// `daumier train` of a sketch network: opens the databases, splits, fits the bilinear models of faces and of curves

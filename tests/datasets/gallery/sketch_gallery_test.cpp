@@ -25,8 +25,7 @@ class SketchGallery : public ::testing::Test {
 };
 
 TEST_F(SketchGallery, ShowsLinesAndWhatAugmentationMakesOfThem) {
-  WriteSketchGallery(faces::FaceDatabase(folder_ / "faces"), SketchDatabase(folder_ / "sketches"),
-                     folder_ / "out");
+  WriteSketchGallery(faces::FaceDatabase(folder_ / "faces"), SketchDatabase(folder_ / "sketches"), folder_ / "out");
   for (const char* name : {"sketches.jpg", "line_kinds.jpg", "augmentation.jpg", "contours.jpg"}) {
     const render::Image picture = render::ReadImage(folder_ / "out" / name);
     EXPECT_GT(picture.width, 300) << name;

@@ -40,7 +40,8 @@ TEST(ResultsDocument, ShowsTheTablesOfItsRecords) {
     for (const char* key : {"command", "commit", "seeds", "train_seconds", "metrics"})
       EXPECT_TRUE(record.contains(key)) << key;
     EXPECT_TRUE(record.at("metrics").contains("data_hash"));
-    EXPECT_NE(document.find(reports::TableMarkdown(reports::TextTable(ReadSketchMetrics(record.at("metrics"))))), std::string::npos)
+    EXPECT_NE(document.find(reports::TableMarkdown(reports::TextTable(ReadSketchMetrics(record.at("metrics"))))),
+              std::string::npos)
         << file.path() << " and docs/results.md do not agree";
     EXPECT_NE(document.find(record.at("command").get<std::string>()), std::string::npos) << file.path();
   }

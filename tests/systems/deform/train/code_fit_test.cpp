@@ -5,8 +5,8 @@
 #include "tests/support/small_deform.h"
 
 #include <gtest/gtest.h>
-#include <torch/utils.h>
 #include <torch/linalg.h>
+#include <torch/utils.h>
 
 #include <algorithm>
 #include <limits>
@@ -121,7 +121,7 @@ TEST_F(CodeFitTest, AdamKeepsTheBestCodeNotTheLast) {
 TEST_F(CodeFitTest, PointsBetweenVerticesAreFittedToo) {
   const auto network = Network("conditioning");
   const SurfacePoints points{torch::zeros({30, 3}, torch::kInt64), torch::full({30, 3}, 1.0 / 3),
-                                     0.9 * testing::SpherePoints(30)};
+                             0.9 * testing::SpherePoints(30)};
   const torch::NoGradGuard no_gradient;
   const CodeFit fit = FitCode(*network, points, network->Deform(code_.unsqueeze(0), points).squeeze(0), options_);
   EXPECT_LT((fit.code - code_).norm().item<double>(), 0.1 * code_.norm().item<double>());
@@ -136,8 +136,8 @@ TEST_F(CodeFitTest, HandlesAndASurfaceOfALinearModelAreSolvedAsByRidgeRegression
   const std::vector<int> handles = {3, 40, 7};
   const std::vector<double> weights = {1, 0, 2.5};
   CodeEnergy energy;
-  energy.all_points = {VerticesAsPoints(network.template_vertices()),
-                       template_ + 0.2 * torch::randn({60, 3}, real), 200};
+  energy.all_points = {VerticesAsPoints(network.template_vertices()), template_ + 0.2 * torch::randn({60, 3}, real),
+                       200};
   energy.sparse_points = {
       {VertexPoints(network, handles), torch::randn({3, 3}, real), torch::tensor(weights, real), 30}};
   energy.prior = {torch::randn({4}, real), 5};

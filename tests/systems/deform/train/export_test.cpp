@@ -32,7 +32,8 @@ TEST(DeformExport, EveryKindPassesParityAtAnyNumberOfPoints) {
     const exporting::ExportedFunction function = DeformFunction(network);
     const onnx::ModelProto model = exporting::ExportToOnnx(*network, function);
     WriteFileAtomically(folder / (kind + ".onnx"), model.SerializeAsString());
-    const exporting::ParityReport parity = exporting::CheckParity(folder / (kind + ".onnx"), function, 1, folder.path());
+    const exporting::ParityReport parity =
+        exporting::CheckParity(folder / (kind + ".onnx"), function, 1, folder.path());
     if (!parity.runtime.has_value()) GTEST_SKIP() << "there is no ONNX Runtime here";
     EXPECT_LT(parity.max_abs_diff(), exporting::kParityTolerance);
   }

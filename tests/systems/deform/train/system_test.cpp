@@ -100,8 +100,13 @@ TEST_F(DeformSystemTest, AnAblationTrainsAndMeasuresEveryRow) {
 }
 
 TEST_F(DeformSystemTest, RefusesWithoutDataAndUnknownOptionsNamingTheRow) {
-  testing::ExpectError([&] { DeformSystem().resolve_config(Json::object(), "row 'a'"); }, "row 'a': it needs data.faces=FOLDER");
-  testing::ExpectError([&] { DeformSystem().resolve_evaluation({{"max_face", 1}}, "row 'a'"); }, "did you mean 'max_faces'?");
+  testing::ExpectError([&] { DeformSystem().resolve_config(Json::object(), "row 'a'"); },
+                       "row 'a': it needs data.faces=FOLDER");
+  testing::ExpectError(
+      [&] {
+        DeformSystem().resolve_evaluation({{"max_face", 1}}, "row 'a'");
+      },
+      "did you mean 'max_faces'?");
 }
 
 TEST(DeformAblationConfigs, AreParsed) {

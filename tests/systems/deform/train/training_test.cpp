@@ -2,10 +2,10 @@
 
 #include "core/config.h"
 #include "core/files.h"
+#include "core/manifest.h"
 #include "core/task.h"
 #include "faces/face_database.h"
 #include "systems/deform/options.h"
-#include "core/manifest.h"
 #include "systems/deform/train/run.h"
 #include "tensor/tensor_file.h"
 #include "tests/support/deform_networks.h"

@@ -10,8 +10,7 @@ namespace {
 
 TEST(UnseenFaces, FacesThatTheNetworkCanMakeAreMissedByLittleAndOthersByTheirDistance) {
   torch::manual_seed(3);
-  const auto network =
-      MakeDeformNetwork(testing::SmallDeformOptions("displacements"), testing::SomeTemplate(), {});
+  const auto network = MakeDeformNetwork(testing::SmallDeformOptions("displacements"), testing::SomeTemplate(), {});
   const at::NoGradGuard no_grad;
   const torch::Tensor makes = network->DeformVertices(torch::randn({2, 8}));
   const CodeFitOptions free{.code_weight = 0, .solve = {.num_rows = 12}};

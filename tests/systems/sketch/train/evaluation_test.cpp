@@ -1,8 +1,8 @@
 #include "systems/sketch/train/evaluation.h"
 
+#include "eval/metrics.h"
 #include "eval/nearest_neighbour.h"
 #include "eval/ridge_regression.h"
-#include "eval/metrics.h"
 #include "render/strokes.h"
 #include "systems/sketch/metrics.h"
 #include "systems/sketch/train/run_data.h"

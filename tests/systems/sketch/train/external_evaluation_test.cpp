@@ -1,14 +1,14 @@
 #include "systems/sketch/train/external_evaluation.h"
 
 #include "core/safetensors.h"
+#include "eval/metrics.h"
 #include "eval/nearest_neighbour.h"
 #include "eval/ridge_regression.h"
-#include "eval/metrics.h"
-#include "systems/sketch/train/evaluation.h"
-#include "systems/sketch/train/run_data.h"
 #include "export/torch_runner.h"
 #include "systems/sketch/predictor.h"
+#include "systems/sketch/train/evaluation.h"
 #include "systems/sketch/train/export.h"
+#include "systems/sketch/train/run_data.h"
 #include "tests/support/expect_error.h"
 #include "tests/systems/sketch/train/run_fixture.h"
 

@@ -5,9 +5,9 @@
 #include "tests/support/sketch_networks.h"
 
 #include <torch/linalg.h>
+#include <torch/nn/modules/conv.h>
 #include <torch/optim.h>
 #include <torch/utils.h>
-#include <torch/nn/modules/conv.h>
 
 namespace daumier::sketch {
 namespace {

@@ -2,15 +2,15 @@
 
 #include "core/files.h"
 #include "core/manifest.h"
-#include "geometry/obj.h"
 #include "export/torch_runner.h"
+#include "geometry/obj.h"
+#include "render/draw.h"
+#include "render/read_drawing.h"
+#include "render/svg.h"
 #include "systems/predict_files.h"
 #include "systems/sketch/system.h"
 #include "systems/sketch/train/export.h"
 #include "systems/sketch/train/run.h"
-#include "render/draw.h"
-#include "render/read_drawing.h"
-#include "render/svg.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_run_folder.h"
@@ -64,8 +64,7 @@ TEST(TrainedSketchPredictor, ReadsStrokesDirectly) {
                       "{\"drawing\": [[[0, 90], [10, 200]], [[50, 60, 70], [5, 9, 5]]]}\n"
                       "{\"drawing\": [[[0, 255], [0, 255]]]}\n");
   render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
-  PredictSketches(folder / "run", {folder / "two.ndjson", folder / "face.svg"}, folder / "out",
-                  {.framing = "keep"});
+  PredictSketches(folder / "run", {folder / "two.ndjson", folder / "face.svg"}, folder / "out", {.framing = "keep"});
   for (const char* name : {"two.obj", "two-2.obj", "face.obj"})
     EXPECT_TRUE(std::filesystem::exists(folder / "out" / name));
   const auto strokes = render::ReadSvg(folder / "out/face.svg").strokes;

@@ -137,8 +137,8 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
   std::vector<int> all(split_.validation.size());
   std::iota(all.begin(), all.end(), 0);
   SketchNetwork network = recipe.network();
-  torch::Tensor distances = network->Decode(
-      network->forward({train::ToDevice(validation.Get(all), torch::kCPU).at("images"), {}, {}}));
+  torch::Tensor distances =
+      network->Decode(network->forward({train::ToDevice(validation.Get(all), torch::kCPU).at("images"), {}, {}}));
   for (size_t i = 0; i < all.size(); ++i) {
     const auto truth = faces_.vertices(split_.validation[i]);
     distances[int64_t(i)] -= torch::tensor(std::vector<float>(truth.begin(), truth.end()));
@@ -216,8 +216,7 @@ TEST_F(SketchRecipeTest, RegressionIsTheDistanceFromTheFactorsOfTheFace) {
   const torch::NoGradGuard no_grad;
   const int sample = 11, face = split_.train[11];
   const train::LossTerms terms = Loss(recipe, {sample}, 0);
-  const auto answer =
-      SketchNetwork(recipe.network())->forward({ReadBatch(recipe, {sample}, 0).at("images"), {}, {}});
+  const auto answer = SketchNetwork(recipe.network())->forward({ReadBatch(recipe, {sample}, 0).at("images"), {}, {}});
   const auto identities = datasets::TrainingIdentities(faces_, split_);
   const auto row =
       std::find(identities.begin(), identities.end(), face / faces_.num_expressions()) - identities.begin();

@@ -1,7 +1,7 @@
 #include "systems/sketch/train/run_data.h"
 
-#include "tests/systems/sketch/train/run_fixture.h"
 #include "tests/support/expect_error.h"
+#include "tests/systems/sketch/train/run_fixture.h"
 
 namespace daumier::sketch {
 namespace {

@@ -4,8 +4,8 @@
 #include "core/manifest.h"
 #include "datasets/read/sketch_variation.h"
 #include "datasets/read/training_fit.h"
-#include "systems/sketch/train/run.h"
 #include "render/camera_json.h"
+#include "systems/sketch/train/run.h"
 #include "tensor/module_state.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
@@ -38,8 +38,7 @@ class SketchRunFixture : public ::testing::Test {
     const faces::BilinearOptions bilinear{.num_identity = 6, .num_expression = 4};
     const datasets::SketchDatabase sketches(*folder_ / "sketches");
     const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, bilinear);
-    const FittedModels models{
-        fitted.model, datasets::FitCurvesOnTraining(faces, sketches, split, bilinear).model, {}};
+    const FittedModels models{fitted.model, datasets::FitCurvesOnTraining(faces, sketches, split, bilinear).model, {}};
     torch::manual_seed(7);
     SketchNetwork network(network_options, models);
     std::vector<std::string> curves;

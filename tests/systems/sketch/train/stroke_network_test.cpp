@@ -1,10 +1,10 @@
 #include "systems/sketch/stroke_network.h"
 
 #include "export/torch_runner.h"
-#include "systems/sketch/predictor.h"
-#include "systems/sketch/train/export.h"
 #include "render/draw.h"
 #include "render/read_drawing.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/train/export.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_run_folder.h"

@@ -116,21 +116,27 @@ TEST_F(SketchSystemTest, TrainingAndEvaluationShareDatabases) {
   Json config = Load().rows[2].config;
   config["seed"] = 1;
   config["epochs"] = 1;
-  SketchTraining().train(SketchSystem().resolve_config(config, where), {.directory = *folder_ / "shared"}, databases, {});
-  const reports::Evaluation evaluation =
-      SketchTraining().evaluate(*folder_ / "shared", SketchSystem().resolve_evaluation({{"baselines", false}}, where), databases, {});
+  SketchTraining().train(SketchSystem().resolve_config(config, where), {.directory = *folder_ / "shared"}, databases,
+                         {});
+  const reports::Evaluation evaluation = SketchTraining().evaluate(
+      *folder_ / "shared", SketchSystem().resolve_evaluation({{"baselines", false}}, where), databases, {});
   EXPECT_EQ(evaluation.table.rows.size(), 1u);
   EXPECT_EQ(databases.size(), 2u);
 }
 
 TEST_F(SketchSystemTest, RefusesWithoutDataAndUnknownOptionsNamingTheRow) {
-  testing::ExpectError([] { SketchSystem().resolve_config(Json::object(), "row 'a'"); }, "row 'a': it needs data.faces=FOLDER");
+  testing::ExpectError([] { SketchSystem().resolve_config(Json::object(), "row 'a'"); },
+                       "row 'a': it needs data.faces=FOLDER");
   testing::ExpectError(
       [] {
         SketchSystem().resolve_config({{"split", {{"kind", "persons"}}}}, "row 'a'");
       },
       "did you mean 'person'?");
-  testing::ExpectError([] { SketchSystem().resolve_evaluation({{"strenght", 1}}, "row 'a'"); }, "did you mean 'strength'?");
+  testing::ExpectError(
+      [] {
+        SketchSystem().resolve_evaluation({{"strenght", 1}}, "row 'a'");
+      },
+      "did you mean 'strength'?");
 }
 
 TEST(SketchAblationConfigs, AllAreParsedAndOnlyTakesEachRow) {

@@ -1,14 +1,14 @@
+#include "systems/sketch/train/training.h"
 #include "core/config.h"
 #include "core/files.h"
+#include "core/manifest.h"
 #include "core/task.h"
 #include "systems/sketch/options.h"
-#include "core/manifest.h"
 #include "systems/sketch/train/run.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
-#include "systems/sketch/train/training.h"
 
 #include <gtest/gtest.h>
 
@@ -108,8 +108,11 @@ TEST_F(SketchTrainingTest, RefusesToResumeAnotherConfigAndToOverwriteARun) {
   testing::ExpectError([&] { RunSketch(Config(), {Run("once"), false}, {}); }, "already holds a run");
   Json config = Config();
   config["optimiser"]["learning_rate"] = 0.25;
-  testing::ExpectError([&] { RunSketch(config, {Run("once"), true}, {}); },
-                       "optimiser.learning_rate is 0.005 there and 0.25 now");
+  testing::ExpectError(
+      [&] {
+        RunSketch(config, {Run("once"), true}, {});
+      },
+      "optimiser.learning_rate is 0.005 there and 0.25 now");
 }
 
 TEST_F(SketchTrainingTest, WhatTheFitRefusesCanBeToldOtherwiseInTheSameFolder) {
