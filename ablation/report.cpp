@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "reports/ablation_tables.h"
 #include "reports/comparison_sheet.h"
 #include "reports/curve_chart.h"
 #include "reports/html_page.h"
@@ -142,7 +143,8 @@ void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, cons
 }
 
 std::string Page(const Json& table, const std::vector<reports::Metric>& columns, bool has_curves, bool has_sheet) {
-  reports::HtmlPage page{.title = "Ablation", .summary = AblationFootnote(), .tables = AblationTables(table, columns)};
+  reports::HtmlPage page{
+      .title = "Ablation", .summary = reports::AblationFootnote(), .tables = reports::AblationTables(table, columns)};
   if (has_sheet)
     page.figures.push_back(
         {"Side by side", "sheet.png",
@@ -180,7 +182,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, con
   CompareAtEqualTime(trained, runs, std::string(system.training.validation_metric), results);
   const Json table = AblationTableJson(results, ablation.options.compare_to);
   const std::vector<reports::Metric> columns = system.system.summary_columns();
-  WriteFileAtomically(directory / "table.md", AblationMarkdown(table, columns));
+  WriteFileAtomically(directory / "table.md", reports::AblationMarkdown(table, columns));
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
   const bool has_curves = WriteCurves(trained, ablation, runs, system.training, directory);
   const fs::path sheet = directory / "sheet.png";

@@ -1,6 +1,5 @@
 #pragma once
 #include "ablation/measure.h"
-#include "reports/metric_table.h"
 
 #include <optional>
 #include <string>
@@ -42,15 +41,5 @@ struct AblationResult {
 ///                          have, and the same bootstrap of these paired differences
 /// @throws Error if two results on one split and seed have a different number of faces.
 Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& compare_to = "");
-
-/// One table a split, for people; `columns` are shown between the errors and the costs if a row has their key
-/// (systems::System::summary_columns). @throws Error if a key is missing.
-std::vector<reports::ReportTable> AblationTables(const Json& table, const std::vector<reports::Metric>& columns);
-
-/// table.md: the tables, and how the intervals were made.
-std::string AblationMarkdown(const Json& table, const std::vector<reports::Metric>& columns);
-
-/// How intervals and differences were made, in a few sentences.
-std::string AblationFootnote();
 
 }  // namespace daumier::ablation

@@ -89,22 +89,6 @@ TEST(AblationTable, WhatIsUnknownIsNull) {
   EXPECT_TRUE(AblationTableJson({fit, second})[0]["error_low"].is_null());
 }
 
-TEST(AblationTable, ShowsCellsWithTheDigitsOfTheirColumns) {
-  AblationResult a = MakeResult("a", 1, {1, 3}), b = MakeResult("b", 1, {1.5, 3.5});
-  a.paper = 2.04;
-  const std::vector<reports::ReportTable> tables =
-      AblationTables(AblationTableJson({a, b}),
-                     {{.key = "p90", .title = "p90"}, {.key = "flips", .title = "flips", .may_hide = true}});
-  ASSERT_EQ(tables.size(), 1u);
-  EXPECT_EQ(tables[0].title, "Split: person");
-  EXPECT_EQ(tables[0].header,
-            (std::vector<std::string>{"row", "shape input", "paper mm", "mm", "95 % interval", "against a", "p90",
-                                      "steps", "parameters", "training s", "ms a face", "seeds"}));
-  EXPECT_EQ(tables[0].rows[0], (std::vector<std::string>{"a", "none", "2.04", "2.000", "1.00 to 3.00", "-", "2.000",
-                                                         "10", "7", "3", "2.00", "1"}));
-  EXPECT_EQ(tables[0].rows[1][5], "+0.50 (+0.50 to +0.50)");
-}
-
 TEST(AblationTable, BaselinesStandOnTopOfTheirSplitAndSplitsFollowEachOther) {
   AblationResult mean_face = MakeResult("mean face", 1, {8, 9}), random = MakeResult("a", 1, {1, 2});
   mean_face.baseline = true;
@@ -113,16 +97,6 @@ TEST(AblationTable, BaselinesStandOnTopOfTheirSplitAndSplitsFollowEachOther) {
   std::vector<std::string> names;
   for (const Json& row : table) names.push_back(row["split"].get<std::string>() + " " + row["name"].get<std::string>());
   EXPECT_EQ(names, (std::vector<std::string>{"person mean face", "person a", "person b", "random a"}));
-  const std::vector<reports::ReportTable> tables =
-      AblationTables(table, {{.key = "p90", .title = "p90", .may_hide = true}});
-  ASSERT_EQ(tables.size(), 2u);
-  EXPECT_EQ(tables[0].rows.size(), 3u);
-  EXPECT_EQ(tables[0].header[5], "against a");
-  EXPECT_EQ(tables[0].header[6], "p90");
-  for (const auto& row : tables[0].rows) EXPECT_EQ(row.size(), tables[0].header.size());
-  const std::string markdown = AblationMarkdown(table, {});
-  EXPECT_LT(markdown.find("mean face"), markdown.find("| a |"));
-  EXPECT_NE(markdown.find("bootstrap over persons"), std::string::npos);
 }
 
 }  // namespace

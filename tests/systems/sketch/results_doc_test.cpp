@@ -1,6 +1,7 @@
 #include "core/files.h"
 #include "core/json.h"
 #include "systems/sketch/metrics.h"
+#include "tests/support/ablation_records.h"
 #include "tests/support/paths.h"
 
 #include <fmt/format.h>
@@ -46,6 +47,10 @@ TEST(ResultsDocument, ShowsTheTablesOfItsRecords) {
     EXPECT_NE(document.find(record.at("command").get<std::string>()), std::string::npos) << file.path();
   }
   EXPECT_GT(num_records, 0);
+}
+
+TEST(ResultsDocument, ShowsTheAblationsOfSketchNetworks) {
+  testing::ExpectAblationsInResults("configs/sketch/", SketchSummaryColumns());
 }
 
 }  // namespace
