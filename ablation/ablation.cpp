@@ -1,13 +1,11 @@
 #include "ablation/ablation.h"
 
+#include "ablation/report.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "core/interrupt.h"
 #include "core/log.h"
-#include "ablation/report.h"
 
-#include <algorithm>
-#include <functional>
+#include <optional>
 #include <set>
 
 namespace daumier::ablation {
@@ -17,7 +15,7 @@ namespace fs = std::filesystem;
 
 using Place = AblationRuns::Place;
 
-/// Every row that is asked for, seed by seed and split by split.
+/// The rows `order`, seed by seed and split by split.
 std::vector<Place> Places(const Ablation& ablation, const std::vector<int>& order) {
   std::vector<Place> places;
   for (const uint64_t seed : ablation.options.seeds)
@@ -26,66 +24,80 @@ std::vector<Place> Places(const Ablation& ablation, const std::vector<int>& orde
   return places;
 }
 
-/// @throws Error if Ctrl-C was pressed.
-void StopHereIfInterrupted(const fs::path& directory) {
-  DAUMIER_CHECK(!Interrupted(),
-                "the ablation was stopped; what it has so far is in {}. Go on by the same command again",
-                directory.string());
+void ThrowIfCancelled(const Task& task, const fs::path& directory) {
+  task.ThrowIfCancelled("{}: the ablation was stopped; its finished rows are there. The same command resumes it",
+                        directory.string());
 }
+
+/// Failed rows, and the rows that need one.
+class Failures {
+ public:
+  void Add(const Place& place, const std::string& why) {
+    messages_.push_back(fmt::format("{}: {}", place.Describe(), why));
+    failed_.insert({Where(place), place.row.name()});
+  }
+  /// The first row that `place` needs and that failed.
+  std::optional<std::string> NeededBy(const Place& place, const std::vector<std::string>& references) const {
+    for (const std::string& name : NeededRows(place.row, references))
+      if (failed_.count({Where(place), name}) == 1) return name;
+    return std::nullopt;
+  }
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  static std::string Where(const Place& place) { return fmt::format("{} seed {}", place.split, place.seed); }
+
+  std::vector<std::string> messages_;
+  std::set<std::pair<std::string, std::string>> failed_;  ///< Split and seed, row.
+};
 
 }  // namespace
 
-std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationTask& task, const fs::path& directory,
-                                       const std::vector<std::string>& only) {
-  const AblationRuns runs(ablation, task, directory);
+std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationSystem& system,
+                                       const fs::path& directory, const std::vector<std::string>& only) {
+  const AblationRuns runs(ablation, system, directory);
   std::vector<AblationStep> steps;
-  for (const Place& place : Places(ablation, WorkingOrder(ablation, task.references(), only)))
+  for (const Place& place : Places(ablation, WorkingOrder(ablation, system.system.run_options, only)))
     steps.push_back({place.row.name(), place.split, place.seed, runs.State(place)});
   return steps;
 }
 
-Json RunAblation(const Ablation& ablation, const AblationTask& task, const fs::path& directory,
-                 const std::vector<std::string>& only) {
-  const std::vector<AblationStep> plan = PlanAblation(ablation, task, directory, only);
-  const AblationRuns runs(ablation, task, directory);
+Json RunAblation(const Ablation& ablation, const AblationSystem& system, const fs::path& directory,
+                 const std::vector<std::string>& only, const Task& task) {
+  const std::vector<std::string>& references = system.system.run_options;
+  const std::vector<AblationStep> plan = PlanAblation(ablation, system, directory, only);
+  const AblationRuns runs(ablation, system, directory);
+  FolderCache databases;
   MakeDirectory(directory);
-  std::vector<std::string> failures;
-  std::set<std::pair<std::string, std::string>> failed;  // Place and row.
+  Failures failures;
   size_t number = 0;
   Json table;
-  for (const Place& place : Places(ablation, WorkingOrder(ablation, task.references(), only))) {
+  for (const Place& place : Places(ablation, WorkingOrder(ablation, references, only))) {
     ++number;
     if (runs.State(place) == RowState::kDone) continue;
-    const std::string where = fmt::format("{} seed {}", place.split, place.seed);
-    const std::vector<std::string> needed = NeededRows(place.row, task.references());
-    const auto missing = std::find_if(needed.begin(), needed.end(), [&](const std::string& name) {
-      return failed.count({where, name}) == 1;
-    });
-    if (missing != needed.end()) {
-      failures.push_back(fmt::format("{}: it needs {}", place.Describe(), *missing));
-      failed.insert({where, place.row.name()});
+    if (const auto needed = failures.NeededBy(place, references)) {
+      failures.Add(place, fmt::format("it needs {}", *needed));
       continue;
     }
     log::Info("Row {} of {}: {}", number, plan.size(), place.Describe());
     try {
-      runs.Train(place);
-      StopHereIfInterrupted(directory);
-      runs.Evaluate(place);
-    } catch (const Error& error) {
-      StopHereIfInterrupted(directory);
+      runs.Train(place, databases, task);
+      ThrowIfCancelled(task, directory);
+      runs.Evaluate(place, databases, task);
+    } catch (const std::exception& error) {  // Of LibTorch, JSON or the allocator, too: the other rows count.
+      ThrowIfCancelled(task, directory);
       log::Warn("Row {} failed: {}", place.Describe(), error.what());
-      failures.push_back(fmt::format("{}: {}", place.Describe(), error.what()));
-      failed.insert({where, place.row.name()});
+      failures.Add(place, error.what());
       continue;
     }
     const bool in_sheet =
         place.split == ablation.options.splits.front() && place.seed == ablation.options.seeds.front();
-    table = WriteAblationReport(ablation, task, runs, directory, in_sheet);
-    StopHereIfInterrupted(directory);
+    table = WriteAblationReport(ablation, runs, system, directory, in_sheet);
+    ThrowIfCancelled(task, directory);
   }
-  if (table.is_null()) table = WriteAblationReport(ablation, task, runs, directory);
-  DAUMIER_CHECK(failures.empty(), "{} of {} rows failed; the others are in {}:\n  {}", failures.size(), plan.size(),
-                directory.string(), fmt::join(failures, "\n  "));
+  if (table.is_null()) table = WriteAblationReport(ablation, runs, system, directory);
+  DAUMIER_CHECK(failures.messages().empty(), "{} of {} rows failed; the others are in {}:\n  {}",
+                failures.messages().size(), plan.size(), directory.string(), fmt::join(failures.messages(), "\n  "));
   return table;
 }
 

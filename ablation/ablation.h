@@ -1,7 +1,7 @@
 #pragma once
 #include "ablation/config.h"
 #include "ablation/runs.h"
-#include "ablation/task.h"
+#include "core/task.h"
 
 #include <filesystem>
 #include <string>
@@ -9,28 +9,29 @@
 
 namespace daumier::ablation {
 
-/// Something that an ablation does, in the order in which it does it.
+/// One unit of work of an ablation.
 struct AblationStep {
   std::string row, split;
   uint64_t seed;
   RowState state;
 };
 
-/// What an ablation would do: seeds first to last, of each its splits first to last, of each its rows in WorkingOrder,
-/// so that the first seed has its whole table before the next is begun. `only`: those rows and what they need.
+/// The steps of an ablation: seeds first to last, of each its splits first to last, of each its rows in WorkingOrder, so
+/// that the first seed has its whole table before the next one begins. `only`: those rows and what they need.
 /// @throws UsageError as AblationRuns, and if a run is there that has another config or other data.
-std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationTask& task,
+std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationSystem& system,
                                        const std::filesystem::path& directory,
                                        const std::vector<std::string>& only = {});
 
 /// `daumier ablate`: trains and evaluates what PlanAblation lists and is not done, and writes after every row
-/// table.json (train/ablation_table.h), table.md, curves.svg (validation errors), sheet.png (rows side by side, of the
-/// first split and seed) and index.html, of all rows that are done. Returns the table. A row that fails does not stop
-/// the others, but those that need it.
+/// table.json (ablation/table.h), table.md, curves.svg (validation errors), sheet.png (rows side by side, of the first
+/// split and seed, drawn from the predictions of the reports) and index.html, of all rows that are done. Returns the
+/// table. Each database is opened and verified once. A row that fails, by whatever exception, stops only those that
+/// need it.
 /// @throws UsageError as PlanAblation, before anything is trained. @throws Error at the end, naming the rows that
-/// failed; if two rows were not measured on the same test faces; and on Ctrl-C, after a checkpoint, saying how to go
-/// on.
-Json RunAblation(const Ablation& ablation, const AblationTask& task, const std::filesystem::path& directory,
-                 const std::vector<std::string>& only = {});
+/// failed; if two rows were not measured on the same test faces. @throws Cancelled if the task is cancelled, after a
+/// checkpoint; the same call resumes.
+Json RunAblation(const Ablation& ablation, const AblationSystem& system, const std::filesystem::path& directory,
+                 const std::vector<std::string>& only = {}, const Task& task = {});
 
 }  // namespace daumier::ablation

@@ -18,7 +18,7 @@ struct AblationOptions {
   void Visit(V&& visit) {
     visit("base", base, Text{}, "Config of the run of every row; a path relative to this file.");
     visit("compare_to", compare_to, Text{},
-          "The row that differences are to; by default the first that tells the errors of its faces.");
+          "Reference row for paired differences. Default: the first row with per-face errors.");
     visit("seeds", seeds, Range{0, 9e15}, "Every row is trained once with each.");
     visit("splits", splits, Text{}, "Every row is trained once on each; the first is the headline.");
     visit("evaluate", evaluate, Flag{},
@@ -30,7 +30,7 @@ struct AblationOptions {
 struct AblationRowOptions {
   std::string name;
   double paper = 0;
-  std::string run_of, from, line, shape_input;
+  std::string run_of, from, line, input;
 
   template <class V>
   void Visit(V&& visit) {
@@ -40,7 +40,7 @@ struct AblationRowOptions {
     visit("from", from, Text{}, "Train and evaluate nothing: read the report of that row.");
     visit("line", line, Text{},
           "Which line of the report's table is the row's error; by default the run's own result.");
-    visit("shape_input", shape_input, Text{}, "Of which shape input that line is, where several have its name.");
+    visit("shape_input", input, Text{}, "The input of that line, if several lines have its name.");
   }
 };
 

@@ -2,11 +2,13 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "reports/comparison_sheet.h"
 #include "reports/curve_chart.h"
 #include "reports/html_page.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace daumier::ablation {
 namespace {
@@ -24,10 +26,10 @@ std::vector<Place> DonePlaces(const Ablation& ablation, const AblationRuns& runs
   return done;
 }
 
-void CheckSameTest(const std::vector<Place>& places, const AblationRuns& runs, const AblationTask& task) {
-  const std::string first = task.TestedOn(runs.Metrics(places.front()));
+void CheckSameTest(const std::vector<Place>& places, const AblationRuns& runs) {
+  const std::string first = TestSetId(runs.Metrics(places.front()));
   for (const Place& place : places) {
-    const std::string here = task.TestedOn(runs.Metrics(place));
+    const std::string here = TestSetId(runs.Metrics(place));
     DAUMIER_CHECK(here == first, "{} and {} were measured on different test faces: {} and {}",
                   places.front().Describe(), place.Describe(), first, here);
   }
@@ -40,14 +42,14 @@ std::vector<double> Minutes(const std::vector<double>& seconds) {
 }
 
 /// curves.svg over steps and curves_by_time.svg over minutes: a panel a split with a curve a run, of validation and,
-/// where the task tells it, of training.
+/// if the system logs it, of training.
 bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, const AblationRuns& runs,
-                 const AblationTask& task, const fs::path& directory) {
+                 const systems::SystemTraining& training, const fs::path& directory) {
   std::vector<reports::CurvePanel> by_steps, by_time;
   bool any = false;
   for (const std::string& split : ablation.options.splits) {
-    for (const auto& [phase, metric] : {std::pair<std::string, std::string>{"validation", task.validation_metric()},
-                                        {"train", task.training_metric()}}) {
+    for (const std::string phase : {"validation", "train"}) {
+      const std::string metric(phase == "train" ? training.training_metric : training.validation_metric);
       if (metric.empty()) continue;
       const std::string faces = phase == "train" ? ", training faces" : "";
       reports::CurvePanel steps{fmt::format("Split: {}{}", split, faces), {}}, time = steps;
@@ -64,7 +66,7 @@ bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, co
     }
   }
   if (!any) return false;
-  const std::string label = fmt::format("error ({})", task.unit());
+  const std::string label = "error (mm)";
   WriteFileAtomically(directory / "curves.svg",
                       reports::CurveChartSvg(by_steps, "Validation error while training", "steps", label));
   WriteFileAtomically(directory / "curves_by_time.svg",
@@ -72,13 +74,13 @@ bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, co
   return true;
 }
 
-/// Tells each result of a training the least validation error within the time of the split's shortest one, as
-/// validation_at_equal_time and equal_seconds. A run without steps has no curve and sets no time.
-void CompareAtEqualTime(const std::vector<Place>& trained, const AblationRuns& runs, const AblationTask& task,
+/// Adds validation_at_equal_time and equal_seconds to each result of a training: the least validation error within the
+/// time of the split's shortest one. A run without steps has no curve and sets no time.
+void CompareAtEqualTime(const std::vector<Place>& trained, const AblationRuns& runs, const std::string& metric,
                         std::vector<AblationResult>& results) {
   std::map<std::string, double> shortest;
   for (const Place& place : trained) {
-    const RunCurve curve = ReadCurve(runs.Run(place), "validation", task.validation_metric());
+    const RunCurve curve = ReadCurve(runs.Run(place), "validation", metric);
     if (curve.steps.empty() || curve.steps.back() == 0) continue;
     const auto [entry, is_new] = shortest.try_emplace(place.split, curve.seconds.back());
     entry->second = std::min(entry->second, curve.seconds.back());
@@ -89,37 +91,74 @@ void CompareAtEqualTime(const std::vector<Place>& trained, const AblationRuns& r
     });
     if (result.baseline || place == trained.end() || shortest.count(result.split) == 0) continue;
     const double seconds = shortest.at(result.split);
-    const auto least = LeastWithin(ReadCurve(runs.Run(*place), "validation", task.validation_metric()), seconds);
+    const auto least = LeastWithin(ReadCurve(runs.Run(*place), "validation", metric), seconds);
     result.measure.more["equal_seconds"] = seconds;
     result.measure.more["validation_at_equal_time"] = least ? Json(*least) : Json();
   }
 }
 
-void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, const AblationTask& task,
-                const fs::path& file) {
-  std::vector<AblationPicture> pictures;
-  for (const Place& place : places)
-    if (runs.Result(place).measure.of_run) pictures.push_back(runs.Picture(place));
-  if (!pictures.empty()) task.WriteSheet(pictures, file);
+/// Faces of which every report keeps a prediction, chosen by the errors of the first row.
+std::vector<reports::ChosenFace> FacesOfSheet(const std::vector<reports::Predictions>& rows,
+                                              const reports::MetricTable& first) {
+  std::vector<int> faces;
+  std::vector<double> errors;
+  const std::vector<double>& all = reports::FindRow(first, "").face_errors;
+  for (size_t i = 0; i < first.faces.size(); ++i) {
+    const bool everywhere = std::all_of(rows.begin(), rows.end(), [&](const reports::Predictions& row) {
+      return std::any_of(row.faces.begin(), row.faces.end(),
+                         [&](const reports::FacePrediction& one) { return one.face == first.faces[i]; });
+    });
+    if (!everywhere) continue;
+    faces.push_back(first.faces[i]);
+    errors.push_back(all.at(i));
+  }
+  return reports::ChooseFaces(faces, errors);
 }
 
-std::string Page(const Json& table, bool has_curves, bool has_sheet) {
-  reports::HtmlPage page{.title = "Ablation", .summary = AblationFootnote(), .tables = AblationTables(table)};
+void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, const fs::path& file) {
+  std::vector<std::string> names;
+  std::vector<reports::Predictions> rows;
+  std::optional<reports::MetricTable> first;
+  for (const Place& place : places) {
+    if (!runs.Result(place).measure.is_result) continue;
+    std::optional<reports::Predictions> predictions = runs.Predictions(place);
+    if (!predictions) continue;
+    if (!first) first = runs.Table(place);
+    names.push_back(place.row.name());
+    rows.push_back(std::move(*predictions));
+  }
+  if (rows.empty()) return;
+  std::vector<reports::ComparedFace> faces;
+  for (const reports::ChosenFace& chosen : FacesOfSheet(rows, *first)) {
+    const reports::FacePrediction& input = rows.front().at(chosen.face);
+    reports::ComparedFace& face =
+        faces.emplace_back(reports::ComparedFace{chosen.title, input.sketch, input.truth, {}});
+    for (const reports::Predictions& row : rows) {
+      const reports::FacePrediction& one = row.at(chosen.face);
+      face.predictions.push_back({one.prediction, one.error_mm, one.mean_error_mm()});
+    }
+  }
+  render::WriteImage(file, reports::ComparisonSheet(rows.front().surface, names, faces));
+}
+
+std::string Page(const Json& table, const std::vector<reports::Metric>& columns, bool has_curves, bool has_sheet) {
+  reports::HtmlPage page{.title = "Ablation", .summary = AblationFootnote(), .tables = AblationTables(table, columns)};
   if (has_sheet)
     page.figures.push_back(
         {"Side by side", "sheet.png",
-         "The face of median error of the first row, the one where its worst 5 % begin, and the first "
-         "test face. Each row of the table: its face, coloured by the distance from the true one."});
+         "Of the test faces that all reports keep (at least 16, evenly spread): the one of median error of the first "
+         "row, the one where its worst 5 % begin, its worst, and the first. Each row of the table: its face, coloured "
+         "by the distance from the true one."});
   if (has_curves)
     page.figures.push_back(
-        {"Training", "curves.svg", "Errors over steps; a circle marks the least, and the legend tells it."});
+        {"Training", "curves.svg", "Errors over steps; a circle marks the least, also in the legend."});
   if (has_curves) page.figures.push_back({"Training by time", "curves_by_time.svg", "The same over minutes."});
   return reports::PageHtml(page);
 }
 
 }  // namespace
 
-Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, const AblationRuns& runs,
+Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, const AblationSystem& system,
                          const fs::path& directory, bool with_sheet) {
   std::vector<AblationResult> results;
   std::vector<Place> trained;
@@ -127,7 +166,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
     for (const uint64_t seed : ablation.options.seeds) {
       const std::vector<Place> places = DonePlaces(ablation, runs, split, seed);
       if (places.empty()) continue;
-      if (ablation.options.evaluate) CheckSameTest(places, runs, task);
+      if (ablation.options.evaluate) CheckSameTest(places, runs);
       for (const Place& place : places)
         if (place.row.trains()) trained.push_back(place);
       for (const Place& place : places) {
@@ -138,16 +177,17 @@ Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, con
       for (const Place& place : places) results.push_back(runs.Result(place));
     }
   }
-  CompareAtEqualTime(trained, runs, task, results);
-  const Json table = AblationTableJson(results, task.unit(), ablation.options.compare_to);
-  WriteFileAtomically(directory / "table.md", AblationMarkdown(table));
+  CompareAtEqualTime(trained, runs, std::string(system.training.validation_metric), results);
+  const Json table = AblationTableJson(results, ablation.options.compare_to);
+  const std::vector<reports::Metric> columns = system.system.summary_columns();
+  WriteFileAtomically(directory / "table.md", AblationMarkdown(table, columns));
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
-  const bool has_curves = WriteCurves(trained, ablation, runs, task, directory);
+  const bool has_curves = WriteCurves(trained, ablation, runs, system.training, directory);
   const fs::path sheet = directory / "sheet.png";
   if (with_sheet && ablation.options.evaluate)
-    WriteSheet(DonePlaces(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs, task,
+    WriteSheet(DonePlaces(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs,
                sheet);
-  WriteFileAtomically(directory / "index.html", Page(table, has_curves, fs::exists(sheet)));
+  WriteFileAtomically(directory / "index.html", Page(table, columns, has_curves, fs::exists(sheet)));
   return table;
 }
 

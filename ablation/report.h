@@ -3,12 +3,13 @@
 
 namespace daumier::ablation {
 
-/// Writes what an ablation has so far into its folder: table.json (returned; rows that trained also have
+/// Writes the finished rows of an ablation into its folder: table.json (returned; rows that trained also have
 /// validation_at_equal_time, the least validation error within equal_seconds, the time of the split's shortest
-/// training), table.md, curves.svg, curves_by_time.svg, sheet.png (of the
-/// first split and seed, if `with_sheet`) and index.html. Rows that are not done are left out; free baselines are those
-/// of the first row that is. @throws Error if two rows of a split and seed were not measured on the same test faces.
-Json WriteAblationReport(const Ablation& ablation, const AblationTask& task, const AblationRuns& runs,
+/// training), table.md, curves.svg, curves_by_time.svg, sheet.png (of the first split and seed, if `with_sheet`) and
+/// index.html. Baselines are those of the first finished row. The sheet shows rows that are the result of a report with
+/// predictions; without one the sheet stays unchanged.
+/// @throws Error if two rows of a split and seed were not measured on the same test faces.
+Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, const AblationSystem& system,
                          const std::filesystem::path& directory, bool with_sheet = true);
 
 }  // namespace daumier::ablation

@@ -1,7 +1,8 @@
 #pragma once
 #include "ablation/config.h"
 #include "ablation/table.h"
-#include "ablation/task.h"
+#include "reports/predictions.h"
+#include "systems/system.h"
 
 #include <filesystem>
 #include <optional>
@@ -9,6 +10,13 @@
 #include <vector>
 
 namespace daumier::ablation {
+
+/// What an ablation trains and measures, and where.
+struct AblationSystem {
+  const systems::System& system;
+  const systems::SystemTraining& training;
+  Device device = {};
+};
 
 /// How far a row is on one split with one seed.
 enum class RowState {
@@ -19,12 +27,12 @@ enum class RowState {
 };
 
 /// The runs and reports of an ablation on disk: DIRECTORY/SPLIT/seedN/ROW/{run,report,measured.json}. measured.json is
-/// written last and holds what the report was made of; it is how a finished evaluation is known again.
+/// written last; it holds the options and weights of the report, by which a finished evaluation is recognised.
 class AblationRuns {
  public:
   /// Resolves the config and the evaluation of every row. All arguments but the directory have to outlive it.
-  /// @throws UsageError as AblationTask::ResolvedConfig and ResolvedEval, naming the row.
-  AblationRuns(const Ablation& ablation, const AblationTask& task, const std::filesystem::path& directory);
+  /// @throws UsageError as systems::System::resolve_config and resolve_evaluation, naming the row.
+  AblationRuns(const Ablation& ablation, const AblationSystem& system, const std::filesystem::path& directory);
 
   /// A row with a split and a seed.
   struct Place {
@@ -37,49 +45,53 @@ class AblationRuns {
 
   /// @throws UsageError if a run is there that has another config or other data.
   RowState State(const Place& place) const;
-  /// Trains what is not trained. @throws Error as AblationTask::Train.
-  void Train(const Place& place) const;
+  /// Trains what is not trained. @throws what systems::SystemTraining::train throws.
+  void Train(const Place& place, FolderCache& databases, const Task& task) const;
   /// Evaluates the row, whose run and references have to be trained, and measures its speed; nothing if the ablation
   /// does not evaluate.
-  void Evaluate(const Place& place) const;
+  void Evaluate(const Place& place, FolderCache& databases, const Task& task) const;
 
-  /// Where the row's run is, be it its own or another row's.
+  /// The folder of the row's run, its own or another row's.
   std::filesystem::path Run(const Place& place) const;
-  /// metrics.json of the row's report, be it its own or another row's; the row has to be done.
+  /// Of the row's report, its own or another row's; the row has to be done.
   Json Metrics(const Place& place) const;
-  /// What the table tells of a row that is done: its report, or its least validation error.
+  reports::MetricTable Table(const Place& place) const;
+  /// Absent if the report has none: it is of an earlier version.
+  std::optional<reports::Predictions> Predictions(const Place& place) const;
+  /// The result of a row that is done: of its report, or its least validation error.
   AblationResult Result(const Place& place) const;
-  /// The lines of the row's report that need no training; none if there is no report.
+  /// The rows of the row's report that need no training; none if there is no report.
   std::vector<AblationResult> Baselines(const Place& place) const;
-  /// For a sheet.
-  AblationPicture Picture(const Place& place) const;
 
  private:
   std::filesystem::path Folder(const Place& place) const;
   Place PlaceOf(const Place& place, const std::string& row) const;
-  /// Whose report the row is read from: its own, or another row's.
+  /// The row whose report is read: the row itself, or another one.
   Place Reported(const Place& place) const;
   Json Config(const Place& place) const;
+  /// Whether the training of that config is finished. @throws UsageError as State.
+  bool Finished(const std::filesystem::path& run, const Json& config) const;
   /// The evaluation's options with run folders in the place of rows.
   Json Eval(const Place& place) const;
-  /// What a report is made of: equal unless it has to be made anew.
-  Json Made(const Place& place) const;
+  /// Options and weights of the report.
+  Json MadeOf(const Place& place) const;
+  /// `made_of` of measured.json; options that are newer than the file have their defaults.
+  Json RecordedMadeOf(const Json& measured, const Place& place) const;
   RunCost Cost(const Place& place) const;
   AblationMeasure Validation(const Place& place) const;
 
   const Ablation& ablation_;
-  const AblationTask& task_;
+  const AblationSystem system_;
   std::filesystem::path directory_;
-  std::vector<std::string> references_;
 };
 
 /// Total training time across resumes (train::ReadMetrics), in seconds.
 double TrainSeconds(const std::filesystem::path& run);
 
-/// A number of a run while it trained, as metrics.jsonl tells it.
+/// A number of a run while it trained, of metrics.jsonl.
 struct RunCurve {
   std::vector<double> steps, errors;
-  std::vector<double> seconds;  ///< Of training until then, through stops.
+  std::vector<double> seconds;  ///< Of training until then, across resumes.
 };
 /// phase: "validation" or "train".
 RunCurve ReadCurve(const std::filesystem::path& run, const std::string& phase, const std::string& metric);

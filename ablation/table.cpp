@@ -10,12 +10,12 @@
 namespace daumier::ablation {
 namespace {
 
-/// Of the bootstraps; any number will do, but the same each time.
+/// Of the bootstraps.
 constexpr uint64_t kBootstrapSeed = 1;
 
 using Results = std::vector<const AblationResult*>;
 
-/// What equal texts have in common, the mean of numbers, key by key of objects; null where there is no such thing.
+/// Equal values: that value. Numbers: their mean. Objects: the same for each key. Otherwise null.
 Json MeanOf(const std::vector<Json>& values) {
   if (std::all_of(values.begin(), values.end(), [&](const Json& value) { return value == values[0]; }))
     return values[0];
@@ -47,7 +47,7 @@ struct PairedFaces {
   std::vector<int> groups;
 };
 
-/// The faces of all seeds in one list; nothing if a result does not tell its faces.
+/// The faces of all seeds in one list; empty if a result has no face errors.
 PairedFaces AllFaces(const Results& results) {
   PairedFaces faces;
   for (const AblationResult* result : results) {
@@ -80,18 +80,18 @@ PairedFaces Differences(const Results& results, const Results& references) {
 
 void SetInterval(Json& row, const std::string& key, const PairedFaces& faces) {
   if (faces.errors.empty()) return;
-  const eval::Interval interval = eval::PersonBootstrap(faces.errors, faces.groups, kBootstrapSeed);
+  const Interval interval = PersonBootstrap(faces.errors, faces.groups, kBootstrapSeed);
   row[key + "_low"] = interval.low;
   row[key + "_high"] = interval.high;
 }
 
-Json RowJson(const Results& results, const Results& references, const std::string& unit) {
+Json RowJson(const Results& results, const Results& references) {
   const AblationResult& first = *results.front();
   Json row = {{"name", first.name},
               {"split", first.split},
               {"baseline", first.baseline},
               {"paper", first.paper > 0 ? Json(first.paper) : Json()},
-              {"unit", unit},
+              {"unit", "mm"},
               {"error", MeanOver(results, [](const AblationResult& result) { return result.measure.error; })}};
   for (const char* key : {"error_low", "error_high", "errors", "seeds", "difference_to", "difference", "difference_low",
                           "difference_high", "steps", "parameters", "train_seconds", "infer_ms", "infer_threads"})
@@ -110,7 +110,7 @@ Json RowJson(const Results& results, const Results& references, const std::strin
   const PairedFaces differences = Differences(results, references);
   if (!references.empty() && references.front() != results.front() && !differences.errors.empty()) {
     row["difference_to"] = references.front()->name;
-    row["difference"] = eval::Mean(differences.errors);
+    row["difference"] = Mean(differences.errors);
     SetInterval(row, "difference", differences);
   }
   if (std::all_of(results.begin(), results.end(), [](const AblationResult* result) { return result->cost; })) {
@@ -129,75 +129,42 @@ Json RowJson(const Results& results, const Results& references, const std::strin
   return row;
 }
 
-/// A number as a table shows it, or a dash.
-std::string Cell(const Json& row, const std::string& key, const std::string& format) {
-  const Json value = row.value(key, Json());
-  if (value.is_null()) return "-";
-  if (value.is_string()) return value.get<std::string>();
-  return fmt::format(fmt::runtime(format), value.get<double>());
-}
-
-std::string IntervalCell(const Json& row, const std::string& key, const std::string& format) {
-  if (row.value(key + "_low", Json()).is_null()) return "-";
-  return Cell(row, key + "_low", format) + " to " + Cell(row, key + "_high", format);
-}
-
-std::string DifferenceCell(const Json& row) {
-  if (row.value("difference", Json()).is_null()) return "-";
-  return fmt::format("{} ({})", Cell(row, "difference", "{:+.2f}"), IntervalCell(row, "difference", "{:+.2f}"));
-}
-
-constexpr const char* kDifference = "difference";
-
-struct Column {
-  std::string title;  ///< "{unit}" stands for the unit of all errors.
-  std::function<std::string(const Json& row)> cell;
-};
-
-Column Number(const std::string& title, const std::string& key, const std::string& format) {
-  return {title, [key, format](const Json& row) { return Cell(row, key, format); }};
-}
-
-/// The columns of a split: those of every ablation, and of those that only some kinds of runs have the ones of which a
-/// row has an entry.
-std::vector<Column> ColumnsOf(const Json& table, const std::string& split) {
-  std::vector<Column> columns = {{"row", [](const Json& row) { return row.at("name").get<std::string>(); }}};
-  const auto any = [&](const std::string& key) {
-    return std::any_of(table.begin(), table.end(),
-                       [&](const Json& row) { return row.at("split") == split && !row.value(key, Json()).is_null(); });
+/// The columns of the rows of one split. The first one is in each row of table.json.
+std::vector<reports::Metric> ColumnsOf(const Json& rows, const std::vector<reports::Metric>& further) {
+  using reports::ShowInterval;
+  const std::string unit = rows.front().at("unit").get<std::string>();
+  const auto any = [&](const char* key) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Json& row) { return !row.value(key, Json()).is_null(); });
   };
-  const auto add_if_there = [&](const std::string& title, const std::string& key, const std::string& format) {
-    if (any(key)) columns.push_back(Number(title, key, format));
-  };
-  add_if_there("shape input", "shape_input", "{}");
-  columns.push_back(Number("paper {unit}", "paper", "{:.2f}"));
+  std::vector<reports::Metric> columns = {{.key = "paper", .title = "paper " + unit, .digits = 2}};
   if (any("measured_on")) {
-    columns.push_back(Number("validation {unit}", "error", "{:.3f}"));
+    columns.push_back({.key = "error", .title = "validation " + unit});
   } else {
-    columns.push_back(Number("{unit}", "error", "{:.3f}"));
-    columns.push_back({"95 % interval", [](const Json& row) { return IntervalCell(row, "error", "{:.2f}"); }});
-    columns.push_back({kDifference, DifferenceCell});
+    std::string difference = "difference";
+    for (const Json& row : rows)
+      if (const Json to = row.value("difference_to", Json()); to.is_string())
+        difference = "against " + to.get<std::string>();
+    columns.push_back({.key = "error", .title = unit, .interval = ShowInterval::kInColumn, .interval_digits = 2});
+    columns.push_back({.key = "difference",
+                       .title = difference,
+                       .digits = 2,
+                       .interval = ShowInterval::kInCell,
+                       .interval_digits = 2,
+                       .sign = true});
   }
-  add_if_there("p90", "p90", "{:.3f}");
-  add_if_there("p95 of vertices", "p95", "{:.2f}");
-  add_if_there("surface samples", "surface_sample_error_mm", "{:.3f}");
-  add_if_there("% of head", "percent_of_head_height", "{:.2f}");
-  add_if_there("normals, degrees", "normal_error_degrees", "{:.2f}");
-  add_if_there("flips", "flipped_triangles", "{:.1f}");
-  add_if_there("piercing pairs", "self_intersections", "{:.1f}");
-  add_if_there("validation at equal time", "validation_at_equal_time", "{:.3f}");
-  columns.push_back(Number("steps", "steps", "{:.0f}"));
-  columns.push_back(Number("parameters", "parameters", "{:.0f}"));
-  columns.push_back(Number("training s", "train_seconds", "{:.0f}"));
-  add_if_there("ms a face", "infer_ms", "{:.2f}");
-  columns.push_back({"seeds", [](const Json& row) { return fmt::format("{}", row.at("seeds").size()); }});
+  columns.insert(columns.end(), further.begin(), further.end());
+  columns.push_back({.key = "validation_at_equal_time", .title = "validation at equal time", .may_hide = true});
+  columns.push_back({.key = "steps", .title = "steps", .digits = 0});
+  columns.push_back({.key = "parameters", .title = "parameters", .digits = 0});
+  columns.push_back({.key = "train_seconds", .title = "training s", .digits = 0});
+  columns.push_back({.key = "infer_ms", .title = "ms a face", .digits = 2, .may_hide = true});
+  columns.push_back({.key = "num_seeds", .title = "seeds", .digits = 0});
   return columns;
 }
 
 }  // namespace
 
-Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit,
-                       const std::string& compare_to) {
+Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& compare_to) {
   Json table = Json::array();
   std::vector<std::string> splits;
   for (const AblationResult& result : results)
@@ -215,59 +182,46 @@ Json AblationTableJson(const std::vector<AblationResult>& results, const std::st
         same->push_back(&result);
       }
     }
-    const auto told = std::find_if(rows.begin(), rows.end(), [&](const Results& row) {
+    const auto reference = std::find_if(rows.begin(), rows.end(), [&](const Results& row) {
       return compare_to.empty() ? !row.front()->measure.face_errors.empty() : row.front()->name == compare_to;
     });
-    const Results references = told == rows.end() ? Results{} : *told;
+    const Results references = reference == rows.end() ? Results{} : *reference;
     for (const std::vector<Results>* list : {&baselines, &rows})
-      for (const Results& row : *list) table.push_back(RowJson(row, references, unit));
+      for (const Results& row : *list) table.push_back(RowJson(row, references));
   }
   return table;
 }
 
-std::vector<reports::ReportTable> AblationTables(const Json& table) {
+std::vector<reports::ReportTable> AblationTables(const Json& table, const std::vector<reports::Metric>& columns) {
   std::vector<reports::ReportTable> tables;
-  std::vector<Column> columns;
-  for (const Json& row : table) {
-    const std::string title = fmt::format("Split: {}", row.at("split").get<std::string>());
-    if (tables.empty() || tables.back().title != title) {
-      columns = ColumnsOf(table, row.at("split").get<std::string>());
-      tables.push_back({title, {}, {}});
-      for (const Column& column : columns)
-        tables.back().header.push_back(
-            fmt::format(fmt::runtime(column.title), fmt::arg("unit", row.at("unit").get<std::string>())));
+  for (size_t begin = 0, end = 0; begin < table.size(); begin = end) {
+    const Json& split = table[begin].at("split");
+    Json rows = Json::array();
+    for (; end < table.size() && table[end].at("split") == split; ++end) {
+      rows.push_back(table[end]);
+      rows.back()["num_seeds"] = rows.back().at("seeds").size();
     }
-    std::vector<std::string>& header = tables.back().header;
-    if (const Json to = row.value("difference_to", Json()); to.is_string())
-      std::replace(header.begin(), header.end(), std::string(kDifference), "against " + to.get<std::string>());
-    std::vector<std::string> cells;
-    cells.reserve(columns.size());
-    for (const Column& column : columns) cells.push_back(column.cell(row));
-    tables.back().rows.push_back(std::move(cells));
+    reports::MetricTable of_split{.columns = ColumnsOf(rows, columns)};
+    of_split.rows = reports::RowsFromJson(rows, of_split.columns);
+    tables.push_back(reports::TextTable(of_split, fmt::format("Split: {}", split.get<std::string>()), "row"));
   }
   return tables;
 }
 
-std::string AblationMarkdown(const Json& table) {
+std::string AblationMarkdown(const Json& table, const std::vector<reports::Metric>& columns) {
   std::string text;
-  for (const reports::ReportTable& one : AblationTables(table)) {
-    text += fmt::format("## {}\n\n| {} |\n|---|", one.title, fmt::join(one.header, " | "));
-    for (size_t column = 1; column < one.header.size(); ++column) text += "---:|";
-    text += "\n";
-    for (const auto& row : one.rows) text += fmt::format("| {} |\n", fmt::join(row, " | "));
-    text += "\n";
-  }
+  for (const reports::ReportTable& one : AblationTables(table, columns))
+    text += fmt::format("## {}\n\n{}\n", one.title, reports::TableMarkdown(one));
   return text + AblationFootnote() + "\n";
 }
 
 std::string AblationFootnote() {
   return "Errors are means over test faces and then over seeds. 95 % intervals come from a bootstrap over persons, "
          "each "
-         "with all of its test faces of all seeds; seeds are not resampled, and errors of each seed stand in "
-         "table.json. The difference is to one row, and paired by faces. The "
-         "paper's figures are of the paper's "
-         "own data. Milliseconds are the median of single faces on the CPU. Validation errors are the least of each "
-         "training.";
+         "with all of its test faces of all seeds; seeds are not resampled, and table.json has the errors of each "
+         "seed. "
+         "The difference is to one row, and paired by faces. The paper's figures are of the paper's own data. "
+         "Milliseconds are the median of single faces on the CPU. Validation errors are the least of each training.";
 }
 
 }  // namespace daumier::ablation

@@ -1,6 +1,6 @@
 #pragma once
-#include "reports/report.h"
-#include "ablation/task.h"
+#include "ablation/measure.h"
+#include "reports/metric_table.h"
 
 #include <optional>
 #include <string>
@@ -29,27 +29,26 @@ struct AblationResult {
   std::optional<RunCost> cost = {};  ///< Nothing where nothing was trained.
 };
 
-/// table.json: one object a split and row, splits and rows as they first stand in `results`, but free baselines before
-/// rows. Keys: name, split, baseline, paper, unit, error, error_low, error_high, errors, seeds, difference_to,
-/// difference, difference_low, difference_high, steps, parameters, train_seconds, infer_ms, infer_threads, and those of
+/// table.json: one object a split and row, splits and rows as they first stand in `results`, but baselines before rows.
+/// Keys: name, split, baseline, paper, unit, error, error_low, error_high, errors, seeds, difference_to, difference,
+/// difference_low, difference_high, steps, parameters, train_seconds, infer_ms, infer_threads, and those of
 /// AblationMeasure::more; null where unknown.
 ///   error                  of test faces, or where measured_on is "validation", of those: the mean over seeds of
-///   `errors`, one a seed; steps, costs and further numbers likewise error_low, error_high  95 % interval. Of one seed:
-///   the report's own. Of several: a bootstrap over persons
-///                          (eval::PersonBootstrap) of all test faces of all seeds; seeds are not resampled
-///   difference             error minus the error of `difference_to`, the row `compare_to`, or where it is empty the
-///                          split's first row that tells its face errors:
-///                          the mean over the test faces of all seeds that both have, and the same bootstrap of these
-///                          paired differences
+///                          `errors`, one a seed; steps, costs and further numbers likewise
+///   error_low, error_high  95 % interval. Of one seed: the report's own. Of several: PersonBootstrap of all test faces
+///                          of all seeds; seeds are not resampled
+///   difference             error minus the error of `difference_to`: the row `compare_to`, or if it is empty the first
+///                          row of the split that has face errors. The mean over the test faces of all seeds that both
+///                          have, and the same bootstrap of these paired differences
 /// @throws Error if two results on one split and seed have a different number of faces.
-Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& unit,
-                       const std::string& compare_to = "");
+Json AblationTableJson(const std::vector<AblationResult>& results, const std::string& compare_to = "");
 
-/// One table a split, for people. @throws Error if a key is missing.
-std::vector<reports::ReportTable> AblationTables(const Json& table);
+/// One table a split, for people; `columns` are shown between the errors and the costs if a row has their key
+/// (systems::System::summary_columns). @throws Error if a key is missing.
+std::vector<reports::ReportTable> AblationTables(const Json& table, const std::vector<reports::Metric>& columns);
 
 /// table.md: the tables, and how the intervals were made.
-std::string AblationMarkdown(const Json& table);
+std::string AblationMarkdown(const Json& table, const std::vector<reports::Metric>& columns);
 
 /// How intervals and differences were made, in a few sentences.
 std::string AblationFootnote();

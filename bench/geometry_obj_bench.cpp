@@ -1,11 +1,9 @@
-// Our OBJ reader beside OpenMesh's, on a quad sphere of the size of an ICT-FaceKit mesh (26,719 vertices) that is
-// written first.
+// Our OBJ reader of whole meshes and of vertices alone, on a quad sphere of the size of an ICT-FaceKit mesh (26,719
+// vertices) that is written first.
 #include "core/files.h"
 #include "geometry/obj.h"
 
 #include <benchmark/benchmark.h>
-#include <OpenMesh/Core/IO/MeshIO.hh>
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <cmath>
 #include <filesystem>
@@ -50,14 +48,5 @@ void OurReaderOfVerticesAlone(benchmark::State& state) {
   }
 }
 BENCHMARK(OurReaderOfVerticesAlone)->Unit(benchmark::kMillisecond);
-
-void OpenMeshsReader(benchmark::State& state) {
-  for (auto _ : state) {
-    OpenMesh::PolyMesh_ArrayKernelT<> mesh;
-    if (!OpenMesh::IO::read_mesh(mesh, MeshFile())) state.SkipWithError("OpenMesh cannot read the file");
-    benchmark::DoNotOptimize(mesh.n_vertices());
-  }
-}
-BENCHMARK(OpenMeshsReader)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,9 +1,8 @@
+#include "cli/system_table.h"
 #include "cli/verb.h"
 #include "core/files.h"
-#include "core/options.h"
-#include "ablation/ablation.h"
-#include "systems/deform/train/ablation.h"
-#include "systems/sketch/train/ablation.h"
+#include "core/process_task.h"
+#include "systems/training_library.h"
 
 #include <fmt/core.h>
 
@@ -12,34 +11,15 @@
 namespace daumier::cli {
 namespace {
 
-std::string Describe(ablation::RowState state) {
-  switch (state) {
-    case ablation::RowState::kToTrain:
-      return "to train";
-    case ablation::RowState::kToGoOn:
-      return "to go on with";
-    case ablation::RowState::kToEvaluate:
-      return "to evaluate";
-    case ablation::RowState::kDone:
-      return "done";
+void PrintPlan(const Json& plan, bool as_json) {
+  if (as_json) {
+    fmt::print("{}\n", plan.dump(2));
+    return;
   }
-  return "";
-}
-
-void PrintPlan(const std::vector<ablation::AblationStep>& steps, bool as_json) {
-  Json list = Json::array();
-  for (const ablation::AblationStep& step : steps) {
-    if (!as_json) fmt::print("seed {}  {:<8} {:<28} {}\n", step.seed, step.split, step.row, Describe(step.state));
-    list.push_back({{"row", step.row}, {"split", step.split}, {"seed", step.seed}, {"state", Describe(step.state)}});
+  for (const Json& step : plan) {
+    fmt::print("seed {}  {:<8} {:<28} {}\n", step.at("seed").get<uint64_t>(), step.at("split").get<std::string>(),
+               step.at("row").get<std::string>(), step.at("state").get<std::string>());
   }
-  if (as_json) fmt::print("{}\n", list.dump(2));
-}
-
-/// For the kind of runs that the base config tells by its `product`.
-std::unique_ptr<ablation::AblationTask> TaskOf(const ConfigArguments& config, const std::string& device) {
-  const ablation::Ablation ablation = ablation::LoadAblation(config.file, config.overrides, {});
-  if (ablation.rows.front().config.contains("product")) return std::make_unique<deform::DeformAblation>(device);
-  return std::make_unique<sketch::SketchAblation>(device);
 }
 
 }  // namespace
@@ -47,41 +27,36 @@ std::unique_ptr<ablation::AblationTask> TaskOf(const ConfigArguments& config, co
 Verb AblateVerb() {
   return {"ablate", "Train and evaluate every row of a table", [](CLI::App& command) {
             struct Arguments {
-              ConfigArguments config;
-              std::filesystem::path out;
-              std::vector<std::string> only;
+              systems::AblationRequest request;
               std::string device = "cpu";
-              bool dry_run = false, as_json = false;
+              bool as_json = false;
             };
             auto arguments = std::make_shared<Arguments>();
-            command.add_option("config", arguments->config.file, "TOML file of the table")->required();
-            command.add_option("overrides", arguments->config.overrides,
+            systems::AblationRequest& request = arguments->request;
+            command.add_option("config", request.config, "TOML file of the table")->required();
+            command.add_option("overrides", request.overrides,
                                "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
-            command.add_option("--out", arguments->out, "Folder of runs, reports, table and pictures")->required();
-            command.add_option("--only", arguments->only, "Rows to make, and what they need: NAME,NAME")
-                ->delimiter(',')
+            command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
+            command.add_option("--only", request.only, "A row to make, and what it needs; may be repeated")
                 ->allow_extra_args(false);
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.add_flag("--dry-run", arguments->dry_run, "Say what is done and what would be, and do nothing");
+            command.add_flag("--dry-run", request.dry_run, "Print what is done and what would be, and do nothing");
             command.add_flag("--json", arguments->as_json, "Machine-readable");
-            command.footer("The table:\n" + HelpText<ablation::AblationOptions>() + "Each of its [[rows]]:\n" +
-                           HelpText<ablation::AblationRowOptions>() +
-                           "[config] and [eval] of the table or of a row override the base config and the defaults of "
-                           "`daumier eval`; docs/formats.md tells more.");
+            command.footer(
+                "[config] and [eval] of the table or of a row override the base config and the defaults of `daumier eval`; "
+                "docs/formats.md lists the options of the table and of its [[rows]].");
             return [arguments] {
-              const std::unique_ptr<ablation::AblationTask> task = TaskOf(arguments->config, arguments->device);
-              const ablation::Ablation ablation =
-                  ablation::LoadAblation(arguments->config.file, arguments->config.overrides, task->references());
-              if (arguments->dry_run) {
-                PrintPlan(ablation::PlanAblation(ablation, *task, arguments->out, arguments->only), arguments->as_json);
-                return;
-              }
-              const Json table = ablation::RunAblation(ablation, *task, arguments->out, arguments->only);
+              systems::AblationRequest request = arguments->request;
+              request.device = ParseDevice(arguments->device);
+              const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
+              const systems::System& system = SystemOfConfig(library.ablation_config(request));
+              const Json result = library.ablate(request, system, TaskOfProcess());
+              if (request.dry_run) return PrintPlan(result, arguments->as_json);
               if (arguments->as_json) {
-                fmt::print("{}\n", table.dump(2));
+                fmt::print("{}\n", result.dump(2));
               } else {
-                fmt::print("{}\npictures: {}\n", ReadFile(arguments->out / "table.md"),
-                           (arguments->out / "index.html").string());
+                fmt::print("{}\npictures: {}\n", ReadFile(request.out / "table.md"),
+                           (request.out / "index.html").string());
               }
             };
           }};

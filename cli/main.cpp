@@ -3,7 +3,6 @@
 #include "core/interrupt.h"
 #include "core/log.h"
 #include "core/runtime.h"
-#include "tensor/runtime.h"
 
 #include <fmt/core.h>
 
@@ -37,7 +36,6 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     if (quiet) log::SetLevel(log::Level::kWarning);
     SetUpRuntime(threads);
-    tensor::SetUpTorch(threads);
     CatchInterrupts();
     action();
     return kDone;

@@ -1,37 +1,62 @@
+#include "cli/system_table.h"
 #include "cli/verb.h"
-#include "systems/sketch/train/predict_drawings.h"
+#include "core/error.h"
+#include "core/process_task.h"
+#include "systems/predict_files.h"
 
 #include <memory>
 
 namespace daumier::cli {
+namespace {
+
+struct PredictArguments {
+  std::filesystem::path run, out;
+  std::vector<std::string> inputs;  ///< Files, and key=value.
+  bool keep_frame = false, no_refine = false, deform = false;
+  std::string device = "cpu";
+};
+
+void Predict(const PredictArguments& arguments) {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> overrides;
+  for (const std::string& word : arguments.inputs) {
+    const bool is_option = word.find('=') != std::string::npos && !std::filesystem::exists(word);
+    if (is_option) overrides.push_back(word);
+    if (!is_option) files.emplace_back(word);
+  }
+  if (files.empty()) throw UsageError("predict needs at least one input file");
+  if (arguments.keep_frame) overrides.push_back("framing=keep");
+  if (arguments.no_refine) overrides.push_back("refine=false");
+  if (arguments.deform) overrides.push_back("deform=true");
+  const systems::System& system = SystemOfRun(arguments.run);
+  DAUMIER_CHECK(system.open != nullptr,
+                "{}: a run of the task '{}' has no predictions (expected a run of a task that reads drawings or images). "
+                "Name a run of 'sketch'",
+                arguments.run.string(), system.name);
+  const Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
+  const auto predictor = system.open(arguments.run, ParseDevice(arguments.device), options);
+  systems::PredictFiles(system, *predictor, arguments.run, files, arguments.out, options, TaskOfProcess());
+}
+
+}  // namespace
 
 Verb PredictVerb() {
   return {"predict", "Drawings to meshes and pictures", [](CLI::App& command) {
-            struct Arguments {
-              std::filesystem::path run, out;
-              std::vector<std::filesystem::path> inputs;
-              bool keep_frame = false, no_refine = false, deform = false;
-            };
-            auto arguments = std::make_shared<Arguments>();
+            auto arguments = std::make_shared<PredictArguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
             command
                 .add_option("inputs", arguments->inputs,
-                            "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines")
+                            "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines; and key=value")
                 ->required();
             command.add_flag("--keep-frame", arguments->keep_frame,
                              "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");
             command.add_flag("--no-refine", arguments->no_refine,
                              "Keep the network's own face; otherwise its contours are drawn to the strokes");
             command.add_flag("--deform", arguments->deform,
-                             "Then move the face's surface onto the strokes, beyond what the model of faces can say");
+                             "Then move the face's surface onto the strokes, beyond the model of faces");
+            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
             command.add_option("--out", arguments->out, "Folder to write")->required();
-            return [arguments] {
-              sketch::PredictOptions options;
-              options.framing = arguments->keep_frame ? sketch::Framing::kKeep : sketch::Framing::kFit;
-              options.refine = !arguments->no_refine;
-              options.deform = arguments->deform;
-              sketch::PredictSketches(arguments->run, arguments->inputs, arguments->out, options);
-            };
+            return [arguments] { Predict(*arguments); };
           }};
 }
 

@@ -1,8 +1,9 @@
+#include "cli/system_table.h"
 #include "cli/verb.h"
-#include "core/options.h"
-#include "systems/deform/train/training.h"
-#include "systems/sketch/options.h"
-#include "systems/sketch/train/training.h"
+#include "core/process_task.h"
+#include "systems/training_library.h"
+
+#include <fmt/core.h>
 
 #include <memory>
 
@@ -21,15 +22,19 @@ Verb TrainVerb() {
             command.add_option("overrides", arguments->config.overrides,
                                "key=value or table.key=value, in TOML syntax");
             command.add_option("--out", arguments->out, "Run folder")->required();
-            command.add_flag("--resume", arguments->resume, "Go on from the last checkpoint of the run folder");
+            command.add_flag("--resume", arguments->resume, "Resume from the last checkpoint of the run folder");
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.footer("Options of a sketch network:\n" + HelpText<sketch::SketchTrainingOptions>() +
-                           "Options of a deformable model, product = \"deform\":\n" +
-                           HelpText<deform::DeformTrainingOptions>());
+            std::string footer;
+            for (const systems::System& system : Systems())
+              footer += fmt::format("Options, system = \"{}\":\n{}", system.name, system.training_help());
+            command.footer(footer);
             return [arguments] {
               const Json config = arguments->config.Load();
-              const auto train = config.contains("product") ? deform::TrainDeform : sketch::TrainSketch;
-              train(config, arguments->out, arguments->resume, arguments->device);
+              const systems::System& system = SystemOfConfig(config);
+              const Json resolved = system.resolve_config(config, arguments->config.file.string());
+              const systems::RunPlace place{arguments->out, arguments->resume, ParseDevice(arguments->device)};
+              FolderCache databases;
+              systems::LoadTrainingLibrary().at(system.name).train(resolved, place, databases, TaskOfProcess());
             };
           }};
 }

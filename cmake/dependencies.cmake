@@ -13,18 +13,17 @@ find_path(DNNL_INCLUDE_DIR dnnl.h REQUIRED)
 # stands first serves LibTorch. The system's own choice (an alternative, OpenBLAS where it is installed) comes first here.
 find_library(SYSTEM_BLAS NAMES libblas.so.3 REQUIRED)
 find_library(SYSTEM_LAPACK NAMES liblapack.so.3 REQUIRED)
-add_library(system_blas INTERFACE)
-target_link_libraries(system_blas INTERFACE -Wl,--push-state,--no-as-needed ${SYSTEM_BLAS} ${SYSTEM_LAPACK} -Wl,--pop-state)
+add_library(blas_libraries INTERFACE)
+target_link_libraries(blas_libraries INTERFACE -Wl,--push-state,--no-as-needed ${SYSTEM_BLAS} ${SYSTEM_LAPACK} -Wl,--pop-state)
 
 add_library(base_libraries INTERFACE)
 target_link_libraries(base_libraries INTERFACE fmt::fmt spdlog::spdlog nlohmann_json::nlohmann_json
                       tomlplusplus::tomlplusplus OpenSSL::Crypto Threads::Threads)
 
-find_package(OpenMesh REQUIRED)
 find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)
 find_path(SPECTRA_INCLUDE_DIR Spectra/SymEigsSolver.h REQUIRED)
 add_library(mesh_libraries INTERFACE)
-target_link_libraries(mesh_libraries INTERFACE Eigen3::Eigen OpenMeshCore)
+target_link_libraries(mesh_libraries INTERFACE Eigen3::Eigen)
 target_include_directories(mesh_libraries SYSTEM INTERFACE ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR})
 
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
@@ -45,11 +44,10 @@ target_include_directories(archive_libraries SYSTEM INTERFACE ${HDF5_INCLUDE_DIR
 
 find_package(Ceres REQUIRED)
 add_library(solver_libraries INTERFACE)
-target_link_libraries(solver_libraries INTERFACE system_blas Ceres::ceres)
+target_link_libraries(solver_libraries INTERFACE blas_libraries Ceres::ceres)
 
 if(NOT DAUMIER_SANITIZE)
   find_package(Torch REQUIRED)
-  find_package(CLI11 REQUIRED)
   find_package(ONNX REQUIRED)
   if(NOT TARGET ONNX::onnx)  # Debian 12 exports the targets without a namespace.
     add_library(ONNX::onnx ALIAS onnx)
@@ -57,7 +55,7 @@ if(NOT DAUMIER_SANITIZE)
   endif()
 
   add_library(torch_libraries INTERFACE)
-  target_link_libraries(torch_libraries INTERFACE system_blas ${TORCH_LIBRARIES})
+  target_link_libraries(torch_libraries INTERFACE blas_libraries ${TORCH_LIBRARIES})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
     # at::parallel_for in our own files is serial unless they are compiled with OpenMP, in the run-time that LibTorch uses.
     find_package(OpenMP REQUIRED)
@@ -75,9 +73,11 @@ if(NOT DAUMIER_SANITIZE)
     target_link_libraries(onnx_libraries INTERFACE ${ONNXRUNTIME_LIBRARY})
     target_compile_definitions(onnx_libraries INTERFACE DAUMIER_HAS_ONNXRUNTIME)
   endif()
-  add_library(cli_libraries INTERFACE)
-  target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)
 endif()
+
+find_package(CLI11 REQUIRED)
+add_library(cli_libraries INTERFACE)
+target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)
 
 find_package(GTest REQUIRED)
 if(DAUMIER_BENCH)

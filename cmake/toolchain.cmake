@@ -11,7 +11,12 @@ option(DAUMIER_BENCH "Build the benchmarks" OFF)
 set(DAUMIER_DEBUG_INFO "" CACHE STRING "Debug information of release builds, for example -g1")
 
 add_compile_options(-Wall -Wextra ${DAUMIER_DEBUG_INFO})
-set_source_files_properties(cli/info.cpp PROPERTIES COMPILE_DEFINITIONS DAUMIER_VERSION="${PROJECT_VERSION}")
+# Rooms are linked into the program and into the training library. Without interposition position-independent code inlines
+# as a program's own does.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+add_compile_options(-fno-semantic-interposition)
+set_source_files_properties(cli/info.cpp cli/training/library.cpp systems/training_library.cpp
+                            PROPERTIES COMPILE_DEFINITIONS DAUMIER_VERSION="${PROJECT_VERSION}")
 
 find_program(ccache_program ccache)
 if(DAUMIER_CCACHE AND ccache_program)

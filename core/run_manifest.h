@@ -1,5 +1,8 @@
 #pragma once
+#include "core/manifest.h"
+
 #include <filesystem>
+#include <string>
 
 /// Paths in a run folder, the one definition of its layout (docs/formats.md). The manifest names files relative to the
 /// folder.
@@ -35,5 +38,16 @@ inline std::filesystem::path ReportDirectory(const std::filesystem::path& run) {
 inline std::filesystem::path ReportMetrics(const std::filesystem::path& run) {
   return ReportDirectory(run) / "metrics.json";
 }
+
+/// The exported graph of a finished run, beside the weights that it holds.
+inline constexpr const char* kBestGraph = "best/model.onnx";
+
+/// The task that a run was trained for: details.system; of runs of earlier versions details.product, or "sketch".
+std::string SystemOf(const Manifest& run);
+
+/// The manifest of the run folder `directory`, which has best weights.
+/// @throws Error naming file, cause and repair if `directory` is no run folder, is a run of another task than `system`
+/// (unless that is empty), has no best weights yet, or if a file differs from its checksum.
+Manifest ReadFinishedRun(const std::filesystem::path& directory, const std::string& system = "");
 
 }  // namespace daumier

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -72,6 +73,8 @@ std::string OneDnnVersion() {
   return fmt::format("oneDNN {}.{}.{}", version->major, version->minor, version->patch);
 }
 
+std::atomic<int> asked_threads = 0;  ///< 0: all cores.
+
 std::string OneDnnKernel() {
   auto* const isa_of = FindFunction<decltype(dnnl_get_effective_cpu_isa)>("dnnl_get_effective_cpu_isa");
   if (isa_of == nullptr) return "unknown";
@@ -116,13 +119,18 @@ int NumCores() {
   return std::max(1, quota > 0 ? std::min(quota, num_allowed) : num_allowed);
 }
 
+int NumThreads() {
+  return asked_threads > 0 ? asked_threads.load() : NumCores();
+}
+
 void SetUpRuntime(int threads) {
   if (threads < 0) throw UsageError(fmt::format("cannot compute with {} threads", threads));
+  asked_threads = threads;
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 256 << 20);
   if (auto* const set_num_threads = FindFunction<void(int)>("omp_set_num_threads")) {
-    set_num_threads(threads > 0 ? threads : NumCores());
+    set_num_threads(NumThreads());
   }
 }
 

@@ -19,6 +19,9 @@ int CoresOfQuota(std::string_view quota_and_period);
 /// @throws UsageError if `threads` is negative.
 void SetUpRuntime(int threads);
 
+/// Threads that SetUpRuntime was asked for; all cores before it or where it was asked for 0.
+int NumThreads();
+
 /// Who multiplies matrices.
 struct BlasInfo {
   std::string library;  ///< Float products: "oneDNN 2.6.3", or a library's path; "none" where the program has none.

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/json.h"
 #include "core/options.h"
 
 #include <cstdint>
@@ -73,5 +74,18 @@ struct TrainingSummary {
   int64_t best_epoch = 0;
   double seconds = 0;  ///< Of training, across resumes.
 };
+
+/// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
+Json WithAbsoluteData(Json config, const std::string& where);
+
+/// A config of an earlier version, which has `product` in the place of `system`, as one of today; others unchanged.
+Json WithSystemKey(Json config);
+
+/// The options of a training with WithSystemKey and WithAbsoluteData. @throws UsageError as ParseOptions.
+template <class Options>
+Options ParseTraining(const Json& config, const std::string& where) {
+  const Json resolved = ToJson(ParseOptions<Options>(WithSystemKey(config), where));
+  return ParseOptions<Options>(WithAbsoluteData(resolved, where), where);
+}
 
 }  // namespace daumier

@@ -45,6 +45,15 @@ double MeanVertexError(std::span<const float> predicted, std::span<const float> 
   return mm_per_cm * sum / double(region.size());
 }
 
+double MeanVertexDistance(const FaceRows& predicted, const FaceRows& truth) {
+  DAUMIER_CHECK(predicted.rows() == truth.rows() && truth.rows() > 0, "{} faces were predicted of {}", predicted.rows(),
+                truth.rows());
+  double sum = 0;
+  for (size_t i = 0; i < size_t(truth.rows()); ++i)
+    sum += Mean(VertexErrors(RowSpan(predicted, i), RowSpan(truth, i), 1));
+  return sum / double(truth.rows());
+}
+
 double VertexDistance(std::span<const float> face, int vertex_a, int vertex_b) {
   double squared = 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/statistics.h"
+#include "eval/face_rows.h"
 
 #include <span>
 #include <vector>
@@ -15,6 +16,10 @@ std::vector<double> VertexErrors(std::span<const float> predicted, std::span<con
 /// a vertex that the face has not.
 double MeanVertexError(std::span<const float> predicted, std::span<const float> truth, std::span<const int> region,
                        double mm_per_cm);
+
+/// Mean distance of all vertices of all faces (n x 3V, one row a face), in the unit of the faces. @throws Error if the
+/// sizes differ, there is no vertex, or a distance is not finite.
+double MeanVertexDistance(const FaceRows& predicted, const FaceRows& truth);
 
 /// Distance of two vertices of a face in cm, for example of the outer corners of the eyes, landmarks 36 and 45.
 double VertexDistance(std::span<const float> face, int vertex_a, int vertex_b);

@@ -4,10 +4,10 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/run_manifest.h"
+#include "core/run_manifest.h"
 #include "core/staged_directory.h"
 #include "export/onnx_export.h"
 #include "export/onnx_graph.h"
-#include "faces/face_database.h"
 
 namespace daumier::exporting {
 namespace {
@@ -42,7 +42,7 @@ Json WriteExport(const RunExport& run, const fs::path& out_directory) {
     WriteFileAtomically(staged.path() / name, bytes);
     manifest.checksums[name] = Sha256(bytes);
   };
-  write("model.onnx", ExportToOnnx(run.module, run.function).SerializeAsString());
+  write("model.onnx", ExportToOnnx(*run.module, run.function).SerializeAsString());
 
   const fs::path scratch = staged.path() / "scratch";
   MakeDirectory(scratch);
@@ -54,12 +54,19 @@ Json WriteExport(const RunExport& run, const fs::path& out_directory) {
   }
   const Json report = ParityToJson(parity);
   write("parity.json", report.dump(2) + "\n");
-  write("model_card.md", run.model_card(parity, metrics));
+  write("model_card.md", ModelCard(run.card, run.run_manifest, parity, metrics));
   if (run.write_rest) manifest.checksums.merge(run.write_rest(staged.path()));
-  manifest.checksums.merge(faces::WriteFaceTemplate(staged.path(), run.face_template));
   WriteManifest(staged.path(), manifest);
   staged.Commit();
   return report;
+}
+
+void StoreGraph(const RunExport& run) {
+  const std::string bytes = ExportToOnnx(*run.module, run.function).SerializeAsString();
+  WriteFileAtomically(run.run_directory / kBestGraph, bytes);
+  Manifest manifest = ReadManifest(run.run_directory, "run");
+  manifest.checksums[kBestGraph] = Sha256(bytes);
+  WriteManifest(run.run_directory, manifest);
 }
 
 }  // namespace daumier::exporting

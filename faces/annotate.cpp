@@ -202,19 +202,23 @@ AnnotatedTemplate Annotate(const PolygonMesh& mesh, const AnnotationFile& file, 
   face.neutral = geometry::SelectPoints(mesh.vertices, map);
   Annotation& annotation = face.annotation;
   const PolygonMesh kept = geometry::Submesh(mesh, map);
+  geometry::TriangleMesh surface;
   if (completeness == Completeness::kComplete) {
     DAUMIER_CHECK(source_mesh.mirror().has_value(), "annotation of {}: the mesh is not its own mirror image", source);
     annotation.mirror = KeptMirror(*source_mesh.mirror(), map);
-    face.triangles = geometry::Triangulate(kept, annotation.mirror);
+    surface = geometry::TriangulateMesh(kept, annotation.mirror);
   } else {
     try {
       if (source_mesh.mirror()) annotation.mirror = KeptMirror(*source_mesh.mirror(), map);
-      face.triangles = geometry::Triangulate(kept, annotation.mirror);
+      surface = geometry::TriangulateMesh(kept, annotation.mirror);
     } catch (const Error&) {  // Its vertices are symmetric, but not its crop or its polygons.
       annotation.mirror.clear();
-      face.triangles = geometry::Triangulate(kept);
+      surface = geometry::TriangulateMesh(kept);
     }
   }
+  face.triangles = std::move(surface.triangles);
+  face.uv = std::move(surface.uv);
+  face.uv_triangles = std::move(surface.uv_triangles);
   geometry::CheckManifold(face.triangles, face.num_vertices());
 
   for (int i = 0; i < 68; ++i) annotation.landmarks[i] = Kept(map, file.landmarks[i], fmt::format("landmark {}", i));

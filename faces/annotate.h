@@ -20,11 +20,11 @@ enum class Completeness {
 
 /// Crops a source's mean neutral face (cm) along the cuts (without a crop the whole mesh is kept), triangulates it by
 /// the mirrored rule, traces the curves along polygon edges, fills the regions, and closes lips and eyes. Promises:
-/// every curve runs along mesh edges; a mirrored curve is the mirror image vertex by vertex. If complete: the mesh is
-/// its own mirror image, of one component without non-manifold edges, its holes the mouth, two eyes and the neck.
-/// Otherwise: the mirror map is empty where the mesh is not its own mirror image; the region `face` is all vertices
-/// unless told, and a region that is neither told nor has its hole is not there; the face stands upright, looks to +z
-/// and measures 5 to 60 cm from chin to hairline.
+/// every curve runs along mesh edges; a mirrored curve is the mirror image vertex by vertex; UV follows its corners. If
+/// complete: the mesh is its own mirror image, of one component without non-manifold edges, its holes the mouth, two
+/// eyes and the neck. Otherwise: the mirror map is empty where the mesh is not its own mirror image; the region `face`
+/// is all vertices unless told, and a region that is neither told nor has its hole is not there; the face stands
+/// upright, looks to +z and measures 5 to 60 cm from chin to hairline.
 /// @throws Error naming the annotation's entry that does not fit the mesh.
 AnnotatedTemplate Annotate(const geometry::PolygonMesh& mesh, const AnnotationFile& file, const std::string& source,
                            Completeness completeness = Completeness::kComplete);

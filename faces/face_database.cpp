@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "geometry/corner_uv.h"
 
 #include <algorithm>
 #include <map>
@@ -10,7 +11,8 @@
 namespace daumier::faces {
 namespace {
 
-constexpr int kTemplateVersion = 1;
+/// A template without UV is version 1, with UV version 2: files without UV keep the bytes that they always had.
+constexpr int kTemplateVersion = 1, kTemplateVersionWithUv = 2;
 constexpr const char* kTemplateArrays = "template.safetensors";
 constexpr const char* kTemplateText = "template.json";
 const std::string kRegionPrefix = "region/";
@@ -28,10 +30,11 @@ void AddIndices(SafetensorsWriter& writer, const std::string& name, const std::v
 
 template <class Matrix>
 Matrix ReadMatrix(const SafetensorsFile& file, const std::filesystem::path& path, const std::string& name) {
+  constexpr int kColumns = Matrix::ColsAtCompileTime;
   const ArrayView& array = file.at(name);
-  DAUMIER_CHECK(array.shape.size() == 2 && array.shape[1] == 3, "{}: array {} does not have 3 columns", path.string(),
-                name);
-  return Eigen::Map<const Matrix>(array.As<typename Matrix::Scalar>().data(), array.shape[0], 3);
+  DAUMIER_CHECK(array.shape.size() == 2 && array.shape[1] == kColumns, "{}: array {} does not have {} columns",
+                path.string(), name, kColumns);
+  return Eigen::Map<const Matrix>(array.As<typename Matrix::Scalar>().data(), array.shape[0], kColumns);
 }
 
 std::vector<int> ToVector(const ArrayView& array) {
@@ -73,6 +76,19 @@ void CheckIndices(const FaceTemplate& face, const std::filesystem::path& directo
   }
   for (const auto& [name, vertices] : face.annotation.regions) {
     for (const int vertex : vertices) check("region " + name, vertex);
+  }
+}
+
+/// @throws Error unless the file holds UV of every corner of the open surface.
+void ReadUv(const SafetensorsFile& arrays, const std::filesystem::path& path, FaceTemplate& face) {
+  face.uv = ReadMatrix<geometry::TextureCoordinates>(arrays, path, "uv");
+  face.uv_triangles = ReadMatrix<geometry::Triangles>(arrays, path, "uv_triangles");
+  DAUMIER_CHECK(face.has_uv(), "{}: uv is empty (expected at least one row in format version {})", path.string(),
+                kTemplateVersionWithUv);
+  try {
+    geometry::CheckUv(SurfaceMesh(face, face.neutral));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
   }
 }
 
@@ -121,17 +137,22 @@ std::string FaceShardName(int num_persons, int shard) {
 std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory,
                                                      const FaceTemplate& face_template) {
   const Annotation& annotation = face_template.annotation;
+  geometry::CheckUv(SurfaceMesh(face_template, face_template.neutral));
   SafetensorsWriter arrays;
   arrays.SetMetadata("kind", "face template");
   AddMatrix(arrays, "neutral", face_template.neutral);
   AddMatrix(arrays, "triangles", face_template.triangles);
   AddMatrix(arrays, "closing_triangles", face_template.closing_triangles);
+  if (face_template.has_uv()) {
+    AddMatrix(arrays, "uv", face_template.uv);
+    AddMatrix(arrays, "uv_triangles", face_template.uv_triangles);
+  }
   AddIndices(arrays, "mirror", annotation.mirror);
   for (const auto& [name, vertices] : annotation.regions) AddIndices(arrays, kRegionPrefix + name, vertices);
 
   Json curves = Json::array();
   for (const FeatureCurve& curve : annotation.curves) curves.push_back(CurveToJson(curve));
-  const Json text = {{"format_version", kTemplateVersion},
+  const Json text = {{"format_version", face_template.has_uv() ? kTemplateVersionWithUv : kTemplateVersion},
                      {"source", face_template.source},
                      {"provenance", face_template.provenance},
                      {"num_eye_closing_triangles", face_template.num_eye_closing_triangles},
@@ -146,11 +167,13 @@ std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path
 FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory) {
   FaceTemplate result;
   const auto text_path = directory / kTemplateText, arrays_path = directory / kTemplateArrays;
+  int version = 0;
   try {
     const Json text = Json::parse(ReadFile(text_path));
-    const int version = text.at("format_version").get<int>();
-    DAUMIER_CHECK(version == kTemplateVersion, "{}: format version {} is not known to this program, which reads {}",
-                  text_path.string(), version, kTemplateVersion);
+    version = text.at("format_version").get<int>();
+    DAUMIER_CHECK(version == kTemplateVersion || version == kTemplateVersionWithUv,
+                  "{}: format version {} is not supported (expected {} or {}). Read it with the program that wrote it.",
+                  text_path.string(), version, kTemplateVersion, kTemplateVersionWithUv);
     result.source = text.at("source").get<std::string>();
     result.provenance = text.at("provenance");
     result.num_eye_closing_triangles = text.at("num_eye_closing_triangles").get<int>();
@@ -171,6 +194,7 @@ FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory) {
     }
   }
   CheckIndices(result, directory);
+  if (version == kTemplateVersionWithUv) ReadUv(arrays, arrays_path, result);
   return result;
 }
 

@@ -83,7 +83,8 @@ std::string PersonShardName(int person);
 /// Shard `shard` of a database: those of the persons come first, then shards/interpolated-00000.safetensors and on.
 std::string FaceShardName(int num_persons, int shard);
 
-/// Writes / reads template.safetensors and template.json in `directory`. Returns name -> checksum of the files written.
+/// Writes / reads template.safetensors and template.json in `directory`: format version 2 if the template has UV, else
+/// version 1. Returns name -> checksum of the files written.
 std::map<std::string, std::string> WriteFaceTemplate(const std::filesystem::path& directory,
                                                      const FaceTemplate& face_template);
 /// @throws Error naming file and cause: missing, damaged, of a newer version, or indices that are not vertices.

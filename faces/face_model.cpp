@@ -38,6 +38,12 @@ void DrawControl(const IdentityControl& control, double sigma, Rng& rng, Eigen::
 
 }  // namespace
 
+geometry::TriangleMesh SurfaceMesh(const FaceTemplate& face_template, const geometry::Points& vertices) {
+  DAUMIER_CHECK(vertices.rows() == face_template.num_vertices(), "a face of {} vertices, expected {}", vertices.rows(),
+                face_template.num_vertices());
+  return {vertices, face_template.triangles, face_template.uv, face_template.uv_triangles};
+}
+
 double MillimetresPerCm(const FaceTemplate& face_template) {
   const double height = face_template.neutral(face_template.annotation.hairline_vertex, 1) -
                         face_template.neutral(face_template.annotation.landmarks[kChin], 1);

@@ -21,9 +21,15 @@ struct FaceTemplate {
       closing_triangles;  ///< Close lips and eyes for rendering; never part of a metric. Uses existing vertices.
   int num_eye_closing_triangles = 0;  ///< The first so many of closing_triangles close the eyes, the rest the mouth.
   Annotation annotation;
+  geometry::TextureCoordinates uv{};   ///< T x 2; empty where the source has no UV. closing_triangles have none.
+  geometry::Triangles uv_triangles{};  ///< Row of `uv` at each corner, parallel to `triangles`.
 
   int num_vertices() const { return static_cast<int>(neutral.rows()); }
+  bool has_uv() const { return uv.rows() > 0; }
 };
+
+/// The open surface of the template at other positions, with its UV. @throws Error unless `vertices` is V x 3.
+geometry::TriangleMesh SurfaceMesh(const FaceTemplate& face_template, const geometry::Points& vertices);
 
 /// Millimetres of error per centimetre of the source: 200 mm / (height of the mean neutral face from landmark 8, the
 /// chin, to the hairline vertex, along y). One scale a database; no scaling of single faces.

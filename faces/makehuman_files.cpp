@@ -31,7 +31,16 @@ geometry::PolygonMesh BodyOf(const geometry::PolygonMesh& mesh, const std::strin
   return result;
 }
 
-/// three.js JSON 3.1: flat vertices, and faces of ten numbers each, of which 1..4 are the corners of a quad.
+/// The first layer of UV of three.js JSON, flat; empty if there is none.
+geometry::TextureCoordinates ReadUv(const Json& json, const std::filesystem::path& file) {
+  if (!json.contains("uvs") || json.at("uvs").empty()) return {};
+  const auto values = json.at("uvs").at(0).get<std::vector<double>>();
+  DAUMIER_CHECK(values.size() % 2 == 0, "{}: unexpected number of UV", file.string());
+  return Eigen::Map<const geometry::TextureCoordinates>(values.data(), static_cast<Eigen::Index>(values.size() / 2), 2);
+}
+
+/// three.js JSON 3.1: flat vertices and UV, and faces of ten numbers each: 1..4 are the corners of a quad, 6..9 their
+/// UV.
 geometry::PolygonMesh ParseThreeJson(const std::filesystem::path& file) {
   Json json;
   try {
@@ -43,12 +52,18 @@ geometry::PolygonMesh ParseThreeJson(const std::filesystem::path& file) {
                   "{}: unexpected number of vertices or faces", file.string());
     geometry::PolygonMesh mesh;
     mesh.vertices = Eigen::Map<const geometry::Points>(coordinates.data(), coordinates.size() / 3, 3);
+    mesh.uv = ReadUv(json, file);
     for (size_t face = 0; face < faces.size(); face += kRecord) {
       for (int corner = 1; corner <= 4; ++corner) {
         const int vertex = faces[face + corner];
         DAUMIER_CHECK(vertex >= 0 && vertex < mesh.vertices.rows(), "{}: a face names vertex {}", file.string(),
                       vertex);
         mesh.corners.push_back(vertex);
+        if (!mesh.has_uv()) continue;
+        const int row = faces[face + corner + 5];
+        DAUMIER_CHECK(row >= 0 && row < mesh.uv.rows(), "{}: a face names UV {}, there are {}", file.string(), row,
+                      mesh.uv.rows());
+        mesh.uv_corners.push_back(row);
       }
       mesh.offsets.push_back(static_cast<int>(mesh.corners.size()));
     }

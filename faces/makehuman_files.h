@@ -11,7 +11,7 @@ namespace daumier::faces {
 
 /// MakeHuman's base mesh and morph targets as they lie on disk, in the source's decimetres and vertex numbers.
 struct MakeHumanFiles {
-  geometry::PolygonMesh body;  ///< The body alone, without clothes helpers and joints: vertices 0..13379.
+  geometry::PolygonMesh body;  ///< The body alone, with its UV, without clothes helpers and joints: vertices 0..13379.
   std::vector<std::string>
       target_names;  ///< Paths below targets/ without extension, sorted: "nose/nose-hump-morehump".
   /// The displacement of the body's vertices. @throws Error if there is no such target, or it is malformed.

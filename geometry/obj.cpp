@@ -2,11 +2,14 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "geometry/corner_uv.h"
+#include "geometry/polygon_collector.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace daumier::geometry {
 namespace {
@@ -15,34 +18,39 @@ namespace {
 class LineReader {
  public:
   LineReader(std::string_view text, std::string_view name)
-      : name_(name), next_(text.data()), end_(text.data() + text.size()) {}
+      : name_(name), next_(text.data()), end_(text.data() + text.size()) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) next_ += kByteOrderMark.size();
+  }
 
-  /// Moves to the next line; false after the last.
+  /// Moves to the first character of the next line that is not blank; false after the last line.
   bool Next() {
     if (next_ == end_) return false;
     ++number_;
     position_ = next_;
     const void* newline = std::memchr(next_, '\n', end_ - next_);
-    is_cut_ = newline == nullptr;
-    line_end_ = is_cut_ ? end_ : static_cast<const char*>(newline);
-    next_ = is_cut_ ? end_ : line_end_ + 1;
+    line_end_ = newline == nullptr ? end_ : static_cast<const char*>(newline);
+    next_ = newline == nullptr ? end_ : line_end_ + 1;
     if (line_end_ > position_ && line_end_[-1] == '\r') --line_end_;
+    SkipBlanks();
     return true;
   }
 
   /// Whether the line is `keyword` followed by a blank; moves behind it.
-  bool Accept(char keyword) {
-    if (line_end_ - position_ < 2 || position_[0] != keyword || (position_[1] != ' ' && position_[1] != '\t'))
-      return false;
-    position_ += 2;
-    Check(!is_cut_, "the last line has no line end: the file is cut");
+  bool Accept(std::string_view keyword) {
+    const std::string_view rest(position_, static_cast<size_t>(line_end_ - position_));
+    if (rest.size() <= keyword.size() || !rest.starts_with(keyword) || !IsBlank(rest[keyword.size()])) return false;
+    position_ += keyword.size() + 1;
     return true;
   }
 
   bool AtEnd() {
-    while (position_ != line_end_ && (*position_ == ' ' || *position_ == '\t')) ++position_;
+    SkipBlanks();
     return position_ == line_end_ || *position_ == '#';
   }
+
+  /// Whether a word ends here.
+  bool AtWordEnd() const { return position_ == line_end_ || IsBlank(*position_) || *position_ == '#'; }
 
   bool Skip(char c) {
     if (position_ == line_end_ || *position_ != c) return false;
@@ -65,16 +73,20 @@ class LineReader {
   std::string_view name() const { return name_; }
 
  private:
+  static bool IsBlank(char c) { return c == ' ' || c == '\t'; }
+  void SkipBlanks() {
+    while (position_ != line_end_ && IsBlank(*position_)) ++position_;
+  }
+
   std::string_view name_;
   const char* next_;
   const char* end_;
   const char* position_ = nullptr;
   const char* line_end_ = nullptr;
   int number_ = 0;
-  bool is_cut_ = false;
 };
 
-/// The three coordinates behind a `v`. What may follow (a weight or a colour) is passed over.
+/// The three coordinates behind a `v`. What may follow (a weight or a colour) is skipped.
 void ReadVertex(LineReader& line, double* out) {
   for (int k = 0; k < 3; ++k) {
     line.Check(!line.AtEnd(), "a vertex needs three coordinates");
@@ -83,67 +95,114 @@ void ReadVertex(LineReader& line, double* out) {
   }
 }
 
-/// 0-based vertex of the corner that comes next: v, v/vt, v//vn or v/vt/vn, told by `form` (0, 1, 2, 3).
-int ReadCorner(LineReader& line, int num_vertices, int& form) {
-  const int index = line.Read<int>("a corner is not a vertex number");
-  form = 0;
-  if (line.Skip('/')) {
-    if (line.Skip('/')) {
-      form = 2;
-      line.Read<int>("a corner is not of the form v//vn");
-    } else {
-      form = 1;
-      line.Read<int>("a corner is not of the form v/vt");
-      if (line.Skip('/')) {
-        form = 3;
-        line.Read<int>("a corner is not of the form v/vt/vn");
-      }
-    }
-  }
-  const int vertex = index > 0 ? index - 1 : num_vertices + index;
-  line.Check(index != 0 && vertex >= 0, "a corner is not a vertex number");
-  return vertex;
+/// u and v behind a `vt`; v is 0 where it is absent. A third coordinate is skipped.
+void ReadUv(LineReader& line, double* out) {
+  line.Check(!line.AtEnd(), "a texture coordinate needs a number");
+  out[0] = line.Read<double>("a texture coordinate is not a number");
+  out[1] = line.AtEnd() ? 0.0 : line.Read<double>("a texture coordinate is not a number");
 }
 
-void ReadPolygon(LineReader& line, int num_vertices, PolygonMesh& mesh) {
-  const size_t first = mesh.corners.size();
-  int first_form = -1;
-  while (!line.AtEnd()) {
-    int form = 0;
-    const int vertex = ReadCorner(line, num_vertices, form);
-    line.Check(first_form == -1 || form == first_form, "corners of different forms in one polygon");
-    line.Check(std::find(mesh.corners.begin() + first, mesh.corners.end(), vertex) == mesh.corners.end(),
-               "a vertex comes twice in one polygon");
-    first_form = form;
-    mesh.corners.push_back(vertex);
+/// Row of a table of `count` rows so far from OBJ's index, which counts from 1, or back from -1. -1 if there is none.
+int RowOf(int index, int count) {
+  return index > 0 ? index - 1 : index < 0 ? std::max(-1, count + index) : -1;
+}
+
+/// Vertex and row of UV of a corner.
+struct Corner {
+  int vertex;
+  int uv;
+};
+
+/// The corner that comes next: v, v/vt, v//vn or v/vt/vn; vt and vn may be empty.
+Corner ReadCorner(LineReader& line, int num_vertices, int num_uv) {
+  Corner corner{RowOf(line.Read<int>("a corner is not a vertex number"), num_vertices), PolygonCollector::kNoUv};
+  line.Check(corner.vertex >= 0, "a corner is not a vertex number");
+  if (!line.Skip('/')) {
+    line.Check(line.AtWordEnd(), "a corner is not a vertex number");
+    return corner;
   }
-  line.Check(mesh.corners.size() - first >= 3, "a polygon needs three corners");
-  mesh.offsets.push_back(static_cast<int>(mesh.corners.size()));
+  if (!line.AtWordEnd() && !line.Skip('/')) {
+    const int index = line.Read<int>("a corner is not of the form v/vt");
+    corner.uv = RowOf(index, num_uv);
+    line.Check(corner.uv >= 0 || index == 0 || num_uv == 0, "a corner is not of the form v/vt: there is no such vt");
+    if (line.AtWordEnd()) return corner;
+    line.Check(line.Skip('/'), "a corner is not of the form v/vt");
+  }
+  if (!line.AtWordEnd()) line.Read<int>("a corner is not of the form v/vt/vn");
+  line.Check(line.AtWordEnd(), "a corner is not of the form v/vt/vn");
+  return corner;
+}
+
+/// Vertices and UV of the corners of one polygon; kept between polygons to spare allocations.
+struct Polygon {
+  std::vector<int> corners, uv_corners;
+};
+
+void ReadPolygon(LineReader& line, int num_vertices, int num_uv, Polygon& polygon) {
+  polygon.corners.clear();
+  polygon.uv_corners.clear();
+  while (!line.AtEnd()) {
+    const Corner corner = ReadCorner(line, num_vertices, num_uv);
+    polygon.corners.push_back(corner.vertex);
+    polygon.uv_corners.push_back(corner.uv);
+  }
+  line.Check(polygon.corners.size() >= 3, "a polygon needs three corners");
+}
+
+/// `v` and `vt` lines.
+std::string VertexLines(const Points& vertices, const TextureCoordinates& uv) {
+  std::string text;
+  for (const auto& p : vertices.rowwise()) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+  for (const auto& t : uv.rowwise()) text += fmt::format("vt {} {}\n", t.x(), t.y());
+  return text;
+}
+
+/// An `f` line; `uv_corners` is null without UV.
+void AppendPolygon(const int* corners, const int* uv_corners, int size, std::string& text) {
+  text += 'f';
+  const auto out = std::back_inserter(text);
+  for (int k = 0; k < size; ++k) {
+    fmt::format_to(out, " {}", corners[k] + 1);
+    if (uv_corners != nullptr) fmt::format_to(out, "/{}", uv_corners[k] + 1);
+  }
+  text += '\n';
 }
 
 }  // namespace
 
 PolygonMesh ParseObj(std::string_view text, std::string_view name) {
   LineReader line(text, name);
-  std::vector<double> coordinates;
+  std::vector<double> coordinates, uv_coordinates;
   coordinates.reserve(text.size() / 32);
-  PolygonMesh mesh;
-  mesh.corners.reserve(text.size() / 32);
+  const auto num_vertices = [&] { return static_cast<int>(coordinates.size() / 3); };
+  const auto num_uv = [&] { return static_cast<int>(uv_coordinates.size() / 2); };
+  PolygonCollector collector;
+  Polygon polygon;
+  int highest = -1, highest_uv = -1;
   while (line.Next()) {
-    if (line.Accept('v')) {
+    if (line.Accept("v")) {
       coordinates.resize(coordinates.size() + 3);
       ReadVertex(line, coordinates.data() + coordinates.size() - 3);
-    } else if (line.Accept('f')) {
-      ReadPolygon(line, static_cast<int>(coordinates.size() / 3), mesh);
+    } else if (line.Accept("vt")) {
+      uv_coordinates.resize(uv_coordinates.size() + 2);
+      ReadUv(line, uv_coordinates.data() + uv_coordinates.size() - 2);
+    } else if (line.Accept("f")) {
+      ReadPolygon(line, num_vertices(), num_uv(), polygon);
+      for (const int v : polygon.corners) highest = std::max(highest, v);
+      for (const int t : polygon.uv_corners) highest_uv = std::max(highest_uv, t);
+      collector.Add(polygon.corners, polygon.uv_corners);
     }
   }
-  const int num_vertices = static_cast<int>(coordinates.size() / 3);
-  DAUMIER_CHECK(num_vertices > 0, "{}: no vertex; is this an OBJ file?", name);
-  DAUMIER_CHECK(mesh.num_polygons() > 0, "{}: {} vertices but no polygon: the file is cut", name, num_vertices);
-  const int highest = *std::max_element(mesh.corners.begin(), mesh.corners.end());
-  DAUMIER_CHECK(highest < num_vertices, "{}: a polygon uses vertex {} of {}: the file is cut", name, highest + 1,
-                num_vertices);
-  mesh.vertices = Eigen::Map<const Points>(coordinates.data(), num_vertices, 3);
+  DAUMIER_CHECK(num_vertices() > 0, "{}: no vertex; is this an OBJ file?", name);
+  DAUMIER_CHECK(highest < num_vertices(), "{}: a polygon uses vertex {} of {}: the file is cut", name, highest + 1,
+                num_vertices());
+  DAUMIER_CHECK(num_uv() == 0 || highest_uv < num_uv(),
+                "{}: a polygon uses texture coordinate {} of {}: the file is cut", name, highest_uv + 1, num_uv());
+  PolygonMesh mesh =
+      std::move(collector).Finish(Eigen::Map<const Points>(coordinates.data(), num_vertices(), 3),
+                                  Eigen::Map<const TextureCoordinates>(uv_coordinates.data(), num_uv(), 2), name);
+  DAUMIER_CHECK(mesh.num_polygons() > 0, "{}: {} vertices but no polygon: the file is cut, or a cloud of points", name,
+                num_vertices());
   return mesh;
 }
 
@@ -156,7 +215,7 @@ Points ParseObjVertices(std::string_view text, std::string_view name, int expect
   Points points(expected_count, 3);
   int count = 0;
   while (line.Next()) {
-    if (!line.Accept('v')) continue;
+    if (!line.Accept("v")) continue;
     if (count < expected_count) ReadVertex(line, points.row(count).data());
     ++count;
   }
@@ -165,9 +224,22 @@ Points ParseObjVertices(std::string_view text, std::string_view name, int expect
 }
 
 void WriteObj(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  std::string text;
-  for (const auto& p : mesh.vertices.rowwise()) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
-  for (const auto& t : mesh.triangles.rowwise()) text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  CheckUv(mesh);
+  std::string text = VertexLines(mesh.vertices, mesh.uv);
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    AppendPolygon(mesh.triangles.row(f).data(), mesh.has_uv() ? mesh.uv_triangles.row(f).data() : nullptr, 3, text);
+  }
+  WriteFileAtomically(path, text);
+}
+
+void WriteObj(const std::filesystem::path& path, const PolygonMesh& mesh) {
+  CheckUv(mesh);
+  std::string text = VertexLines(mesh.vertices, mesh.uv);
+  for (int p = 0; p < mesh.num_polygons(); ++p) {
+    const int begin = mesh.offsets[p];
+    AppendPolygon(mesh.corners.data() + begin, mesh.has_uv() ? mesh.uv_corners.data() + begin : nullptr,
+                  mesh.offsets[p + 1] - begin, text);
+  }
   WriteFileAtomically(path, text);
 }
 

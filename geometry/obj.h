@@ -6,22 +6,26 @@
 
 namespace daumier::geometry {
 
-/// Reads positions and polygons of a Wavefront OBJ text: `v x y z` and `f` with corners v, v/vt, v//vn or v/vt/vn;
-/// negative indices count back from the last vertex read so far. Texture, normal, group and material lines are passed
-/// over. `name` stands for the text in messages, for example a file.
-/// @throws Error "name:line: cause" on a malformed, non-finite or cut line (a last line without line end counts as
-/// cut), a corner that is no vertex or comes twice in its polygon, and if there is no vertex or no polygon at all.
+/// Reads positions, UV and polygons of a Wavefront OBJ text: `v x y z`, `vt u [v]` and `f` with corners v, v/vt, v//vn
+/// or v/vt/vn, where an empty or zero vt or vn is absent; negative indices count back from the last line read so far.
+/// Lines may be indented; the last may lack its line end; a byte order mark is skipped. Normal, group and material
+/// lines are skipped. Repeated vertices and missing UV: as PolygonCollector. vt of corners is ignored in a text without
+/// `vt` lines. `name` stands for the text in messages, for example a file.
+/// @throws Error "name:line: cause" on a malformed line, a position that is not finite or a corner that is no vertex,
+/// and if there is no vertex or no polygon at all.
 PolygonMesh ParseObj(std::string_view text, std::string_view name);
 
 /// ParseObj of a file. @throws Error also if the file cannot be read.
 PolygonMesh ReadObj(const std::filesystem::path& path);
 
-/// Only the positions of an OBJ text whose topology is known already; polygon lines are not looked at.
-/// @throws Error "name:line: cause" on a malformed, non-finite or cut vertex line, or if there are not `expected_count`
-/// vertices.
+/// Only the positions of an OBJ text of known topology; polygon lines are skipped.
+/// @throws Error "name:line: cause" on a malformed vertex line or a position that is not finite, or if there are not
+/// `expected_count` vertices.
 Points ParseObjVertices(std::string_view text, std::string_view name, int expected_count);
 
-/// Writes atomically, each number in the shortest form that reads back the same. @throws Error naming file and cause.
+/// Writes atomically, each number in the shortest form that reads back the same; UV as `vt` lines and corners v/vt.
+/// @throws Error naming file and cause, and as CheckUv.
 void WriteObj(const std::filesystem::path& path, const TriangleMesh& mesh);
+void WriteObj(const std::filesystem::path& path, const PolygonMesh& mesh);
 
 }  // namespace daumier::geometry

@@ -1,6 +1,7 @@
 #include "geometry/subdivision.h"
 
 #include "core/error.h"
+#include "geometry/corner_uv.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -40,15 +41,35 @@ Subdivider::Subdivider(const Triangles& triangles, int num_vertices, int times)
   }
 }
 
-Points Subdivider::Apply(const Points& vertices) const {
-  DAUMIER_CHECK(vertices.rows() == num_old_vertices_, "vertices are {}, expected {}", vertices.rows(),
-                num_old_vertices_);
-  Points all(num_vertices_, 3);
-  all.topRows(num_old_vertices_) = vertices;
+template <class Rows>
+Rows Subdivider::Refine(const Rows& rows) const {
+  DAUMIER_CHECK(rows.rows() == num_old_vertices_, "vertices are {}, expected {}", rows.rows(), num_old_vertices_);
+  Rows all(num_vertices_, rows.cols());
+  all.topRows(num_old_vertices_) = rows;
   Eigen::Index next = num_old_vertices_;
   for (const auto& edges : edges_)
     for (const auto& [a, b] : edges) all.row(next++) = 0.5 * (all.row(a) + all.row(b));
   return all;
+}
+
+Points Subdivider::Apply(const Points& vertices) const {
+  return Refine(vertices);
+}
+
+TextureCoordinates Subdivider::ApplyToUv(const TextureCoordinates& uv) const {
+  return Refine(uv);
+}
+
+TriangleMesh Subdivide(const TriangleMesh& mesh, int times) {
+  CheckUv(mesh);
+  const Subdivider surface(mesh.triangles, static_cast<int>(mesh.vertices.rows()), times);
+  TriangleMesh fine{surface.Apply(mesh.vertices), surface.triangles()};
+  if (!mesh.has_uv()) return fine;
+  // Both subdivisions split the triangles row by row in the same order, so their rows stay parallel.
+  const Subdivider texture(mesh.uv_triangles, static_cast<int>(mesh.uv.rows()), times);
+  fine.uv = texture.ApplyToUv(mesh.uv);
+  fine.uv_triangles = texture.triangles();
+  return fine;
 }
 
 }  // namespace daumier::geometry

@@ -24,11 +24,20 @@ class Subdivider {
   int num_vertices() const { return num_vertices_; }
   /// V x 3 -> num_vertices() x 3, the old vertices first. @throws Error if the number of vertices differs.
   Points Apply(const Points& vertices) const;
+  /// The same for a surface in texture space, T x 2.
+  TextureCoordinates ApplyToUv(const TextureCoordinates& uv) const;
 
  private:
+  template <class Rows>
+  Rows Refine(const Rows& rows) const;
+
   Triangles triangles_;
   int num_old_vertices_, num_vertices_;
   std::vector<std::vector<std::array<int, 2>>> edges_;  ///< Of each subdivision.
 };
+
+/// The mesh subdivided `times` times; UV is subdivided like positions, so that it stays linear along each old edge and
+/// seams stay seams. @throws Error as SubdivideOnce and CheckUv.
+TriangleMesh Subdivide(const TriangleMesh& mesh, int times);
 
 }  // namespace daumier::geometry

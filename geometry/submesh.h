@@ -22,7 +22,8 @@ Points SelectPoints(const Points& points, const VertexMap& map);
 /// The triangles whose corners were all kept, renumbered, in the same order.
 Triangles SelectTriangles(const Triangles& triangles, const VertexMap& map);
 
-/// The part of a mesh between kept vertices: all of these, and the faces whose corners are all among them.
+/// The part of a mesh between kept vertices: all of these, and the faces whose corners are all among them. UV follows
+/// the corners; rows of UV that no kept face uses are removed. @throws Error as CheckUv.
 TriangleMesh Submesh(const TriangleMesh& mesh, const VertexMap& map);
 PolygonMesh Submesh(const PolygonMesh& mesh, const VertexMap& map);
 

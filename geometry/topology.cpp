@@ -1,11 +1,11 @@
 #include "geometry/topology.h"
 
 #include "core/error.h"
-#include "geometry/half_edges.h"
 
 #include <algorithm>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace daumier::geometry {
 namespace {
@@ -59,6 +59,22 @@ void CheckSingleFans(const Triangles& triangles, int num_vertices) {
   }
 }
 
+/// The edges (from, to) of all triangles in their direction. @throws Error as CheckManifold.
+std::set<std::pair<int, int>> DirectedEdges(const Triangles& triangles, int num_vertices) {
+  CheckCorners(triangles, num_vertices);
+  std::set<std::pair<int, int>> directed;
+  for (int f = 0; f < triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int from = triangles(f, k), to = triangles(f, (k + 1) % 3);
+      DAUMIER_CHECK(from != to, "triangle {} has vertex {} twice", f, from);
+      DAUMIER_CHECK(directed.emplace(from, to).second,
+                    "two triangles run from vertex {} to {}: non-manifold or wound wrongly", from, to);
+    }
+  }
+  CheckSingleFans(triangles, num_vertices);
+  return directed;
+}
+
 }  // namespace
 
 Adjacency VertexNeighbours(const Triangles& triangles, int num_vertices) {
@@ -85,34 +101,22 @@ Adjacency TrianglesAtVertices(const Triangles& triangles, int num_vertices) {
 }
 
 void CheckManifold(const Triangles& triangles, int num_vertices) {
-  CheckCorners(triangles, num_vertices);
-  std::set<std::pair<int, int>> directed;
-  for (int f = 0; f < triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const int from = triangles(f, k), to = triangles(f, (k + 1) % 3);
-      DAUMIER_CHECK(from != to, "triangle {} has vertex {} twice", f, from);
-      DAUMIER_CHECK(directed.emplace(from, to).second,
-                    "two triangles run from vertex {} to {}: non-manifold or wound wrongly", from, to);
-    }
-  }
-  CheckSingleFans(triangles, num_vertices);
+  DirectedEdges(triangles, num_vertices);
 }
 
 std::vector<std::vector<int>> BoundaryLoops(const Triangles& triangles, int num_vertices) {
-  const HalfEdgeMesh mesh = ToHalfEdges(triangles, num_vertices);
+  const auto edges = DirectedEdges(triangles, num_vertices);
+  // An edge without its opposite runs along a hole, with the surface on its left. Since the triangles at a vertex are
+  // one fan, no more than one such edge leaves it.
+  std::vector<int> next(num_vertices, -1);
+  for (const auto& [from, to] : edges) {
+    if (!edges.contains({to, from})) next[from] = to;
+  }
   std::vector<std::vector<int>> loops;
-  std::vector<bool> seen(mesh.n_halfedges());
-  for (const auto start : mesh.halfedges()) {
-    if (!mesh.is_boundary(start) || seen[start.idx()]) continue;
+  for (int start = 0; start < num_vertices; ++start) {
     std::vector<int> loop;
-    for (auto edge = OpenMesh::HalfedgeHandle(start.idx()); !seen[edge.idx()]; edge = mesh.next_halfedge_handle(edge)) {
-      seen[edge.idx()] = true;
-      loop.push_back(mesh.to_vertex_handle(edge).idx());
-    }
-    // A boundary half-edge runs with the hole on its left.
-    std::reverse(loop.begin(), loop.end());
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    loops.push_back(std::move(loop));
+    for (int v = start; next[v] != -1; v = std::exchange(next[v], -1)) loop.push_back(v);
+    if (!loop.empty()) loops.push_back(std::move(loop));
   }
   std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
     return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();

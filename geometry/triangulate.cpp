@@ -1,6 +1,7 @@
 #include "geometry/triangulate.h"
 
 #include "core/error.h"
+#include "geometry/corner_uv.h"
 #include "geometry/nearest.h"
 
 #include <algorithm>
@@ -64,6 +65,31 @@ std::vector<int> MirroredApexes(const PolygonMesh& mesh, const std::vector<int>&
   return apexes;
 }
 
+/// For each triangle of Triangulate the positions of its corners in `mesh.corners`.
+Triangles CornersOfTriangles(const PolygonMesh& mesh, const std::vector<int>& mirror) {
+  std::vector<int> apexes(mesh.num_polygons());
+  if (mirror.empty()) {
+    for (int p = 0; p < mesh.num_polygons(); ++p) apexes[p] = Apex(mesh.vertices, Corners(mesh, p));
+  } else {
+    apexes = MirroredApexes(mesh, mirror);
+  }
+  Triangles triangles(static_cast<int>(mesh.corners.size()) - 2 * mesh.num_polygons(), 3);
+  int row = 0;
+  for (int p = 0; p < mesh.num_polygons(); ++p) {
+    const auto corners = Corners(mesh, p);
+    const int begin = mesh.offsets[p], n = static_cast<int>(corners.size());
+    const int apex = static_cast<int>(std::find(corners.begin(), corners.end(), apexes[p]) - corners.begin());
+    for (int k = 1; k + 1 < n; ++k) {
+      triangles.row(row++) << begin + apex, begin + (apex + k) % n, begin + (apex + k + 1) % n;
+    }
+  }
+  return triangles;
+}
+
+Triangles Select(const std::vector<int>& values, const Triangles& positions) {
+  return positions.unaryExpr([&](int position) { return values[position]; });
+}
+
 }  // namespace
 
 std::vector<int> FindMirror(const Points& points, double tolerance) {
@@ -83,23 +109,17 @@ std::vector<int> FindMirror(const Points& points, double tolerance) {
 }
 
 Triangles Triangulate(const PolygonMesh& mesh, const std::vector<int>& mirror) {
-  std::vector<int> apexes(mesh.num_polygons());
-  if (mirror.empty()) {
-    for (int p = 0; p < mesh.num_polygons(); ++p) apexes[p] = Apex(mesh.vertices, Corners(mesh, p));
-  } else {
-    apexes = MirroredApexes(mesh, mirror);
-  }
-  Triangles triangles(static_cast<int>(mesh.corners.size()) - 2 * mesh.num_polygons(), 3);
-  int row = 0;
-  for (int p = 0; p < mesh.num_polygons(); ++p) {
-    const auto corners = Corners(mesh, p);
-    const size_t n = corners.size();
-    const size_t apex = std::find(corners.begin(), corners.end(), apexes[p]) - corners.begin();
-    for (size_t k = 1; k + 1 < n; ++k) {
-      triangles.row(row++) << corners[apex], corners[(apex + k) % n], corners[(apex + k + 1) % n];
-    }
-  }
-  return triangles;
+  return Select(mesh.corners, CornersOfTriangles(mesh, mirror));
+}
+
+TriangleMesh TriangulateMesh(const PolygonMesh& mesh, const std::vector<int>& mirror) {
+  CheckUv(mesh);
+  const Triangles positions = CornersOfTriangles(mesh, mirror);
+  TriangleMesh result{mesh.vertices, Select(mesh.corners, positions)};
+  if (!mesh.has_uv()) return result;
+  result.uv = mesh.uv;
+  result.uv_triangles = Select(mesh.uv_corners, positions);
+  return result;
 }
 
 }  // namespace daumier::geometry

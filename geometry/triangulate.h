@@ -17,4 +17,7 @@ std::vector<int> FindMirror(const Points& points, double tolerance);
 /// @throws Error if the mirror image of a polygon is not a polygon of the mesh.
 Triangles Triangulate(const PolygonMesh& mesh, const std::vector<int>& mirror = {});
 
+/// The mesh with the triangles of Triangulate; UV follows the corners. @throws Error as Triangulate and CheckUv.
+TriangleMesh TriangulateMesh(const PolygonMesh& mesh, const std::vector<int>& mirror = {});
+
 }  // namespace daumier::geometry

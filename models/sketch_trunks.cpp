@@ -119,6 +119,10 @@ SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size) {
   return Compact(options);
 }
 
+torch::Tensor InPlainLayout(const torch::Tensor& sketches) {
+  return sketches.squeeze(1).unsqueeze(1);
+}
+
 torch::Tensor SketchConvolutionImpl::forward(const torch::Tensor& sketches) {
   const bool reduced = tensor::Autocast::IsOn(sketches.device());
   const tensor::Autocast full(sketches.device(), false);

@@ -39,6 +39,10 @@ struct SketchTrunk {
 /// @throws Error if the picture is too small for the trunk.
 SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size);
 
+/// The same sketches (B, 1, H, W), marked as in plain layout; no pixel is copied. With one channel the two layouts have
+/// the same bytes, and the mark decides in which of them LibTorch runs the convolutions.
+torch::Tensor InPlainLayout(const torch::Tensor& sketches);
+
 /// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
 /// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.
 class SketchConvolutionImpl : public torch::nn::Conv2dImpl {

@@ -7,14 +7,15 @@
 namespace daumier::render {
 
 Json CameraToJson(const Camera& camera) {
-  DAUMIER_CHECK(!camera.perspective, "a camera in perspective has no place in a manifest");
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = camera.camera_from_world;
-  return {{"camera_from_world", std::vector<double>(rotation.data(), rotation.data() + 9)},
-          {"translation", std::vector<double>(camera.translation.begin(), camera.translation.end())},
-          {"scale", camera.scale},
-          {"principal_point", std::vector<double>(camera.principal_point.begin(), camera.principal_point.end())},
-          {"width", camera.width},
-          {"height", camera.height}};
+  Json json = {{"camera_from_world", std::vector<double>(rotation.data(), rotation.data() + 9)},
+               {"translation", std::vector<double>(camera.translation.begin(), camera.translation.end())}};
+  if (camera.perspective) json["perspective"] = true;
+  json[camera.perspective ? "focal_length" : "scale"] = camera.scale;
+  json["principal_point"] = std::vector<double>(camera.principal_point.begin(), camera.principal_point.end());
+  json["width"] = camera.width;
+  json["height"] = camera.height;
+  return json;
 }
 
 Camera CameraFromJson(const Json& json) {
@@ -30,7 +31,10 @@ Camera CameraFromJson(const Json& json) {
   camera.camera_from_world = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
   camera.translation = Eigen::Map<const Eigen::Vector3d>(translation.data());
   camera.principal_point = Eigen::Map<const Eigen::Vector2d>(principal_point.data());
-  camera.scale = json.at("scale");
+  camera.perspective = json.value("perspective", false);
+  const char* const scale = camera.perspective ? "focal_length" : "scale";
+  camera.scale = json.at(scale);
+  DAUMIER_CHECK(camera.scale > 0, "malformed camera: {} is {}, expected a positive number", scale, camera.scale);
   camera.width = json.at("width");
   camera.height = json.at("height");
   return camera;

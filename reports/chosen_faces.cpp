@@ -17,6 +17,7 @@ std::vector<ChosenFace> ChooseFaces(const std::vector<int>& faces, const std::ve
   const size_t last = order.size() - 1;
   return {{"median", faces[order[last / 2]]},
           {"95th percentile", faces[order[size_t(std::ceil(0.95 * double(last)))]]},
+          {"worst", faces[order[last]]},
           {"first", faces.front()}};
 }
 

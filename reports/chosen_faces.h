@@ -10,8 +10,8 @@ struct ChosenFace {
   int face = 0;
 };
 
-/// Which test faces a sheet shows: the median, where the worst 5 % begin, and the first. `errors`: of each of `faces`.
-/// @throws Error if there is none, or the lengths differ.
+/// The faces that a sheet shows: of the median error, where the worst 5 % begin, of the largest error, and the first.
+/// `errors`: one a face, finite. @throws Error if there is none, or the lengths differ.
 std::vector<ChosenFace> ChooseFaces(const std::vector<int>& faces, const std::vector<double>& errors);
 
 }  // namespace daumier::reports

@@ -1,13 +1,13 @@
 #include "reports/comparison_sheet.h"
 
 #include "core/error.h"
-#include "reports/face_pictures.h"
-#include "reports/face_surface.h"
 #include "render/camera.h"
 #include "render/draw.h"
 #include "render/heat_map.h"
 #include "render/sheet.h"
 #include "render/ticks.h"
+#include "reports/face_pictures.h"
+#include "reports/face_surface.h"
 
 #include <algorithm>
 
@@ -25,11 +25,10 @@ double RangeOf(const std::vector<ComparedFace>& faces, double range_mm) {
   return mean > 0 ? render::NiceCeiling(2 * mean, 5) : 1.0;
 }
 
-void CheckFaces(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,
-                const std::vector<ComparedFace>& faces) {
+void CheckFaces(const std::vector<std::string>& names, const std::vector<ComparedFace>& faces) {
   DAUMIER_CHECK(!faces.empty() && !names.empty(), "a comparison of {} predictors on {} faces was asked for",
                 names.size(), faces.size());
-  const Eigen::Index num_vertices = face_template.num_vertices();
+  const Eigen::Index num_vertices = faces.front().truth.rows();
   for (const ComparedFace& face : faces) {
     DAUMIER_CHECK(face.predictions.size() == names.size(), "'{}' has {} predictions for {} predictors", face.title,
                   face.predictions.size(), names.size());
@@ -45,11 +44,11 @@ void CheckFaces(const faces::FaceTemplate& face_template, const std::vector<std:
 
 }  // namespace
 
-render::Image ComparisonSheet(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,
+render::Image ComparisonSheet(const ReportSurface& surface, const std::vector<std::string>& names,
                               const std::vector<ComparedFace>& faces, double range_mm) {
-  CheckFaces(face_template, names, faces);
+  CheckFaces(names, faces);
   const render::ValueRange range{0.0, RangeOf(faces, range_mm)};
-  std::vector<geometry::Points> shown = {face_template.neutral};
+  std::vector<geometry::Points> shown;
   for (const ComparedFace& face : faces) shown.push_back(face.truth);
   const render::Frame frame = FrameOfFaces(shown, kMargin);
   const bool has_sketch =
@@ -64,10 +63,9 @@ render::Image ComparisonSheet(const faces::FaceTemplate& face_template, const st
     style.row_titles.push_back(face.title);
     if (has_sketch)
       cells.push_back({face.sketch.height > 0 ? render::Resize(face.sketch, kCell, kCell) : render::Image()});
-    cells.push_back({render::RenderMesh(SurfaceOf(face_template, face.truth), camera)});
+    cells.push_back({render::RenderMesh(InputOf(surface, face.truth), camera)});
     for (const ComparedPrediction& prediction : face.predictions)
-      cells.push_back({render::RenderHeatMap(SurfaceOf(face_template, prediction.face), prediction.error_mm,
-                                             range, camera),
+      cells.push_back({render::RenderHeatMap(InputOf(surface, prediction.face), prediction.error_mm, range, camera),
                        fmt::format("{:.2f} mm", prediction.mean_error_mm)});
     const bool first = &face == &faces.front();
     cells.push_back({first ? render::Image(kCell, render::kColourBarWidth, 3) : render::Image()});

@@ -1,7 +1,7 @@
 #pragma once
-#include "faces/face_model.h"
 #include "geometry/mesh.h"
 #include "render/image.h"
+#include "reports/face_surface.h"
 
 #include <Eigen/Core>
 
@@ -31,7 +31,7 @@ struct ComparedFace {
 /// `range_mm`; 0: at twice the mean of mean_error_mm, rounded up.
 /// @throws Error if there is no face or no predictor, a face has not one prediction for each of `names`, or shapes
 /// disagree.
-render::Image ComparisonSheet(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,
+render::Image ComparisonSheet(const ReportSurface& surface, const std::vector<std::string>& names,
                               const std::vector<ComparedFace>& faces, double range_mm = 0);
 
 }  // namespace daumier::reports

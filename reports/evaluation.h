@@ -1,18 +1,41 @@
 #pragma once
 #include "core/manifest.h"
 #include "reports/metric_table.h"
+#include "reports/predictions.h"
 #include "reports/report.h"
+
+#include <filesystem>
+#include <optional>
 
 namespace daumier::reports {
 
-/// What `daumier eval` finds out of a run, in memory.
+/// What `daumier eval` measures of a run, in memory.
 struct Evaluation {
   MetricTable table;
-  size_t result = 0;  ///< The row of the run's own network.
-  Json metrics;       ///< metrics.json.
+  Json metrics;  ///< metrics.json
   ReportData report;
-  Manifest manifest;
-  /// The result's faces that a sheet shows (ChooseFaces), for pictures without another prediction.
+  /// In place of the pictures of the report, of faces that have no error of each vertex: sheet.png and its caption.
+  struct Sheet {
+    render::Image image;
+    std::string caption;
+  };
+  std::optional<Sheet> sheet = {};
+  Manifest manifest;                            ///< Of kind "report", without checksums.
+  std::optional<Predictions> predictions = {};  ///< Of the result, of the faces of KeptFaces.
 };
+
+/// @throws Error if `out` exists and is neither empty nor an earlier report: WriteEvaluation would refuse it.
+void CheckReportDirectory(const std::filesystem::path& out);
+
+/// Writes metrics.json, table.md, index.html, the pictures (sheet.png; unless the evaluation has a sheet also
+/// mean_error.png and errors.svg), predictions.safetensors where there are any, and manifest.json with their checksums.
+/// The folder is written whole or not at all; it replaces an earlier report. @throws Error as CheckReportDirectory and
+/// WriteReport.
+void WriteEvaluation(const std::filesystem::path& out, const Evaluation& evaluation);
+
+/// metrics.json of a report. @throws Error naming file and cause.
+Json ReadMetrics(const std::filesystem::path& report);
+/// Predictions of a report, absent if it has none.
+std::optional<Predictions> ReadReportPredictions(const std::filesystem::path& report);
 
 }  // namespace daumier::reports

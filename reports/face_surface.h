@@ -4,8 +4,19 @@
 
 namespace daumier::reports {
 
-/// A face of a template as it is drawn: its surface with lips and eyes closed, the eyes whitish, the mouth dark.
-/// `face`: V x 3, cm. @throws Error if it has another number of vertices.
+/// The surface that all faces of a report share.
+struct ReportSurface {
+  geometry::Triangles triangles;
+  geometry::Triangles closing_triangles;  ///< Close lips and eyes in the pictures; may be empty.
+  int num_eye_closing_triangles = 0;      ///< The first so many close the eyes.
+};
+
+ReportSurface SurfaceOf(const faces::FaceTemplate& face_template);
+
+/// A face as it is drawn: its surface with lips and eyes closed, the eyes whitish, the mouth dark. `face`: V x 3, cm.
+render::RenderInput InputOf(const ReportSurface& surface, const geometry::Points& face);
+
+/// The same for a face of a template. @throws Error if `face` has another number of vertices.
 render::RenderInput SurfaceOf(const faces::FaceTemplate& face_template, const geometry::Points& face);
 
 }  // namespace daumier::reports

@@ -1,16 +1,11 @@
 #pragma once
+#include "reports/report_table.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace daumier::reports {
-
-/// Rows of text as they are to be shown; the first column is set to the left, the others to the right.
-struct ReportTable {
-  std::string title;
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-};
 
 struct ReportFact {
   std::string name, value;  ///< "seed", "7".

@@ -2,14 +2,14 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "reports/face_pictures.h"
-#include "reports/report_page.h"
 #include "render/camera.h"
 #include "render/draw.h"
 #include "render/heat_map.h"
 #include "render/shading.h"
 #include "render/sheet.h"
 #include "render/ticks.h"
+#include "reports/face_pictures.h"
+#include "reports/report_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,13 +80,7 @@ class ReportPainter {
   }
 
  private:
-  render::RenderInput InputOf(const geometry::Points& points) const {
-    const ReportSurface& surface = data_.surface;
-    return {.surface = {points, surface.triangles},
-            .closing_triangles = surface.closing_triangles,
-            .closing_colours = render::ClosingColours(static_cast<int>(surface.closing_triangles.rows()),
-                                                      surface.num_eye_closing_triangles)};
-  }
+  render::RenderInput InputOf(const geometry::Points& points) const { return reports::InputOf(data_.surface, points); }
 
   render::Image ColourBar(int height) const {
     render::Image bar(height, render::kColourBarWidth, 3);

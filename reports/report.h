@@ -1,7 +1,8 @@
 #pragma once
-#include "reports/html_page.h"
 #include "geometry/mesh.h"
 #include "render/image.h"
+#include "reports/face_surface.h"
+#include "reports/html_page.h"
 
 #include <Eigen/Core>
 
@@ -10,13 +11,6 @@
 #include <vector>
 
 namespace daumier::reports {
-
-/// The surface that all faces of a report share.
-struct ReportSurface {
-  geometry::Triangles triangles;
-  geometry::Triangles closing_triangles;  ///< Close lips and eyes in the pictures; may be empty.
-  int num_eye_closing_triangles = 0;      ///< The first so many close the eyes.
-};
 
 /// A row of sheet.png. Which samples are shown is the caller's choice.
 struct ReportSample {
@@ -33,11 +27,11 @@ struct ReportData {
   std::vector<ReportSample> samples;
   geometry::Points mean_face;          ///< V x 3, cm: carries the map of the mean error.
   Eigen::VectorXd mean_error_mm;       ///< V: mean over all test faces; NaN where no error is counted.
-  std::vector<double> face_errors_mm;  ///< eval::Mean vertex error of each test face, in any order.
+  std::vector<double> face_errors_mm;  ///< Mean vertex error of each test face, in any order.
   std::vector<ReportTable> tables;
   std::vector<ReportFact> facts;  ///< Data hash, split, seed, command, seconds.
-  double error_range_mm =
-      0.0;  ///< Upper end of the heat maps' colours; 0: twice the mean of face_errors_mm, rounded up.
+  /// Upper end of the heat maps' colours; 0: twice the mean of face_errors_mm, rounded up.
+  double error_range_mm = 0.0;
 };
 
 /// Writes into an existing folder, each file atomically: sheet.png (a row a sample: sketch | truth | prediction |

@@ -1,14 +1,20 @@
 #pragma once
 #include "core/device.h"
+#include "core/folder_cache.h"
 #include "core/json.h"
 #include "core/task.h"
 #include "core/training.h"
 #include "reports/evaluation.h"
+#include "systems/predictor.h"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace daumier::exporting {
+struct RunExport;  // export/run_export.h, of the training library.
+}
 
 /// The one interface of a trainable task. What `train`, `eval`, `ablate`, `predict` and `export` know of a system is its
 /// row in a table; no verb compares names.
@@ -33,22 +39,36 @@ struct System {
   Json (*resolve_config)(const Json& config, const std::string& where);
   /// Options of an evaluation, every one present. @throws UsageError as ParseOptions.
   Json (*resolve_evaluation)(const Json& options, const std::string& where);
-  /// Options of an evaluation that are run folders.
+  /// The table of a report in millimetres, from its metrics.json, also that of an earlier version. It has a column for
+  /// each of summary_columns. @throws Error if it is malformed.
+  reports::MetricTable (*read_metrics)(const Json& metrics);
+  /// What a table of several runs shows besides their errors.
+  std::vector<reports::Metric> (*summary_columns)();
+  /// Options of an evaluation that are run folders, and name rows in an ablation's config.
   std::vector<std::string> run_options = {};
+  /// Options of a prediction, every one present; null if the task has no predictor, as the two below.
+  Json (*resolve_prediction)(const Json& options, const std::string& where) = nullptr;
+  /// A finished run, ready to predict. @throws Error as ReadFinishedRun and LoadTrainingLibrary.
+  std::unique_ptr<Predictor> (*open)(const std::filesystem::path& run, const Device& device,
+                                     const Json& options) = nullptr;
+  /// The inputs of a file, in order. @throws Error naming it.
+  std::vector<Input> (*read_inputs)(const std::filesystem::path& file) = nullptr;
 };
 
 /// The part that needs LibTorch, by the same name, from the training library.
 struct SystemTraining {
   std::string_view name;
-  /// Trains from a config, or resumes. @throws UsageError as System::resolve_config; Error on Ctrl-C, after a checkpoint.
-  TrainingSummary (*train)(const Json& config, const RunPlace& place, const Task& task);
-  /// Measures a finished run; writes nothing.
-  reports::Evaluation (*evaluate)(const std::filesystem::path& run, const Json& options, const Task& task);
-  /// Writes an export of a finished run and returns parity.json.
-  Json (*export_run)(const std::filesystem::path& run, const std::filesystem::path& out, const Task& task);
+  /// Trains from a config, or resumes. @throws UsageError as System::resolve_config; Cancelled after a checkpoint.
+  /// Opens databases by `databases`.
+  TrainingSummary (*train)(const Json& config, const RunPlace& place, FolderCache& databases, const Task& task);
+  /// Measures a finished run; writes nothing (reports::WriteEvaluation does). Opens databases by `databases`.
+  reports::Evaluation (*evaluate)(const std::filesystem::path& run, const Json& options, FolderCache& databases,
+                                  const Task& task);
+  /// A finished run as it is exported.
+  exporting::RunExport (*describe_export)(const std::filesystem::path& run);
   /// Milliseconds from one input to its vertices: the median of many runs with batch 1 on the CPU.
   double (*infer_ms)(const std::filesystem::path& run);
-  std::string_view validation_metric;      ///< The validation error in metrics.jsonl, mm.
+  std::string_view validation_metric;     ///< The validation error in metrics.jsonl, mm.
   std::string_view training_metric = "";  ///< An error of training samples there; empty: none.
 };
 

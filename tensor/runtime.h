@@ -1,7 +1,7 @@
 #pragma once
-#include <torch/types.h>
+#include "core/device.h"
 
-#include <string>
+#include <torch/types.h>
 
 namespace daumier::tensor {
 
@@ -9,9 +9,7 @@ namespace daumier::tensor {
 /// half of them). Returns the number in force. @throws Error if `threads` is negative.
 int SetUpTorch(int threads = 0);
 
-/// The device of `--device cpu` or `--device cuda` (also `cuda:1`).
-/// @throws UsageError for any other text, and Error telling what to do if this LibTorch or this machine has no such
-/// CUDA device.
-torch::Device ParseDevice(const std::string& name);
+/// @throws Error with the repair if this LibTorch or this machine has no such CUDA device.
+torch::Device TorchDevice(const Device& device);
 
 }  // namespace daumier::tensor

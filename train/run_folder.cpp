@@ -32,19 +32,6 @@ void AppendDifferences(const std::string& prefix, const Json& there, const Json&
 
 }  // namespace
 
-Json WithAbsoluteData(Json config, const std::string& where) {
-  Json& data = config.at("data");
-  std::vector<std::string> keys;
-  for (const auto& [database, folder] : data.items()) keys.push_back(fmt::format("data.{}=FOLDER", database));
-  for (auto& [database, folder] : data.items()) {
-    if (folder == "") {
-      throw UsageError(fmt::format("{}: it needs {}, made by `daumier dataset`", where, fmt::join(keys, " and ")));
-    }
-    folder = std::filesystem::absolute(folder.get<std::string>()).lexically_normal().string();
-  }
-  return config;
-}
-
 std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, const Json& defaults) {
   std::vector<std::string> lines;
   AppendDifferences("", there, now, defaults, lines);
@@ -65,7 +52,9 @@ bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Js
   if (!fs::exists(directory / "manifest.json")) return false;  // Stopped while it was being set up.
 
   const Manifest manifest = ReadManifest(directory, "run");
-  std::vector<std::string> lines = ConfigDifferences(manifest.config, config, defaults);
+  Json there = manifest.config;
+  there.erase("product");  // Of earlier versions, in the place of `system`.
+  std::vector<std::string> lines = ConfigDifferences(there, config, defaults);
   for (const std::string& line :
        ConfigDifferences({{"data", manifest.details.value("data", Json())}}, {{"data", data}}))
     lines.push_back(line);

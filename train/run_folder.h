@@ -11,16 +11,6 @@
 
 namespace daumier::train {
 
-/// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
-Json WithAbsoluteData(Json config, const std::string& where);
-
-/// The options of a training with WithAbsoluteData. @throws UsageError as ParseOptions.
-template <class Options>
-Options ParseTraining(const Json& config, const std::string& where) {
-  const Json resolved = ToJson(ParseOptions<Options>(config, where));
-  return ParseOptions<Options>(WithAbsoluteData(resolved, where), where);
-}
-
 /// What differs between two configs, a line a dotted key: "optimiser.learning_rate is 0.001 there and 0.01 now". A key
 /// that is missing there counts as its value in `defaults`.
 std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, const Json& defaults = Json::object());

@@ -1,7 +1,6 @@
 #include "train/trainer.h"
 
 #include "core/error.h"
-#include "core/interrupt.h"
 #include "core/log.h"
 #include "core/prefetch.h"
 #include "core/progress.h"
@@ -24,8 +23,9 @@ namespace {
 class Training {
  public:
   Training(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options, uint64_t seed,
-           const std::filesystem::path& run_directory)
+           const std::filesystem::path& run_directory, const Task& task)
       : recipe_(recipe),
+        task_(task),
         options_(options),
         optimiser_options_(optimiser_options),
         run_directory_(run_directory),
@@ -48,7 +48,7 @@ class Training {
     EnterStage();
     RunLog log(run_directory_, step_);
     if (!has_time) seconds_before_ = SecondsOfLog();
-    Progress progress("Training", total_steps_ - step_, "steps");
+    Progress progress(task_.Stage("Training"), total_steps_ - step_, "steps");
     recipe_.module().train();
     BatchLoader loader(step_ * options_.accumulate, total_steps_ * options_.accumulate, [this](int64_t index) {
       return recipe_.Read(order_.Batch(index), order_.Epoch(index / options_.accumulate));
@@ -61,12 +61,13 @@ class Training {
       const bool validated = step_ % (steps_per_epoch_ * options_.validate_every) == 0 || step_ == total_steps_;
       if (validated) Validate(log);
       const bool periodic = options_.checkpoint_every > 0 && step_ % options_.checkpoint_every == 0;
-      if (validated || periodic || Interrupted()) Save();
-      const bool finished = step_ == total_steps_ || stopped_early_;
-      DAUMIER_CHECK(
-          finished || !Interrupted(),
-          "training was stopped after step {} of {} and is saved; go on with: daumier train CONFIG --out {} --resume",
-          step_, total_steps_, run_directory_.string());
+      const bool stopped = task_.cancelled();
+      if (validated || periodic || stopped) Save();
+      if (stopped && step_ < total_steps_ && !stopped_early_)
+        throw Cancelled(
+            fmt::format("interrupted at step {} of {}; checkpoint saved. Resume with: daumier train CONFIG --out {} "
+                        "--resume",
+                        step_, total_steps_, run_directory_.string()));
     }
     return {.steps = step_,
             .epochs = step_ / steps_per_epoch_,
@@ -244,6 +245,7 @@ class Training {
   std::filesystem::path CheckpointDirectory() const { return LatestCheckpoint(run_directory_); }
 
   Recipe& recipe_;
+  const Task task_;
   const TrainerOptions options_;
   const OptimiserOptions optimiser_options_;
   const std::filesystem::path run_directory_;
@@ -267,8 +269,8 @@ class Training {
 }  // namespace
 
 TrainingSummary Train(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options,
-                      uint64_t seed, const std::filesystem::path& run_directory) {
-  return Training(recipe, options, optimiser_options, seed, run_directory).Run();
+                      uint64_t seed, const std::filesystem::path& run_directory, const Task& task) {
+  return Training(recipe, options, optimiser_options, seed, run_directory, task).Run();
 }
 
 }  // namespace daumier::train

@@ -42,8 +42,8 @@ GivenFaces ImportGivenFaces(const GivenFiles& files, const AnnotationFile& annot
   const int num_identities = static_cast<int>(files.names.size());
   DAUMIER_CHECK(num_identities > 0, "{}: there is no face", files.source);
   const double cm_per_unit = annotation.cm_per_unit.value_or(files.cm_per_unit);
-  geometry::PolygonMesh mean{geometry::Points::Zero(files.mesh.vertices.rows(), 3), files.mesh.offsets,
-                             files.mesh.corners};
+  geometry::PolygonMesh mean = files.mesh;
+  mean.vertices.setZero();
   std::string checksums;
   for (int identity = 0; identity < num_identities; ++identity) {
     const geometry::Points face = files.face(identity, 0);

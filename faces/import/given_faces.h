@@ -22,7 +22,7 @@ struct GivenFaces {
 /// The same as it lies in somebody's files: whole meshes in their own units and vertex numbers.
 struct GivenFiles {
   std::string source;          ///< As FaceTemplate::source.
-  geometry::PolygonMesh mesh;  ///< Polygons of all faces; its vertices are not looked at.
+  geometry::PolygonMesh mesh;  ///< Polygons and UV of all faces; only the number of its vertices is used.
   std::vector<std::string> names, groups, expressions;
   std::function<geometry::Points(int identity, int expression)> face;
   double cm_per_unit = 1;  ///< Where the annotation does not tell it.

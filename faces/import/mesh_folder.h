@@ -7,7 +7,8 @@
 
 namespace daumier::faces {
 
-/// Positions and polygons of an .obj or .ply file. @throws Error as geometry::ReadObj and geometry::ReadPly.
+/// Positions, polygons and UV of an .obj or .ply file; thread-safe. @throws Error as geometry::ReadObj and
+/// geometry::ReadPly.
 geometry::PolygonMesh ReadMesh(const std::filesystem::path& path);
 
 /// Whom a file of a mesh folder shows.
@@ -17,7 +18,7 @@ enum class PersonOf {
 };
 
 /// Any folder of registered .obj and .ply meshes (recursively, in order of name), a neutral face each, in cm unless the
-/// annotation says otherwise. `licence` goes into the provenance as it is.
+/// annotation says otherwise. The template has the UV of the first mesh. `licence` goes into the provenance as it is.
 /// @throws Error naming the first file that is unreadable or of another topology than the first; if there is no mesh;
 /// as ImportGivenFaces.
 GivenFaces LoadMeshFolder(const std::filesystem::path& folder, const AnnotationFile& annotation, PersonOf person,

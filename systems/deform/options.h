@@ -42,7 +42,7 @@ struct DeformValidationOptions {
 };
 
 struct DeformTrainingOptions {
-  std::string product = "deform";
+  std::string system = "deform";
   DeformDataOptions data;
   datasets::SplitOptions split;
   datasets::PointReading points;
@@ -55,7 +55,7 @@ struct DeformTrainingOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("product", product, Choices{{"deform"}}, "Says that this is the config of a deformable model.");
+    visit("system", system, Choices{{"deform"}}, "The task that is trained.");
     visit("data", data, Table{}, "What is learnt from.");
     visit("split", split, Table{}, "Who trains, who validates, who tests.");
     visit("points", points, Table{}, "Which points of a face a step sees.");

@@ -21,6 +21,8 @@ struct SketchNetworkOptions {
   int num_points = 256;
   int residual = 0;
 
+  static constexpr int kMaxWidth = 256;
+
   template <class V>
   void Visit(V&& visit) {
     visit("trunk", trunk, Choices{{"compact", "alexnet", "residual", "points", "shape"}},
@@ -31,7 +33,9 @@ struct SketchNetworkOptions {
           "before the branches.");
     visit("branches", branches, Choices{{"two", "one"}}, "Branches of their own for u and v, or one for both.");
     visit("resolution", resolution, Range{32, 512}, "Side of the square sketch that the network sees, in pixels.");
-    visit("width", width, Range{1, 256}, "Channels of the first convolution; the others follow from it.");
+    visit("width", width, Range{1, kMaxWidth},
+          "Channels of the first convolution; the others follow from it. So that all are multiples of 8, a training "
+          "takes multiples of 8 alone, of trunk alexnet 24, of trunk points 4.");
     visit("batch_norm", batch_norm, Flag{}, "Normalise after each convolution of trunk alexnet; the others always do.");
     visit("hidden", hidden, Range{1, 8192}, "Features that the trunk hands to the branches.");
     visit("branch", branch, Range{1, 8192}, "Neurons of a layer in the branches.");
@@ -48,6 +52,14 @@ struct SketchNetworkOptions {
   bool reads_image() const { return trunk == "compact" || trunk == "alexnet" || trunk == "residual"; }
   bool reads_points() const { return trunk == "points"; }
   bool reads_shape() const { return trunk == "shape" || shape_input != "none"; }
+  /// All channels of all convolutions are multiples of 8 iff width is a multiple of this.
+  int width_step() const { return trunk == "alexnet" ? 24 : trunk == "points" ? 4 : trunk == "shape" ? 1 : 8; }
+  bool has_whole_blocks() const { return width % width_step() == 0; }
 };
+
+/// Refuses a training with channels that are no multiples of 8: oneDNN computes 8 at a time, and its AVX2 code (2.6.3)
+/// for weight gradients of strided 1 x 1 convolutions in channels-last writes past its buffers if they read fewer.
+/// @throws UsageError with the nearest allowed widths, unless options.has_whole_blocks().
+void RequireWholeBlocks(const SketchNetworkOptions& options);
 
 }  // namespace daumier::sketch

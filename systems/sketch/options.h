@@ -40,6 +40,7 @@ struct SketchStageOptions {
 };
 
 struct SketchTrainingOptions {
+  std::string system = "sketch";
   SketchDataOptions data;
   datasets::SplitOptions split;
   faces::BilinearOptions bilinear;
@@ -54,6 +55,7 @@ struct SketchTrainingOptions {
 
   template <class V>
   void Visit(V&& visit) {
+    visit("system", system, Choices{{"sketch"}}, "The task that is trained.");
     visit("data", data, Table{}, "What is learnt from.");
     visit("split", split, Table{}, "Who trains, who validates, who tests.");
     visit("bilinear", bilinear, Table{}, "The bilinear models of faces and curves, fitted on training faces.");

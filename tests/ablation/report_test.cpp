@@ -1,7 +1,6 @@
 #include "ablation/report.h"
 
-#include "tests/support/temp_dir.h"
-#include "tests/ablation/fake_ablation.h"
+#include "tests/ablation/fake_system.h"
 
 #include <gtest/gtest.h>
 
@@ -18,19 +17,21 @@ class AblationReportTest : public ::testing::Test {
       row.config = {{"error", error}};
     }
   }
+  AblationRuns Runs() const { return {ablation_, FakeSystem::system(), folder_.path()}; }
   void Make(size_t row, const std::string& split) const {
-    const AblationRuns runs(ablation_, task_, folder_.path());
-    runs.Train({ablation_.rows[row], split, 1});
-    runs.Evaluate({ablation_.rows[row], split, 1});
+    FolderCache databases;
+    Runs().Train({ablation_.rows[row], split, 1}, databases, {});
+    Runs().Evaluate({ablation_.rows[row], split, 1}, databases, {});
   }
-  Json Write() const {
-    return WriteAblationReport(ablation_, task_, AblationRuns(ablation_, task_, folder_.path()), folder_.path());
+  Json Write(bool with_sheet = true) const {
+    return WriteAblationReport(ablation_, Runs(), FakeSystem::system(), folder_.path(), with_sheet);
   }
   std::string Text(const char* file) const { return ReadFile(folder_ / file); }
+  render::Image Sheet() const { return render::ReadImage(folder_ / "sheet.png"); }
 
   const testing::TempDir folder_;
+  const FakeSystem fake_;
   Ablation ablation_;
-  FakeAblation task_;
 };
 
 TEST_F(AblationReportTest, WithoutARowIsEmpty) {
@@ -44,16 +45,37 @@ TEST_F(AblationReportTest, LeavesOutWhatIsNotDone) {
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table[0]["name"], "mean face");
   EXPECT_EQ(table[1]["name"], "row 3");
-  EXPECT_EQ(Text("sheet.png"), "row 3\n");
 }
 
-TEST_F(AblationReportTest, ShowsASheetOfTheFirstSplitAndCurvesOfBoth) {
+TEST_F(AblationReportTest, DrawsTheSheetOfTheFirstSplitFromTheReports) {
+  Make(0, "person");
+  Write();
+  const render::Image one = Sheet();
+  Make(1, "person");
+  Make(0, "random");
+  Write(false);
+  EXPECT_EQ(Sheet(), one) << "it is not drawn again";
+  std::filesystem::remove_all(folder_ / "person/seed1/row-2/run/best");
+  Write();
+  const render::Image two = Sheet();
+  EXPECT_GT(two.width, one.width) << "a column a row";
+  EXPECT_EQ(two.height, one.height);
+}
+
+TEST_F(AblationReportTest, RowsWithoutPredictionsAreNotInTheSheet) {
+  Make(0, "person");
+  Write();
+  const render::Image one = Sheet();
+  FakeSystem::state().keep_predictions = false;
+  Make(1, "person");
+  EXPECT_EQ(Write().size(), 3u);
+  EXPECT_EQ(Sheet(), one);
+}
+
+TEST_F(AblationReportTest, ShowsCurvesOfBothSplits) {
   for (const size_t row : {0, 1})
     for (const char* split : {"person", "random"}) Make(row, split);
   EXPECT_EQ(Write().size(), 6u);
-  EXPECT_EQ(Text("sheet.png"), "row 2\nrow 3\n");
-  WriteAblationReport(ablation_, task_, AblationRuns(ablation_, task_, folder_.path()), folder_.path(), false);
-  EXPECT_EQ(task_.num_sheets, 1) << "it stays as it is";
   const std::string curves = Text("curves.svg"), page = Text("index.html");
   EXPECT_NE(curves.find("Split: random"), std::string::npos);
   EXPECT_NE(curves.find("2.10  row 2"), std::string::npos) << "the least validation error of that row";
@@ -61,10 +83,10 @@ TEST_F(AblationReportTest, ShowsASheetOfTheFirstSplitAndCurvesOfBoth) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
-TEST_F(AblationReportTest, TellsValidationWithinTheTimeOfTheShortestTraining) {
+TEST_F(AblationReportTest, HasTheValidationErrorWithinTheTimeOfTheShortestTraining) {
   for (const size_t row : {0, 1}) Make(row, "person");
   // The second row took longer, and became better only then.
-  const AblationRuns runs(ablation_, task_, folder_.path());
+  const AblationRuns runs = Runs();
   const auto line = [](int step, double error, double seconds) {
     return Json{{"phase", "validation"}, {"step", step}, {"error", error}, {"seconds", seconds}}.dump() + "\n";
   };

@@ -1,8 +1,8 @@
 #include "ablation/runs.h"
 
+#include "tests/ablation/fake_system.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
-#include "tests/ablation/fake_ablation.h"
 
 #include <gtest/gtest.h>
 
@@ -28,26 +28,28 @@ class AblationRunsTest : public ::testing::Test {
     ablation_.rows[3].options.from = "shape";
     ablation_.rows[3].options.line = "fit";
   }
-  AblationRuns Runs() const { return {ablation_, task_, folder_.path()}; }
+  AblationRuns Runs() const { return {ablation_, FakeSystem::system(), folder_.path()}; }
   AblationRuns::Place Place(int row) const { return {ablation_.rows[size_t(row)], "person", 1}; }
   void Make(int row) const {
-    Runs().Train(Place(row));
-    Runs().Evaluate(Place(row));
+    FolderCache databases;
+    Runs().Train(Place(row), databases, {});
+    Runs().Evaluate(Place(row), databases, {});
   }
 
   const testing::TempDir folder_;
   Ablation ablation_;
-  FakeAblation task_;
+  const FakeSystem fake_;
 };
 
 TEST_F(AblationRunsTest, ARowIsDoneOnceItsReportIsMadeOfItsWeightsAndOptions) {
   EXPECT_EQ(Runs().State(Place(1)), RowState::kToTrain);
-  Runs().Train(Place(1));
+  FolderCache databases;
+  Runs().Train(Place(1), databases, {});
   EXPECT_EQ(Runs().State(Place(1)), RowState::kToEvaluate);
-  Runs().Evaluate(Place(1));
+  Runs().Evaluate(Place(1), databases, {});
   EXPECT_EQ(Runs().State(Place(1)), RowState::kDone);
   Make(1);
-  EXPECT_EQ(task_.log, (std::vector<std::string>{"train 3", "evaluate 3"})) << "nothing is done twice";
+  EXPECT_EQ(FakeSystem::state().log, (std::vector<std::string>{"train 3", "evaluate 3"})) << "nothing is done twice";
 
   ablation_.rows[1].eval = {{"factor", 3.0}};
   EXPECT_EQ(Runs().State(Place(1)), RowState::kToEvaluate);
@@ -57,7 +59,7 @@ TEST_F(AblationRunsTest, ARowIsDoneOnceItsReportIsMadeOfItsWeightsAndOptions) {
   EXPECT_EQ(Runs().State(Place(1)), RowState::kToEvaluate);
 }
 
-TEST_F(AblationRunsTest, AReportIsMadeAnewIfARunThatItNeedsIsAnotherOne) {
+TEST_F(AblationRunsTest, AReportIsMadeAgainIfARunThatItNeedsIsAnotherOne) {
   Make(1);
   Make(0);
   EXPECT_EQ(Runs().State(Place(0)), RowState::kDone);
@@ -68,7 +70,7 @@ TEST_F(AblationRunsTest, AReportIsMadeAnewIfARunThatItNeedsIsAnotherOne) {
   EXPECT_EQ(Runs().State(Place(0)), RowState::kToEvaluate);
 }
 
-TEST_F(AblationRunsTest, RowsWithoutARunOrAReportTakeThoseOfOthers) {
+TEST_F(AblationRunsTest, RowsWithoutARunOrAReportReadThoseOfOthers) {
   EXPECT_EQ(Runs().State(Place(2)), RowState::kToTrain);
   Make(1);
   EXPECT_EQ(Runs().State(Place(2)), RowState::kToEvaluate);
@@ -78,12 +80,26 @@ TEST_F(AblationRunsTest, RowsWithoutARunOrAReportTakeThoseOfOthers) {
   EXPECT_EQ(Runs().Result(Place(2)).cost->parameters, 7);
   Make(0);
   EXPECT_EQ(Runs().State(Place(3)), RowState::kDone) << "the report that it is read from is there";
-  EXPECT_EQ(Runs().Result(Place(3)).measure.error, 5.0);
+  EXPECT_DOUBLE_EQ(Runs().Result(Place(3)).measure.error, 5.0);
   EXPECT_FALSE(Runs().Result(Place(3)).cost.has_value()) << "nothing was trained for it";
   ablation_.rows[3].options.line = "network";
   EXPECT_EQ(Runs().Result(Place(3)).cost->parameters, 7);
-  EXPECT_EQ(Runs().Picture(Place(3)).eval, Runs().Picture(Place(0)).eval);
-  EXPECT_EQ(std::count(task_.log.begin(), task_.log.end(), "train 3"), 1);
+  EXPECT_EQ(Runs().Metrics(Place(3)), Runs().Metrics(Place(0)));
+  EXPECT_TRUE(Runs().Predictions(Place(3)).has_value());
+  EXPECT_EQ(std::count(FakeSystem::state().log.begin(), FakeSystem::state().log.end(), "train 3"), 1);
+}
+
+TEST_F(AblationRunsTest, AReportOfAVersionWithFewerOptionsIsNotMadeAgain) {
+  Make(1);
+  Make(0);
+  for (const char* row : {"pixel", "shape"}) {
+    const fs::path file = folder_ / "person/seed1" / row / "measured.json";
+    Json measured = Json::parse(ReadFile(file));
+    measured["made_of"]["eval"].erase("factor");
+    WriteFileAtomically(file, measured.dump());
+  }
+  EXPECT_EQ(Runs().State(Place(1)), RowState::kDone);
+  EXPECT_EQ(Runs().State(Place(0)), RowState::kDone);
 }
 
 TEST_F(AblationRunsTest, ResultHasTheCostOfTheRun) {
@@ -104,7 +120,7 @@ TEST_F(AblationRunsTest, RefusesABadConfigBeforeAnythingIsTrainedAndNamesTheRow)
   testing::ExpectError([&] { Runs(); }, "eval of row 'again': unknown key 'fctor'");
 }
 
-TEST(TrainSeconds, AddsUpWhatWasTrainedBeforeAndAfterAStop) {
+TEST(TrainSeconds, AreTotalAcrossResumes) {
   const testing::TempDir folder;
   WriteFileAtomically(folder / "metrics.jsonl",
                       "{\"seconds\": 2.0}\n{\"seconds\": 5.0}\n{\"seconds\": 1.5}\n{\"seconds\": 4.0}\n{\"secon");

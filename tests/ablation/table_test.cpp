@@ -9,8 +9,8 @@ namespace {
 
 AblationResult MakeResult(const std::string& name, uint64_t seed, const std::vector<double>& face_errors) {
   AblationResult result{.name = name, .split = "person", .seed = seed};
-  result.measure.error = eval::Mean(face_errors);
-  result.measure.interval = eval::Interval{result.measure.error - 1, result.measure.error + 1};
+  result.measure.error = Mean(face_errors);
+  result.measure.interval = Interval{result.measure.error - 1, result.measure.error + 1};
   result.measure.face_errors = face_errors;
   for (size_t face = 0; face < face_errors.size(); ++face) result.measure.groups.push_back(int(face));
   result.measure.more = {{"p90", 2.0 * double(seed)}, {"shape_input", "none"}, {"regions", {{"nose", double(seed)}}}};
@@ -18,10 +18,10 @@ AblationResult MakeResult(const std::string& name, uint64_t seed, const std::vec
   return result;
 }
 
-TEST(AblationTable, OfOneSeedHasTheKeysThatAreAgreedOnAndTheReportsOwnInterval) {
+TEST(AblationTable, OfOneSeedHasTheAgreedKeysAndTheReportsOwnInterval) {
   AblationResult result = MakeResult("a", 1, {1, 3});
   result.paper = 2.04;
-  const Json table = AblationTableJson({result}, "mm");
+  const Json table = AblationTableJson({result});
   ASSERT_EQ(table.size(), 1u);
   const Json& row = table[0];
   for (const char* key : {"name", "split", "paper", "error", "error_low", "error_high", "seeds", "steps", "parameters",
@@ -37,7 +37,7 @@ TEST(AblationTable, OfOneSeedHasTheKeysThatAreAgreedOnAndTheReportsOwnInterval) 
 }
 
 TEST(AblationTable, OfSeveralSeedsIsTheirMeanAndKeepsEachOne) {
-  const Json table = AblationTableJson({MakeResult("a", 1, {1, 3}), MakeResult("a", 2, {5, 7})}, "mm");
+  const Json table = AblationTableJson({MakeResult("a", 1, {1, 3}), MakeResult("a", 2, {5, 7})});
   ASSERT_EQ(table.size(), 1u);
   EXPECT_EQ(table[0]["error"], 4.0);
   EXPECT_EQ(table[0]["errors"], Json::array({2.0, 6.0}));
@@ -51,14 +51,14 @@ TEST(AblationTable, OfSeveralSeedsIsTheirMeanAndKeepsEachOne) {
 
 TEST(AblationTable, DifferencesArePairedFaceByFace) {
   // Errors of faces differ much, those of the rows always by 0.5: the interval of the difference has no width.
-  const Json table = AblationTableJson({MakeResult("a", 1, {1, 9, 4}), MakeResult("b", 1, {1.5, 9.5, 4.5})}, "mm");
+  const Json table = AblationTableJson({MakeResult("a", 1, {1, 9, 4}), MakeResult("b", 1, {1.5, 9.5, 4.5})});
   EXPECT_EQ(table[1]["difference_to"], "a");
   EXPECT_DOUBLE_EQ(table[1]["difference"].get<double>(), 0.5);
   EXPECT_DOUBLE_EQ(table[1]["difference_low"].get<double>(), 0.5);
   EXPECT_DOUBLE_EQ(table[1]["difference_high"].get<double>(), 0.5);
   testing::ExpectError(
       [] {
-        AblationTableJson({MakeResult("a", 1, {1, 9}), MakeResult("b", 1, {1})}, "mm");
+        AblationTableJson({MakeResult("a", 1, {1, 9}), MakeResult("b", 1, {1})});
       },
       "they cannot be compared");
 }
@@ -67,44 +67,60 @@ TEST(AblationTable, DifferencesAreToTheRowThatIsNamedBaselinesIncluded) {
   AblationResult mean_face = MakeResult("mean face", 1, {8, 9});
   mean_face.baseline = true;
   const std::vector<AblationResult> results = {MakeResult("a", 1, {1, 3}), mean_face, MakeResult("b", 1, {2, 5})};
-  const Json table = AblationTableJson(results, "mm", "b");
+  const Json table = AblationTableJson(results, "b");
   EXPECT_EQ(table[0]["difference"], 5.0) << "of the mean face";
   EXPECT_EQ(table[1]["difference"], -1.5);
   EXPECT_TRUE(table[2]["difference"].is_null());
   EXPECT_EQ(table[1]["difference_to"], "b");
-  EXPECT_TRUE(AblationTableJson(results, "mm", "not done yet")[1]["difference"].is_null());
+  EXPECT_TRUE(AblationTableJson(results, "not done yet")[1]["difference"].is_null());
 }
 
 TEST(AblationTable, WhatIsUnknownIsNull) {
   AblationResult fit = MakeResult("fit", 1, {1, 3});
   fit.cost.reset();
   fit.measure.face_errors.clear();
-  const Json table = AblationTableJson({MakeResult("a", 1, {1, 3}), fit}, "mm");
+  const Json table = AblationTableJson({MakeResult("a", 1, {1, 3}), fit});
   for (const char* key : {"paper", "difference", "difference_low", "steps", "parameters", "train_seconds", "infer_ms"})
     EXPECT_TRUE(table[1].at(key).is_null()) << key;
-  EXPECT_EQ(AblationTableJson({fit, MakeResult("a", 1, {1, 3}), MakeResult("b", 1, {1, 3})}, "mm")[2]["difference_to"],
-            "a")
-      << "the first row that tells its faces";
+  EXPECT_EQ(AblationTableJson({fit, MakeResult("a", 1, {1, 3}), MakeResult("b", 1, {1, 3})})[2]["difference_to"], "a")
+      << "the first row that has face errors";
   AblationResult second = fit;
   second.seed = 2;
-  EXPECT_TRUE(AblationTableJson({fit, second}, "mm")[0]["error_low"].is_null());
+  EXPECT_TRUE(AblationTableJson({fit, second})[0]["error_low"].is_null());
+}
+
+TEST(AblationTable, ShowsCellsWithTheDigitsOfTheirColumns) {
+  AblationResult a = MakeResult("a", 1, {1, 3}), b = MakeResult("b", 1, {1.5, 3.5});
+  a.paper = 2.04;
+  const std::vector<reports::ReportTable> tables =
+      AblationTables(AblationTableJson({a, b}),
+                     {{.key = "p90", .title = "p90"}, {.key = "flips", .title = "flips", .may_hide = true}});
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].title, "Split: person");
+  EXPECT_EQ(tables[0].header,
+            (std::vector<std::string>{"row", "shape input", "paper mm", "mm", "95 % interval", "against a", "p90",
+                                      "steps", "parameters", "training s", "ms a face", "seeds"}));
+  EXPECT_EQ(tables[0].rows[0], (std::vector<std::string>{"a", "none", "2.04", "2.000", "1.00 to 3.00", "-", "2.000",
+                                                         "10", "7", "3", "2.00", "1"}));
+  EXPECT_EQ(tables[0].rows[1][5], "+0.50 (+0.50 to +0.50)");
 }
 
 TEST(AblationTable, BaselinesStandOnTopOfTheirSplitAndSplitsFollowEachOther) {
   AblationResult mean_face = MakeResult("mean face", 1, {8, 9}), random = MakeResult("a", 1, {1, 2});
   mean_face.baseline = true;
   random.split = "random";
-  const Json table =
-      AblationTableJson({MakeResult("a", 1, {1, 3}), mean_face, MakeResult("b", 1, {2, 3}), random}, "mm");
+  const Json table = AblationTableJson({MakeResult("a", 1, {1, 3}), mean_face, MakeResult("b", 1, {2, 3}), random});
   std::vector<std::string> names;
   for (const Json& row : table) names.push_back(row["split"].get<std::string>() + " " + row["name"].get<std::string>());
   EXPECT_EQ(names, (std::vector<std::string>{"person mean face", "person a", "person b", "random a"}));
-  const std::vector<reports::ReportTable> tables = AblationTables(table);
+  const std::vector<reports::ReportTable> tables =
+      AblationTables(table, {{.key = "p90", .title = "p90", .may_hide = true}});
   ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(tables[0].rows.size(), 3u);
   EXPECT_EQ(tables[0].header[5], "against a");
+  EXPECT_EQ(tables[0].header[6], "p90");
   for (const auto& row : tables[0].rows) EXPECT_EQ(row.size(), tables[0].header.size());
-  const std::string markdown = AblationMarkdown(table);
+  const std::string markdown = AblationMarkdown(table, {});
   EXPECT_LT(markdown.find("mean face"), markdown.find("| a |"));
   EXPECT_NE(markdown.find("bootstrap over persons"), std::string::npos);
 }

@@ -50,7 +50,7 @@ inline std::vector<std::string> TrainCommand(const std::filesystem::path& data, 
           "bilinear.num_identity=4",
           "bilinear.num_expression=3",
           "network.resolution=32",
-          "network.width=4",
+          "network.width=8",
           "network.hidden=32",
           "epochs=3",
           "batch=8"};

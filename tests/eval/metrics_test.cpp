@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace daumier::eval {
 namespace {
 
@@ -39,6 +41,18 @@ TEST(MeanVertexError, IsTheSameAfterMovingBothFacesButNotAfterMovingOne) {
   const std::vector<int> region = {0, 1, 2};
   EXPECT_DOUBLE_EQ(MeanVertexError(moved_prediction, moved_truth, region, 10.0), 20.0);
   EXPECT_GT(MeanVertexError(moved_prediction, kTruth, region, 10.0), 20.0);
+}
+
+TEST(MeanVertexDistance, IsTheMeanOverAllVerticesOfAllFaces) {
+  FaceRows truth = FaceRows::Zero(2, 6), predicted = truth;
+  predicted.row(0) << 3, 4, 0, 0, 0, 0;
+  predicted.row(1) << 0, 0, 1, 0, 0, 2;
+  EXPECT_DOUBLE_EQ(MeanVertexDistance(predicted, truth), 2);
+  EXPECT_EQ(MeanVertexDistance(truth, truth), 0);
+  EXPECT_THROW(MeanVertexDistance(predicted.topRows(1), truth), Error);
+  EXPECT_THROW(MeanVertexDistance(FaceRows(0, 6), FaceRows(0, 6)), Error);
+  predicted(1, 3) = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(MeanVertexDistance(predicted, truth), Error);
 }
 
 TEST(VertexDistance, IsEuclidean) {

@@ -5,6 +5,8 @@
 #include "tests/support/expect_error.h"
 
 #include <set>
+#include <torch/nn/modules/linear.h>
+#include <torch/utils.h>
 
 namespace daumier::exporting {
 namespace {

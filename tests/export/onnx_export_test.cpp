@@ -4,6 +4,10 @@
 #include "tests/support/expect_error.h"
 
 #include <cstring>
+#include <torch/nn/modules/batchnorm.h>
+#include <torch/nn/modules/conv.h>
+#include <torch/nn/modules/linear.h>
+#include <torch/utils.h>
 
 namespace daumier::exporting {
 namespace {

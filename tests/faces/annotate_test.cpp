@@ -58,6 +58,28 @@ FaceTemplate Annotated(const AnnotationFile& file) {
   return Annotate(Grid().mesh(), file, "synthetic").face_template;
 }
 
+TEST(Annotate, UvFollowsItsCornersThroughCropAndTriangulation) {
+  // UV of a corner encodes its polygon and its vertex.
+  geometry::PolygonMesh mesh = Grid().mesh();
+  for (int p = 0; p < mesh.num_polygons(); ++p)
+    for (int c = mesh.offsets[p]; c < mesh.offsets[p + 1]; ++c) mesh.uv_corners.push_back(c);
+  mesh.uv.resize(static_cast<int>(mesh.corners.size()), 2);
+  for (int p = 0; p < mesh.num_polygons(); ++p)
+    for (int c = mesh.offsets[p]; c < mesh.offsets[p + 1]; ++c) mesh.uv.row(c) << p, mesh.corners[c];
+  const AnnotatedTemplate annotated = Annotate(mesh, File(), "synthetic");
+  const FaceTemplate& face = annotated.face_template;
+  EXPECT_EQ(face.triangles, Annotated(File()).triangles);
+  ASSERT_EQ(face.uv_triangles.rows(), face.triangles.rows());
+  EXPECT_LT(face.uv.rows(), mesh.uv.rows()) << "UV of cropped polygons is removed";
+  for (Eigen::Index t = 0; t < face.triangles.rows(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::RowVector2d uv = face.uv.row(face.uv_triangles(t, k));
+      ASSERT_EQ(uv.y(), annotated.vertices.old_from_new[face.triangles(t, k)]);
+      ASSERT_EQ(uv.x(), face.uv(face.uv_triangles(t, 0), 0)) << "the corners of a triangle are of one polygon";
+    }
+  }
+}
+
 TEST(Annotate, CropsRemapsAndCloses) {
   const AnnotatedTemplate annotated = Annotate(Grid().mesh(), File(), "synthetic");
   const FaceTemplate& face = annotated.face_template;

@@ -201,6 +201,100 @@ TEST_F(FaceDatabaseTest, TemplateIsReadBack) {
   }
 }
 
+/// The face with UV: a row for each corner of each third triangle, one row of a vertex for the others.
+FaceTemplate WithUv(FaceTemplate face) {
+  face.uv_triangles = face.triangles;
+  int num_rows = face.num_vertices();
+  for (Eigen::Index t = 0; t < face.triangles.rows(); t += 3) {
+    for (int k = 0; k < 3; ++k) face.uv_triangles(t, k) = num_rows++;
+  }
+  face.uv = geometry::TextureCoordinates::Random(num_rows, 2);
+  return face;
+}
+
+TEST_F(FaceDatabaseTest, UvIsReadBackBitByBitFromVersion2) {
+  const FaceTemplate face = WithUv(template_);
+  manifest_.checksums.merge(WriteFaceTemplate(directory_.path(), face));
+  EXPECT_EQ(Json::parse(ReadFile(directory_ / "template.json")).at("format_version"), 2);
+  const FaceTemplate read = ReadFaceTemplate(directory_.path());
+  EXPECT_EQ(read.uv, face.uv);
+  EXPECT_EQ(read.uv_triangles, face.uv_triangles);
+  EXPECT_EQ(read.triangles, face.triangles);
+}
+
+/// template.safetensors and template.json exactly as version 1 of the format had them before UV.
+void WriteVersion1(const std::filesystem::path& directory, const FaceTemplate& face) {
+  SafetensorsWriter arrays;
+  arrays.SetMetadata("kind", "face template");
+  const auto add = [&](const std::string& name, const auto& matrix) {
+    using Scalar = std::decay_t<decltype(*matrix.data())>;
+    arrays.Add<Scalar>(name, {matrix.rows(), 3}, {matrix.data(), size_t(matrix.size())});
+  };
+  add("neutral", face.neutral);
+  add("triangles", face.triangles);
+  add("closing_triangles", face.closing_triangles);
+  const Annotation& annotation = face.annotation;
+  arrays.Add<int32_t>("mirror", {int64_t(annotation.mirror.size())}, annotation.mirror);
+  for (const auto& [name, vertices] : annotation.regions)
+    arrays.Add<int32_t>("region/" + name, {int64_t(vertices.size())}, vertices);
+  arrays.Write(directory / "template.safetensors");
+  Json curves = Json::array();
+  for (const FeatureCurve& curve : annotation.curves) {
+    curves.push_back({{"name", curve.name},
+                      {"kind", curve.kind},
+                      {"view", curve.view == View::kFrontal ? "frontal" : "side"},
+                      {"closed", curve.closed},
+                      {"vertices", curve.vertices}});
+  }
+  const Json text = {{"format_version", 1},
+                     {"source", face.source},
+                     {"provenance", face.provenance},
+                     {"num_eye_closing_triangles", face.num_eye_closing_triangles},
+                     {"hairline_vertex", annotation.hairline_vertex},
+                     {"landmarks", annotation.landmarks},
+                     {"curves", curves}};
+  WriteFileAtomically(directory / "template.json", text.dump(1) + "\n");
+}
+
+TEST_F(FaceDatabaseTest, Version1IsReadAndATemplateWithoutUvKeepsItsBytes) {
+  const TempDir old;
+  WriteVersion1(old.path(), template_);
+  const FaceTemplate read = ReadFaceTemplate(old.path());
+  EXPECT_EQ(read.neutral, template_.neutral);
+  EXPECT_EQ(read.triangles, template_.triangles);
+  EXPECT_EQ(read.annotation.landmarks, template_.annotation.landmarks);
+  EXPECT_FALSE(read.has_uv());
+  EXPECT_EQ(read.uv_triangles.rows(), 0);
+  for (const char* file : {"template.safetensors", "template.json"}) {
+    EXPECT_TRUE(ReadFile(old / file) == ReadFile(directory_ / file)) << file;
+  }
+}
+
+TEST_F(FaceDatabaseTest, UvThatDoesNotFitIsRefused) {
+  FaceTemplate face = WithUv(template_);
+  face.uv_triangles(7, 1) = static_cast<int>(face.uv.rows());
+  ExpectError([&] { WriteFaceTemplate(directory_.path(), face); }, fmt::format("uses row {} of UV", face.uv.rows()));
+  // Version 2 without its arrays, and with those of another surface.
+  Replace("template.json", "\"format_version\": 1", "\"format_version\": 2");
+  ExpectRefused("'uv'", false);
+  FaceTemplate other = WithUv(template_);
+  other.triangles.conservativeResize(other.triangles.rows() - 1, 3);
+  other.uv_triangles.conservativeResize(other.triangles.rows(), 3);
+  WriteFaceTemplate(directory_.path(), other);
+  SafetensorsWriter damaged;
+  const SafetensorsFile whole(directory_ / "template.safetensors");
+  for (const auto& [name, array] : whole.arrays()) {
+    if (name == "triangles") continue;
+    damaged.AddBytes(name, array.dtype, array.shape, array.data, size_t(array.size()) * ItemSize(array.dtype));
+  }
+  damaged.Add<int32_t>("triangles", {template_.triangles.rows(), 3},
+                       {template_.triangles.data(), size_t(template_.triangles.size())});
+  const TempDir folder;
+  damaged.Write(folder / "template.safetensors");
+  WriteFileAtomically(folder / "template.json", ReadFile(directory_ / "template.json"));
+  ExpectError([&] { ReadFaceTemplate(folder.path()); }, "template.safetensors: UV of");
+}
+
 TEST_F(FaceDatabaseTest, AMissingShardIsNamed) {
   std::filesystem::remove(directory_ / shard_);
   ExpectRefused(shard_);
@@ -260,8 +354,8 @@ TEST_F(FaceDatabaseTest, DistancesOfRegisteredFacesAreThoseOfTheirShard) {
 TEST_F(FaceDatabaseTest, ATemplateThatDoesNotFitIsRefused) {
   Replace("template.json", "\"hairline_vertex\": ", "\"hairline_vertex\": 99");
   ExpectRefused("the hairline names vertex 99", false);
-  Replace("template.json", "\"format_version\": 1", "\"format_version\": 2");
-  ExpectRefused("template.json: format version 2", false);
+  Replace("template.json", "\"format_version\": 1", "\"format_version\": 3");
+  ExpectRefused("template.json: format version 3 is not supported (expected 1 or 2)", false);
   WriteFileAtomically(directory_ / "template.json", "{\"format_version\":");
   ExpectRefused("template.json: malformed", false);
   std::filesystem::remove(directory_ / "template.json");

@@ -21,6 +21,19 @@ FaceModel WithControl(const IdentityControl& control) {
   return model;
 }
 
+TEST(FaceModel, SurfaceMeshHasTheTemplatesTrianglesAndUv) {
+  FaceTemplate face = testing::SyntheticFace();
+  face.uv = geometry::TextureCoordinates::Random(face.num_vertices(), 2);
+  face.uv_triangles = face.triangles;
+  const geometry::Points moved = 2 * face.neutral;
+  const geometry::TriangleMesh mesh = SurfaceMesh(face, moved);
+  EXPECT_EQ(mesh.vertices, moved);
+  EXPECT_EQ(mesh.triangles, face.triangles);
+  EXPECT_EQ(mesh.uv, face.uv);
+  EXPECT_EQ(mesh.uv_triangles, face.uv_triangles);
+  ExpectError([&] { SurfaceMesh(face, geometry::Points::Zero(3, 3)); }, "a face of 3 vertices");
+}
+
 TEST(FaceModel, ScaleIs200MillimetresFromChinToHairline) {
   FaceTemplate face = testing::SyntheticFace();
   face.neutral(face.annotation.landmarks[8], 1) = -6;

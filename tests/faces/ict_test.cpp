@@ -45,6 +45,10 @@ TEST_F(IctTest, TemplateIsSound) {
   testing::ExpectLandmarksOfAFace(face);
 }
 
+TEST_F(IctTest, UvIsThatOfTheHead) {
+  testing::ExpectUvUnfoldsTheFace(model_->face_template);
+}
+
 TEST_F(IctTest, FaceRegionStandsFirst) {
   const auto& region = model_->face_template.annotation.regions.at("face");
   for (size_t i = 0; i < region.size(); ++i) ASSERT_EQ(region[i], static_cast<int>(i));

@@ -80,6 +80,29 @@ TEST_F(MakeHumanFilesTest, PackageGivesRowsInOrderOfPath) {
   ExpectError([&] { files.target("z"); }, "no target 'z'");
 }
 
+TEST_F(MakeHumanFilesTest, UvOfCheckoutAndPackageIsThatOfTheBody) {
+  WriteCheckout();
+  EXPECT_FALSE(OpenMakeHuman(directory_.path()).body.has_uv());
+  Write("makehuman/data/3dobjs/base.obj", BaseObj() + "vt 0.25 0.75\n");
+  const geometry::PolygonMesh checkout = OpenMakeHuman(directory_.path()).body;
+  EXPECT_EQ(checkout.uv, (geometry::TextureCoordinates(1, 2) << 0.25, 0.75).finished());
+  EXPECT_EQ(checkout.uv_corners.size(), checkout.corners.size());
+  WritePackage(kBytes);
+  Json mesh = Json::parse(ReadFile(directory_ / "public/data/models/human_full_size.json"));
+  mesh["uvs"] = {{9, 9, 0.5, 0.25, 0.125, 0}};
+  for (size_t face = 0; face < mesh["faces"].size(); face += 10) {
+    for (int k = 0; k < 4; ++k) mesh["faces"][face + 6 + k] = 1 + k % 2;
+  }
+  Write("public/data/models/human_full_size.json", mesh.dump());
+  const geometry::PolygonMesh package = OpenMakeHuman(directory_.path()).body;
+  EXPECT_EQ(package.uv, (geometry::TextureCoordinates(2, 2) << 0.5, 0.25, 0.125, 0).finished());
+  EXPECT_EQ(package.uv_corners[4], 0);
+  EXPECT_EQ(package.uv_corners[5], 1);
+  mesh["faces"][8] = 3;
+  Write("public/data/models/human_full_size.json", mesh.dump());
+  ExpectError([&] { OpenMakeHuman(directory_.path()); }, "names UV 3, there are 3");
+}
+
 TEST_F(MakeHumanFilesTest, DamagedDataAreRefusedByName) {
   ExpectError([&] { OpenMakeHuman(directory_ / "nowhere"); }, "./dev setup");
   ExpectError([&] { OpenMakeHuman(directory_.path()); }, "holds neither");

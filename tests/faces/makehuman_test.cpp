@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "faces/makehuman_files.h"
 #include "faces/source.h"
+#include "geometry/obj.h"
 #include "tests/faces/template_checks.h"
 #include "tests/support/paths.h"
 #include "tests/support/temp_dir.h"
@@ -38,6 +39,13 @@ TEST_F(MakeHumanTest, TemplateIsSound) {
   testing::ExpectSoundAnnotation(face);
   testing::ExpectCurvesAreEdgePaths(face);
   testing::ExpectLandmarksOfAFace(face);
+}
+
+TEST_F(MakeHumanTest, UvIsThatOfThePackage) {
+  const FaceTemplate& face = model_->face_template;
+  testing::ExpectUvUnfoldsTheFace(face);
+  EXPECT_GE(face.uv.minCoeff(), 0);
+  EXPECT_LE(face.uv.maxCoeff(), 1);
 }
 
 TEST_F(MakeHumanTest, HeadIsOfHumanSize) {
@@ -93,19 +101,10 @@ TEST_F(MakeHumanTest, CheckoutGivesTheModelOfThePackage) {
   const MakeHumanFiles package = OpenMakeHuman(*testing::MakeHumanData());
   const testing::TempDir directory;
   MakeDirectory(directory / "3dobjs");
-  std::string obj;
-  for (int v = 0; v < 19158; ++v) {
-    const Eigen::RowVector3d p =
-        v < package.body.vertices.rows() ? package.body.vertices.row(v).eval() : Eigen::RowVector3d(0, 0, 0);
-    obj += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
-  }
-  for (int p = 0; p < package.body.num_polygons(); ++p) {
-    obj += "f";
-    for (int c = package.body.offsets[p]; c < package.body.offsets[p + 1]; ++c)
-      obj += fmt::format(" {}", package.body.corners[c] + 1);
-    obj += "\n";
-  }
-  WriteFileAtomically(directory / "3dobjs/base.obj", obj);
+  geometry::PolygonMesh base = package.body;
+  base.vertices.conservativeResize(19158, 3);
+  base.vertices.bottomRows(19158 - package.body.vertices.rows()).setZero();
+  geometry::WriteObj(directory / "3dobjs/base.obj", base);
   for (const std::string& name : package.target_names) {
     const bool wanted = name.starts_with("expression/") || name.starts_with("macrodetails/universal") ||
                         name.starts_with("nose/") ||
@@ -123,6 +122,8 @@ TEST_F(MakeHumanTest, CheckoutGivesTheModelOfThePackage) {
   const FaceModel read = LoadMakeHuman(directory.path());
   EXPECT_LT((read.face_template.neutral - model_->face_template.neutral).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_EQ(read.face_template.triangles, model_->face_template.triangles);
+  EXPECT_EQ(read.face_template.uv, model_->face_template.uv);
+  EXPECT_EQ(read.face_template.uv_triangles, model_->face_template.uv_triangles);
   EXPECT_EQ(read.expression_shape_names, model_->expression_shape_names);
   EXPECT_LT((read.expression_shapes - model_->expression_shapes).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT((read.identity_shapes.leftCols(10) - model_->identity_shapes.leftCols(10)).cwiseAbs().maxCoeff(), 1e-6);

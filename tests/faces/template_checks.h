@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 
 /// What holds for the template of every source.
 namespace daumier::testing {
@@ -27,6 +29,30 @@ inline void ExpectSoundTopology(const faces::FaceTemplate& face) {
   geometry::Triangles eyes_closed(face.triangles.rows() + face.num_eye_closing_triangles, 3);
   eyes_closed << face.triangles, face.closing_triangles.topRows(face.num_eye_closing_triangles);
   EXPECT_EQ(geometry::BoundaryLoops(eyes_closed, n).size(), 2u);
+}
+
+/// UV of every corner, one-to-one up to a few corners: triangles keep their orientation in the picture, and seldom does
+/// an edge have different UV on its two sides (a seam).
+inline void ExpectUvUnfoldsTheFace(const faces::FaceTemplate& face) {
+  ASSERT_EQ(face.uv_triangles.rows(), face.triangles.rows());
+  std::map<std::pair<int, int>, std::pair<int, int>> uv_of_edge;
+  int num_turned = 0, num_seams = 0;
+  for (Eigen::Index t = 0; t < face.triangles.rows(); ++t) {
+    const auto corner = [&](int k) { return Eigen::Vector2d(face.uv.row(face.uv_triangles(t, k))); };
+    const Eigen::Vector2d a = corner(1) - corner(0), b = corner(2) - corner(0);
+    num_turned += a.x() * b.y() - a.y() * b.x() <= 0;
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      uv_of_edge[{face.triangles(t, k), face.triangles(t, next)}] = {face.uv_triangles(t, k),
+                                                                     face.uv_triangles(t, next)};
+    }
+  }
+  for (const auto& [edge, uv] : uv_of_edge) {
+    const auto other = uv_of_edge.find({edge.second, edge.first});
+    num_seams += other != uv_of_edge.end() && other->second != std::pair(uv.second, uv.first);
+  }
+  EXPECT_LE(num_turned, 0.01 * double(face.triangles.rows()));
+  EXPECT_LE(num_seams, 0.05 * double(uv_of_edge.size()));
 }
 
 inline void ExpectCurvesAreEdgePaths(const faces::FaceTemplate& face) {

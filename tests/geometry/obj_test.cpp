@@ -1,11 +1,16 @@
 #include "geometry/obj.h"
 
 #include "core/files.h"
+#include "core/log.h"
+#include "geometry/triangulate.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
+
+#include <chrono>
 
 namespace daumier::geometry {
 namespace {
@@ -21,6 +26,72 @@ TEST(ParseObj, ReadsAllCornerFormsAndNegativeIndices) {
     EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2, 3})) << face;
     EXPECT_EQ(mesh.num_polygons(), 1) << face;
   }
+}
+
+TEST(ParseObj, ReadsUvOfCorners) {
+  const PolygonMesh mesh =
+      ParseObj(kFour + "vt 0 0\nvt 1 0.25 0.5\nvt 0.5\nf 1/1 2/2 3/3\nf 1/-3/ 3/2/7 4/-1/7\n", "text");
+  EXPECT_EQ(mesh.uv, (TextureCoordinates(3, 2) << 0, 0, 1, 0.25, 0.5, 0).finished());
+  EXPECT_EQ(mesh.uv_corners, (std::vector<int>{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(ParseObj(kFour + "f 1/2 2/1 3/1\nvt 0 0\nvt 1 1\n", "text").uv_corners, (std::vector<int>{1, 0, 0}))
+      << "vt may come after the polygons that use it";
+}
+
+TEST(ParseObj, EmptyAndZeroIndicesAreAbsent) {
+  for (const char* face : {"f 1/ 2/ 3/ 4/", "f 1// 2// 3// 4//", "f 1/0 2/0 3/0 4/0", "f 1/0/0 2/0/0 3/0/0 4/0/0",
+                           "f 1/1/ 2/1/ 3/1/ 4/1/", "f 1 2/ 3//1 4/0/1"}) {
+    EXPECT_EQ(ParseObj(kFour + face + "\n", "text").corners, (std::vector<int>{0, 1, 2, 3})) << face;
+    EXPECT_FALSE(ParseObj(kFour + face + "\n", "text").has_uv()) << face;
+  }
+}
+
+TEST(ParseObj, DropsUvThatSomeCornersLackWithAWarning) {
+  testing::AllowWarnings();
+  const std::string four = kFour + "vt 0 0\nvt nan 1\n";
+  for (const char* faces : {"f 1/1 2 3/1\n", "f 1/1 2/1 3/1\nf 1 3 4\n", "f 1/1 2/2 3/1\n"}) {
+    const int num_warnings = log::NumWarnings();
+    const PolygonMesh mesh = ParseObj(four + faces, "text");
+    EXPECT_EQ(log::NumWarnings(), num_warnings + 1) << faces;
+    EXPECT_FALSE(mesh.has_uv()) << faces;
+    EXPECT_TRUE(mesh.uv_corners.empty()) << faces;
+  }
+  const int num_warnings = log::NumWarnings();
+  EXPECT_FALSE(ParseObj(four + "f 1 2 3\n", "text").has_uv());
+  EXPECT_EQ(ParseObj(four + "f 1/1 2/1 3/1\n", "text").uv.rows(), 1) << "the row that is not finite has no use";
+  EXPECT_EQ(log::NumWarnings(), num_warnings);
+}
+
+TEST(ParseObj, KeepsARepeatedVertexOnceAndSkipsWhatIsNoPolygonThen) {
+  testing::AllowWarnings();
+  const int num_warnings = log::NumWarnings();
+  const PolygonMesh mesh = ParseObj(kFour + "vt 0 0\nvt 1 1\nf 1/1 2/1 2/2 3/1 1/2 4/2\nf 1/1 2/1 2/1\n", "text");
+  EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(mesh.uv_corners, (std::vector<int>{0, 0, 0, 1}));
+  EXPECT_EQ(mesh.num_polygons(), 1);
+  EXPECT_EQ(log::NumWarnings(), num_warnings + 1);
+  ExpectError([] { ParseObj(kFour + "f 1 2 2\n", "a.obj"); }, "no polygon");
+}
+
+TEST(ParseObj, ReadsIndentedLinesAByteOrderMarkAndALastLineWithoutEnd) {
+  const PolygonMesh mesh = ParseObj("\xEF\xBB\xBFv 0 0 0\n  v 1 0 0\n\tv 1 1 0\n \tvt 0 1\n  f 1/1 2/1 3/1", "text");
+  EXPECT_EQ(mesh.vertices.rows(), 3);
+  EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(mesh.uv_corners, (std::vector<int>{0, 0, 0}));
+  EXPECT_EQ(ParseObjVertices("v 0 0 0\n  v 1 2 3", "text", 2)(1, 2), 3);
+}
+
+// 200,000 corners in one polygon: a comparison of all pairs would take a minute.
+TEST(ParseObj, ReadsAPolygonOfManyCornersInSeconds) {
+  constexpr int kCorners = 200'000;
+  std::string text, polygon = "f";
+  for (int k = 0; k < kCorners; ++k) {
+    text += "v 0 0 0\n";
+    polygon += fmt::format(" {}", k + 1);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(ParseObj(text + polygon + "\n", "text").corners.size(), size_t(kCorners));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST(ParseObj, PassesOverWhatItDoesNotNeed) {
@@ -41,16 +112,24 @@ TEST(ParseObj, RefusesWhatIsWrongAndNamesTheLine) {
   ExpectError([] { ParseObj(kFour + "f 1 2 x\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
   ExpectError([] { ParseObj(kFour + "f 0 1 2\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
   ExpectError([] { ParseObj(kFour + "f -5 1 2\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
-  ExpectError([] { ParseObj(kFour + "f 1/1 2/1 3\n", "a.obj"); }, "a.obj:5: corners of different forms");
-  ExpectError([] { ParseObj(kFour + "f 1 2 2\n", "a.obj"); }, "a.obj:5: a vertex comes twice");
+  ExpectError([] { ParseObj(kFour + "f 1-2 3 4\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
+  ExpectError([] { ParseObj(kFour + "f 1/2/3/4 2 3\n", "a.obj"); }, "a.obj:5: a corner is not of the form v/vt/vn");
+  ExpectError([] { ParseObj(kFour + "vt 0 0\nf 1/x 2/1 3/1\n", "a.obj"); },
+              "a.obj:6: a corner is not of the form v/vt");
+  ExpectError([] { ParseObj(kFour + "vt 0 0\nf 1/-2 2/1 3/1\n", "a.obj"); },
+              "a.obj:6: a corner is not of the form v/vt");
+  ExpectError([] { ParseObj(kFour + "vt 0 0\nf 1/1 2/2 3/1\n", "a.obj"); }, "uses texture coordinate 2 of 1");
+  ExpectError([] { ParseObj(kFour + "vt\t\n", "a.obj"); }, "a.obj:5: a texture coordinate needs a number");
+  ExpectError([] { ParseObj(kFour + "vt 0 b\n", "a.obj"); }, "a.obj:5: a texture coordinate is not a number");
 }
 
 TEST(ParseObj, RefusesACutText) {
   ExpectError([] { ParseObj("", "a.obj"); }, "no vertex");
   ExpectError([] { ParseObj(kFour, "a.obj"); }, "no polygon");
   ExpectError([] { ParseObj(kFour + "f 1 2 5\n", "a.obj"); }, "uses vertex 5 of 4");
-  const std::string whole = kFour + "f 1 2 3 4\n";
-  for (size_t length = 0; length < whole.size(); ++length) {
+  // A text cut inside its last polygon is a shorter text of its own; every other cut is refused.
+  const std::string whole = kFour + "f 1 2 3 4\n", shortest = kFour + "f 1 2 3";
+  for (size_t length = 0; length < shortest.size(); ++length) {
     EXPECT_THROW(ParseObj(std::string_view(whole).substr(0, length), "a.obj"), Error) << length;
   }
 }
@@ -60,7 +139,7 @@ TEST(ParseObjVertices, AgreesWithTheFullReaderAndSkipsPolygons) {
   EXPECT_EQ(ParseObjVertices(text, "text", 4), ParseObj(kFour + "f 1 2 3 4\n", "text").vertices);
   ExpectError([&] { ParseObjVertices(text, "a.obj", 5); }, "4 vertices, expected 5");
   ExpectError([&] { ParseObjVertices(text, "a.obj", 3); }, "4 vertices, expected 3");
-  ExpectError([] { ParseObjVertices("v 0 0 0\nv 1 1", "a.obj", 2); }, "a.obj:2: the last line has no line end");
+  ExpectError([] { ParseObjVertices("v 0 0 0\nv 1 1", "a.obj", 2); }, "a.obj:2: a vertex needs three coordinates");
 }
 
 TEST(WriteObj, ReadObjGivesTheSameBitsBack) {
@@ -70,6 +149,42 @@ TEST(WriteObj, ReadObjGivesTheSameBitsBack) {
   const PolygonMesh read = ReadObj(folder / "sphere.obj");
   EXPECT_EQ(read.vertices, mesh.vertices);
   EXPECT_EQ(read.corners, std::vector<int>(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size()));
+}
+
+TEST(WriteObj, ReadObjGivesUvAndPolygonsBack) {
+  const testing::TempDir folder;
+  PolygonMesh mesh{.vertices = Points::Random(5, 3), .offsets = {0, 4, 7}, .corners = {0, 1, 2, 3, 3, 2, 4}};
+  mesh.uv = TextureCoordinates::Random(6, 2);
+  mesh.uv_corners = {0, 1, 2, 3, 4, 2, 5};
+  WriteObj(folder / "mesh.obj", mesh);
+  const PolygonMesh read = ReadObj(folder / "mesh.obj");
+  EXPECT_EQ(read.vertices, mesh.vertices);
+  EXPECT_EQ(read.offsets, mesh.offsets);
+  EXPECT_EQ(read.corners, mesh.corners);
+  EXPECT_EQ(read.uv, mesh.uv);
+  EXPECT_EQ(read.uv_corners, mesh.uv_corners);
+  const TriangleMesh triangles = TriangulateMesh(mesh);
+  WriteObj(folder / "triangles.obj", triangles);
+  const TriangleMesh again = TriangulateMesh(ReadObj(folder / "triangles.obj"));
+  EXPECT_EQ(again.uv, mesh.uv);
+  EXPECT_EQ(again.uv_triangles, triangles.uv_triangles);
+}
+
+TEST(WriteObj, OfAMeshWithoutUvHasVerticesAndPolygonsAlone) {
+  const testing::TempDir folder;
+  WriteObj(folder / "one.obj", TriangleMesh{(Points(3, 3) << 0, 0, 0, 1.5, 0, 0, 0, -1, 0).finished(),
+                                            (Triangles(1, 3) << 0, 1, 2).finished()});
+  EXPECT_EQ(ReadFile(folder / "one.obj"), "v 0 0 0\nv 1.5 0 0\nv 0 -1 0\nf 1 2 3\n");
+}
+
+TEST(WriteObj, RefusesUvThatDoesNotFit) {
+  const testing::TempDir folder;
+  TriangleMesh mesh = testing::EquilateralTriangle();
+  mesh.uv.resize(2, 2);
+  mesh.uv.setZero();
+  mesh.uv_triangles = mesh.triangles;
+  ExpectError([&] { WriteObj(folder / "bad.obj", mesh); }, "row 2 of UV, there are 2");
+  EXPECT_FALSE(std::filesystem::exists(folder / "bad.obj"));
 }
 
 TEST(ReadObj, NamesAMissingFile) {

@@ -63,6 +63,36 @@ TEST(Subdivision, HasNoTwoVerticesInOnePlace) {
   EXPECT_EQ(Eigen::Index(places.size()), fine.rows());
 }
 
+TEST(Subdivision, UvStaysLinearOnEachOldTriangle) {
+  // UV of each triangle is an affine map of its positions, another one for each, so that every edge is a seam.
+  TriangleMesh mesh = Tetrahedron();
+  mesh.uv.resize(12, 2);
+  mesh.uv_triangles.resize(4, 3);
+  const auto uv_of = [&](Eigen::Index triangle, const Eigen::RowVector3d& p) {
+    const double shift = 2.0 * double(triangle);
+    return Eigen::RowVector2d(p.x() - 0.5 * p.z() + shift, 0.25 * p.y() + p.z() - shift);
+  };
+  for (int t = 0; t < 4; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      mesh.uv_triangles(t, k) = 3 * t + k;
+      mesh.uv.row(3 * t + k) = uv_of(t, mesh.vertices.row(mesh.triangles(t, k)));
+    }
+  }
+  const TriangleMesh fine = Subdivide(mesh, 2);
+  EXPECT_EQ(fine.triangles, Subdivider(mesh.triangles, 4, 2).triangles());
+  ASSERT_EQ(fine.uv_triangles.rows(), fine.triangles.rows());
+  EXPECT_EQ(fine.uv.rows(), 4 * 15) << "15 vertices on each old triangle";
+  for (Eigen::Index t = 0; t < fine.triangles.rows(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::RowVector2d expected = uv_of(t / 16, fine.vertices.row(fine.triangles(t, k)));
+      EXPECT_LT((fine.uv.row(fine.uv_triangles(t, k)) - expected).norm(), 1e-12);
+    }
+  }
+  mesh.uv.resize(0, 2);
+  mesh.uv_triangles.resize(0, 3);
+  EXPECT_FALSE(Subdivide(mesh, 1).has_uv());
+}
+
 TEST(Subdivision, RefusesWhatDoesNotFit) {
   Triangles triangle(1, 3);
   triangle << 0, 1, 3;

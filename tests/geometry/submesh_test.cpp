@@ -29,6 +29,27 @@ TEST(Submesh, OfPolygonsKeepsTheirCornersInOrder) {
   EXPECT_EQ(part.corners, (std::vector<int>{0, 1, 2, 3}));
 }
 
+TEST(Submesh, KeepsTheUvThatKeptCornersUse) {
+  PolygonMesh mesh;
+  mesh.vertices = Points::Random(5, 3);
+  mesh.offsets = {0, 3, 6};
+  mesh.corners = {0, 1, 2, 2, 1, 4};
+  mesh.uv = TextureCoordinates::Random(6, 2);
+  mesh.uv_corners = {0, 3, 1, 2, 5, 4};
+  const PolygonMesh part = Submesh(mesh, MapKept({1, 2, 4}, 5));
+  EXPECT_EQ(part.corners, (std::vector<int>{1, 0, 2}));
+  EXPECT_EQ(part.uv_corners, (std::vector<int>{0, 2, 1}));
+  EXPECT_EQ(part.uv, mesh.uv({2, 4, 5}, Eigen::all));
+
+  const TriangleMesh triangles{mesh.vertices, (Triangles(2, 3) << 0, 1, 2, 2, 1, 4).finished(), mesh.uv,
+                               (Triangles(2, 3) << 0, 3, 1, 2, 5, 4).finished()};
+  const TriangleMesh kept = Submesh(triangles, MapKept({1, 2, 4}, 5));
+  EXPECT_EQ(kept.triangles, (Triangles(1, 3) << 1, 0, 2).finished());
+  EXPECT_EQ(kept.uv_triangles, (Triangles(1, 3) << 0, 2, 1).finished());
+  EXPECT_EQ(kept.uv, part.uv);
+  EXPECT_FALSE(Submesh(mesh, MapKept({0, 1, 4}, 5)).has_uv()) << "no face is left";
+}
+
 TEST(Submesh, RefusesAVertexOutOfRange) {
   testing::ExpectError([] { MapKept({3}, 3); }, "vertex 3 is out of range");
 }

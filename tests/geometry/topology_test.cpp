@@ -1,6 +1,5 @@
 #include "geometry/topology.h"
 
-#include "geometry/half_edges.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
 
@@ -80,15 +79,6 @@ TEST(Topology, CheckManifoldNamesTheOffender) {
   ExpectError([&] { CheckManifold(triangles, 5); }, "triangle 1 has vertex 3 twice");
   triangles << 0, 1, 2, 0, 2, 9;
   ExpectError([&] { CheckManifold(triangles, 5); }, "there are 5");
-}
-
-TEST(HalfEdges, KeepOrderAndPositions) {
-  const TriangleMesh mesh = testing::Torus(2, 1, 6, 5);
-  const HalfEdgeMesh half_edges = ToHalfEdges(mesh);
-  EXPECT_EQ(half_edges.n_vertices(), 30u);
-  EXPECT_EQ(half_edges.n_faces(), 60u);
-  EXPECT_EQ(half_edges.n_edges(), 90u);
-  EXPECT_EQ(half_edges.point(OpenMesh::VertexHandle(7))[1], mesh.vertices(7, 1));
 }
 
 }  // namespace

@@ -83,6 +83,38 @@ TEST(Triangulate, RefusesAPolygonWithoutMirrorImage) {
   ExpectError([&] { Triangulate(mesh, {0, 1}); }, "2 entries");
 }
 
+TEST(TriangulateMesh, KeepsTheUvOfEachCorner) {
+  // Two quads of a grid that share vertices 1 and 4; the second is apart in the picture.
+  PolygonMesh mesh;
+  mesh.vertices.resize(6, 3);
+  mesh.vertices << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1.5, 1, 0, 2, 1, 0;
+  mesh.offsets = {0, 4, 8};
+  mesh.corners = {0, 1, 4, 3, 1, 2, 5, 4};
+  mesh.uv = TextureCoordinates::Random(8, 2);
+  mesh.uv_corners = {0, 1, 2, 3, 4, 5, 6, 7};
+  const TriangleMesh triangles = TriangulateMesh(mesh);
+  EXPECT_EQ(triangles.triangles, Triangulate(mesh));
+  EXPECT_EQ(triangles.uv, mesh.uv);
+  ASSERT_EQ(triangles.uv_triangles.rows(), 4);
+  for (int t = 0; t < 4; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int row = triangles.uv_triangles(t, k);
+      EXPECT_EQ(mesh.corners[row], triangles.triangles(t, k));
+      EXPECT_EQ(row / 4, t / 2) << "a corner keeps the UV of its own polygon";
+    }
+  }
+  mesh.uv_corners.pop_back();
+  ExpectError([&] { TriangulateMesh(mesh); }, "UV of 7 corners, expected 8");
+}
+
+TEST(TriangulateMesh, WithoutUvIsTriangulate) {
+  const PolygonMesh mesh = BentGrid();
+  const std::vector<int> mirror = FindMirror(mesh.vertices, 0.1);
+  const TriangleMesh triangles = TriangulateMesh(mesh, mirror);
+  EXPECT_EQ(triangles.triangles, Triangulate(mesh, mirror));
+  EXPECT_FALSE(triangles.has_uv());
+}
+
 TEST(FindMirror, IsAnInvolutionOrAnError) {
   Points points(3, 3);
   points << 1, 0, 0, -1.001, 0, 0, 0, 2, 0;

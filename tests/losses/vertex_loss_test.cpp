@@ -2,6 +2,7 @@
 
 #include "tests/support/expect_error.h"
 #include "tests/support/gradcheck.h"
+#include <torch/utils.h>
 
 namespace daumier::losses {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "tensor/autocast.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/sketch_networks.h"
 
 #include <torch/nn/modules/conv.h>
 #include <torch/utils.h>
@@ -25,42 +24,46 @@ TEST(SketchConvolution, StaysInFloat32AndAnswersAsAutocastPromises) {
 }
 
 TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {
-  TrunkOptions options{.kind = "alexnet", .resolution = 256, .width = 12};
-  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 7, 7}));
+  TrunkOptions options{.kind = "alexnet", .resolution = 256, .width = 24};
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 7, 7}));
   options.resolution = 128;
-  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 3, 3}));
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 3, 3}));
   options.resolution = 64;
-  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 32, 1, 1}));
+  EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 1, 1}));
   options.resolution = 48;
   testing::ExpectError([&] { MakeSketchTrunk(options, 6); }, "network.resolution=48 is too small");
 }
 
 TEST(SketchTrunks, ResidualEndsAtSideFourOrLessWithTheWidth) {
   for (const int resolution : {32, 50, 128}) {
-    const auto sizes = ConvolutionSizes({.kind = "residual", .resolution = resolution, .width = 4});
-    EXPECT_EQ(sizes[1], 4);
+    const auto sizes = ConvolutionSizes({.kind = "residual", .resolution = resolution, .width = 8});
+    EXPECT_EQ(sizes[1], 8);
     EXPECT_LE(sizes[2], 4);
   }
 }
 
 TEST(SketchTrunks, CompactTakesEveryResolution) {
   for (const int resolution : {32, 50, 128}) {
-    SketchTrunk trunk = MakeSketchTrunk({.resolution = resolution, .width = 2, .hidden = 8}, 6);
+    SketchTrunk trunk = MakeSketchTrunk({.resolution = resolution, .width = 8, .hidden = 8}, 6);
     const auto features =
         trunk.features->forward(trunk.convolutions->forward(torch::rand({2, 1, resolution, resolution})));
     EXPECT_EQ(features.sizes().vec(), (std::vector<int64_t>{2, 8}));
   }
 }
 
-TEST(SketchTrunks, EveryTrunkEndsInHiddenFeatures) {
-  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
-    SCOPED_TRACE(name);
-    SketchTrunk trunk = MakeSketchTrunk(options, 6);
-    const sketch::SketchInput input = testing::RandomSketchInput(options, 3);
-    torch::Tensor features = input.shape;
-    if (options.reads_image()) features = trunk.convolutions->forward(input.images);
-    if (options.reads_points()) features = trunk.convolutions->forward(input.points);
-    EXPECT_EQ(trunk.features->forward(features).sizes().vec(), (std::vector<int64_t>{3, options.hidden}));
+TEST(InPlainLayout, MarksTheSameMemoryAndTheConvolutionsKeepIt) {
+  for (const int64_t batch : {1, 3}) {
+    const auto images = torch::rand({batch, 1, 32, 32});
+    const auto last =
+        torch::empty(images.sizes(), images.options().memory_format(torch::MemoryFormat::ChannelsLast)).copy_(images);
+    ASSERT_EQ(last.suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
+    const auto plain = InPlainLayout(last);
+    EXPECT_EQ(plain.data_ptr<float>(), last.data_ptr<float>());
+    EXPECT_TRUE(torch::equal(plain, images));
+    EXPECT_EQ(plain.strides(), images.strides());
+    SketchTrunk trunk = MakeSketchTrunk({.kind = "residual", .resolution = 32, .width = 8}, 6);
+    EXPECT_EQ(trunk.convolutions->forward(plain).suggest_memory_format(), torch::MemoryFormat::Contiguous);
+    EXPECT_EQ(trunk.convolutions->forward(last).suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
   }
 }
 

@@ -1,7 +1,7 @@
 #include "reports/comparison_sheet.h"
 
-#include "reports/face_pictures.h"
 #include "render/heat_map.h"
+#include "reports/face_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
 
@@ -37,8 +37,8 @@ bool Has(const render::Image& image, const render::Rgb& colour, int left, int ri
 TEST(ComparisonSheet, HasARowAFaceAndAColumnAPredictorAndOneBar) {
   const faces::FaceTemplate face_template = testing::SyntheticFace();
   const ComparedFace face = MakeFace(face_template, {1, 3});
-  const render::Image one = ComparisonSheet(face_template, {"a", "b"}, {face});
-  const render::Image two = ComparisonSheet(face_template, {"a", "b"}, {face, face});
+  const render::Image one = ComparisonSheet(SurfaceOf(face_template), {"a", "b"}, {face});
+  const render::Image two = ComparisonSheet(SurfaceOf(face_template), {"a", "b"}, {face, face});
   EXPECT_EQ(one.width, two.width);
   EXPECT_GT(two.height - one.height, kCell);
   EXPECT_GT(one.width, 4 * kCell + render::kColourBarWidth);
@@ -48,7 +48,7 @@ TEST(ComparisonSheet, HasARowAFaceAndAColumnAPredictorAndOneBar) {
 TEST(ComparisonSheet, PredictorsShareTheColours) {
   const faces::FaceTemplate face_template = testing::SyntheticFace();
   const auto sheet = [&](double first, double second) {
-    return ComparisonSheet(face_template, {"a", "b"}, {MakeFace(face_template, {first, second})}, 10);
+    return ComparisonSheet(SurfaceOf(face_template), {"a", "b"}, {MakeFace(face_template, {first, second})}, 10);
   };
   EXPECT_EQ(sheet(2, 5), sheet(2, 5));
   EXPECT_NE(sheet(2, 5), sheet(2, 2));
@@ -57,32 +57,32 @@ TEST(ComparisonSheet, PredictorsShareTheColours) {
   for (ComparedPrediction& prediction : far.predictions) prediction.mean_error_mm = 25;
   ComparedFace farther = far;
   farther.predictions[1].error_mm *= 2;
-  EXPECT_EQ(ComparisonSheet(face_template, {"a", "b"}, {far}, 10),
-            ComparisonSheet(face_template, {"a", "b"}, {farther}, 10));
+  EXPECT_EQ(ComparisonSheet(SurfaceOf(face_template), {"a", "b"}, {far}, 10),
+            ComparisonSheet(SurfaceOf(face_template), {"a", "b"}, {farther}, 10));
 }
 
 TEST(ComparisonSheet, AnInputThatIsNoPictureLeavesItsPlaceFree) {
   const faces::FaceTemplate face_template = testing::SyntheticFace();
   ComparedFace face = MakeFace(face_template, {1});
-  EXPECT_TRUE(Has(ComparisonSheet(face_template, {"a"}, {face}), {200, 200, 200}, 0, kCell));
+  EXPECT_TRUE(Has(ComparisonSheet(SurfaceOf(face_template), {"a"}, {face}), {200, 200, 200}, 0, kCell));
   face.sketch = {};
-  EXPECT_FALSE(Has(ComparisonSheet(face_template, {"a"}, {face}), {200, 200, 200}, 0, kCell));
+  EXPECT_FALSE(Has(ComparisonSheet(SurfaceOf(face_template), {"a"}, {face}), {200, 200, 200}, 0, kCell));
 }
 
 TEST(ComparisonSheet, RefusesWhatDoesNotFit) {
   const faces::FaceTemplate face_template = testing::SyntheticFace();
-  testing::ExpectError([&] { ComparisonSheet(face_template, {"a"}, {}); }, "1 predictors on 0 faces");
+  testing::ExpectError([&] { ComparisonSheet(SurfaceOf(face_template), {"a"}, {}); }, "1 predictors on 0 faces");
   testing::ExpectError(
       [&] {
-        ComparisonSheet(face_template, {"a", "b"}, {MakeFace(face_template, {1})});
+        ComparisonSheet(SurfaceOf(face_template), {"a", "b"}, {MakeFace(face_template, {1})});
       },
       "1 predictions for 2 predictors");
   ComparedFace face = MakeFace(face_template, {1});
   face.predictions[0].error_mm.conservativeResize(3);
-  testing::ExpectError([&] { ComparisonSheet(face_template, {"a"}, {face}); }, "3 errors");
+  testing::ExpectError([&] { ComparisonSheet(SurfaceOf(face_template), {"a"}, {face}); }, "3 errors");
   face = MakeFace(face_template, {1});
   face.sketch = render::Image(4, 5, 1);
-  testing::ExpectError([&] { ComparisonSheet(face_template, {"a"}, {face}); }, "4 x 5");
+  testing::ExpectError([&] { ComparisonSheet(SurfaceOf(face_template), {"a"}, {face}); }, "4 x 5");
 }
 
 }  // namespace

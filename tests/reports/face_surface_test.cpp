@@ -16,6 +16,9 @@ TEST(FaceSurface, HasTheFacesVerticesAndColoursForAllThatClosesIt) {
   EXPECT_EQ(input.closing_triangles, face.closing_triangles);
   const auto expected = render::ClosingColours(int(face.closing_triangles.rows()), face.num_eye_closing_triangles);
   EXPECT_EQ(input.closing_colours, expected);
+  const render::RenderInput of_surface = InputOf(SurfaceOf(face), 2 * face.neutral);
+  EXPECT_EQ(of_surface.surface.triangles, input.surface.triangles);
+  EXPECT_EQ(of_surface.closing_colours, input.closing_colours);
 }
 
 TEST(FaceSurface, RefusesAFaceOfAnotherTopology) {

@@ -2,6 +2,7 @@
 
 #include "tests/reports/report_fixture.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace daumier::reports {

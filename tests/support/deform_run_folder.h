@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <torch/utils.h>
 
 namespace daumier::testing {
 
@@ -26,7 +27,7 @@ inline std::shared_ptr<deform::AutoDecoder> WriteDeformRun(const std::filesystem
                                 frame),
       3);
   MakeDirectory(run / "best");
-  WriteFileAtomically(run / "resolved.toml", ToToml({{"product", "deform"},
+  WriteFileAtomically(run / "resolved.toml", ToToml({{"system", "deform"},
                                                      {"network", ToJson(decoder->network()->options())},
                                                      {"loss", {{"data_weight", 2e3}, {"code_weight", 5e5}}}}));
   Manifest manifest;

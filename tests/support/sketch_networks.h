@@ -21,10 +21,10 @@ inline sketch::FittedModels RandomModels(int num_vertices, int residual = 0, uin
 
 /// Every kind of network in a compact width, by the name of its row.
 inline std::map<std::string, sketch::SketchNetworkOptions> SmallSketchNetworks() {
-  const sketch::SketchNetworkOptions compact{.resolution = 32, .width = 4, .hidden = 16, .branch = 16};
+  const sketch::SketchNetworkOptions compact{.resolution = 32, .width = 8, .hidden = 16, .branch = 16};
   sketch::SketchNetworkOptions alexnet{.trunk = "alexnet",
                                        .resolution = 64,
-                                       .width = 12,
+                                       .width = 24,
                                        .hidden = 24,
                                        .branch = 16,
                                        .identity_layers = 3,
@@ -48,7 +48,7 @@ inline std::map<std::string, sketch::SketchNetworkOptions> SmallSketchNetworks()
   });
   add("residual", [](auto& options) {
     options.trunk = "residual";
-    options.width = 4;
+    options.width = 8;
     options.resolution = 32;
     options.residual = 8;
   });

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <torch/utils.h>
 
 namespace daumier::testing {
 

@@ -5,6 +5,7 @@
 #include <torch/cuda.h>
 
 #include <thread>
+#include <torch/utils.h>
 
 namespace daumier::tensor {
 namespace {
@@ -17,20 +18,15 @@ TEST(SetUpTorch, UsesAllCoresUnlessToldOtherwise) {
   testing::ExpectError([] { SetUpTorch(-1); }, "threads is -1");
 }
 
-TEST(ParseDevice, KnowsCpuAndRefusesOtherWordsAsMisuse) {
-  EXPECT_EQ(ParseDevice("cpu"), torch::Device(torch::kCPU));
-  EXPECT_THROW(ParseDevice("gpu"), UsageError);
-  EXPECT_THROW(ParseDevice("cuda:"), UsageError);
-  EXPECT_THROW(ParseDevice("cuda:1x"), UsageError);
-}
-
-TEST(ParseDevice, FindsCudaOrSaysWhatToDo) {
+TEST(TorchDevice, FindsCudaOrNamesTheRepair) {
+  EXPECT_EQ(TorchDevice({}), torch::Device(torch::kCPU));
+  const Device first{Device::Kind::kCuda, 0};
   if (torch::cuda::is_available()) {
-    EXPECT_EQ(ParseDevice("cuda"), torch::Device(torch::kCUDA, 0));
+    EXPECT_EQ(TorchDevice(first), torch::Device(torch::kCUDA, 0));
   } else {
-    testing::ExpectError([] { ParseDevice("cuda"); }, "run with --device cpu");
+    testing::ExpectError([&] { TorchDevice(first); }, "run with --device cpu");
   }
-  testing::ExpectError([] { ParseDevice("cuda:99"); }, "no CUDA device 99");
+  testing::ExpectError([] { TorchDevice({Device::Kind::kCuda, 99}); }, "no CUDA device 99");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Trainings that are stopped and resumed.
 #include "tests/train/toy_recipe.h"
 #include "train/trainer.h"
+#include <torch/utils.h>
 
 namespace daumier::train {
 namespace {
@@ -100,13 +101,15 @@ TEST(Trainer, SavesOnAnInterruptSaysHowToGoOnAndEndsWithTheSameBytes) {
   Train(uninterrupted, FourEpochs(), Fast(), 5, whole.path());
 
   ToyRecipe first;
-  first.before_loss = [&](int call) { SetInterrupted(call == 5); };
+  std::stop_source stop;
+  first.before_loss = [&](int call) {
+    if (call == 5) stop.request_stop();
+  };
   torch::manual_seed(9);
   testing::ExpectError(
-      [&] { Train(first, FourEpochs(), Fast(), 5, stopped.path()); },
-      fmt::format("stopped after step 5 of 12 and is saved; go on with: daumier train CONFIG --out {} --resume",
+      [&] { Train(first, FourEpochs(), Fast(), 5, stopped.path(), Task(stop.get_token())); },
+      fmt::format("interrupted at step 5 of 12; checkpoint saved. Resume with: daumier train CONFIG --out {} --resume",
                   stopped.path().string()));
-  SetInterrupted(false);
   ToyRecipe second(2);
   Train(second, FourEpochs(), Fast(), 5, stopped.path());
   EXPECT_EQ(second.num_calls, 7);

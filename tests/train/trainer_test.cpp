@@ -1,6 +1,7 @@
 #include "train/trainer.h"
 
 #include "tests/train/toy_recipe.h"
+#include <torch/utils.h>
 
 namespace daumier::train {
 namespace {

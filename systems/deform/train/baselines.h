@@ -1,5 +1,6 @@
 #pragma once
-#include "models/principal_components.h"
+#include "eval/linear_model.h"
+#include "eval/nearest_neighbour.h"
 
 #include <torch/types.h>
 
@@ -9,6 +10,7 @@
 /// those that look at the face are given all of its vertices.
 namespace daumier::deform {
 
+/// The baselines of eval/ on tensors of faces.
 class DeformBaselines {
  public:
   /// training: (T, V, 3) float32, given away; validation: (n, V, 3), on which the ridge weight is chosen. As many
@@ -20,23 +22,19 @@ class DeformBaselines {
   torch::Tensor Mean() const;
   /// Faces (B, V, 3) by their nearest training faces, by the sum of squared distances of vertices.
   torch::Tensor Nearest(const torch::Tensor& faces) const;
-  /// Faces (B, V, 3) by the linear model: mean + sum_k c_k v_k / (v_k + ridge * mean v) d_k, c the scores on directions
-  /// d of variances v, which is ridge regression with a prior of unit variance for each standardised score.
-  torch::Tensor Linear(const torch::Tensor& faces) const { return Linear(faces, ridge_); }
+  /// Faces (B, V, 3) by the linear model.
+  torch::Tensor Linear(const torch::Tensor& faces) const;
 
-  /// Of 0, 1e-6, 1e-5, ... 1e-1 the one with the least mean vertex error on the validation faces.
-  double ridge() const { return ridge_; }
-  const models::PrincipalComponents& components() const { return components_; }
+  const eval::LinearModel& linear_model() const { return linear_model_; }
+  double ridge() const { return linear_model_.ridge; }
   /// How many of the components explain this share of the training faces' variance; nothing if all do not.
-  std::optional<int> ComponentsFor(double share) const;
+  std::optional<int> ComponentsFor(double share) const { return linear_model_.ComponentsFor(share); }
 
  private:
-  torch::Tensor Centred(const torch::Tensor& faces) const;
-  torch::Tensor Linear(const torch::Tensor& faces, double ridge) const;
+  DeformBaselines(eval::CentredRows training, const eval::FaceRows& validation, int num_components);
 
-  torch::Tensor training_;  ///< (T, 3V), centred.
-  models::PrincipalComponents components_;
-  double ridge_ = 0;
+  eval::LinearModel linear_model_;
+  eval::NearestNeighbour nearest_;  ///< Of the training faces without their mean.
 };
 
 }  // namespace daumier::deform

@@ -4,82 +4,28 @@
 #include "core/random.h"
 #include "tensor/eigen.h"
 #include "tensor/shape.h"
-#include "tensor/torch_version.h"
 
-#include <torch/csrc/autograd/autograd.h>
 #include <torch/optim/adam.h>
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <numeric>
-#include <optional>
+#include <utility>
 
 namespace daumier::deform {
 namespace {
 
-/// Step of the forward differences: a thirtieth of the deviation 0.01 with which codes begin their training, and far
-/// enough above float32's rounding of positions.
-constexpr double kDifference = 3e-4;
 /// Damping as a share of the matrix' mean diagonal: where it begins, from where it is raised, by which factor, and how
 /// often in one step.
 constexpr double kLeastDamping = 1e-9, kFirstDamping = 1e-2, kDampingFactor = 10;
 constexpr int kMostTrials = 8;
+/// A fit ends at a step that lowers the energy by less than this share.
 constexpr double kLeastFall = 1e-5;
+/// A kept matrix is replaced where the energy falls by less than this share of what it predicts.
+constexpr double kLeastGain = 0.5;
 
-struct Evaluation {
-  double energy = 0, mean_square = 0;
-  torch::Tensor gradient;  ///< (M)
-};
-
-/// The energy of one face.
-class CodeEnergy {
- public:
-  CodeEnergy(DeformNetwork& network, const SurfacePoints& points, const torch::Tensor& targets,
-             const CodeFitOptions& options)
-      : network_(network), points_(points), targets_(targets), options_(options) {
-    tensor::CheckShape(targets, {points.positions.size(0), 3}, "targets");
-    tensor::CheckShape(points.positions, targets.sizes(), "points.positions");
-    DAUMIER_CHECK(targets.size(0) > 0, "a code is to be fitted to no point");
-  }
-
-  torch::Tensor Zero() const { return torch::zeros({num_numbers()}, targets_.options().dtype(torch::kFloat32)); }
-  int64_t num_numbers() const { return network_.options().latent; }
-  int64_t num_points() const { return targets_.size(0); }
-
-  Evaluation At(const torch::Tensor& code) const {
-    const at::AutoGradMode with_gradient(true);
-    const torch::Tensor z = code.detach().clone().requires_grad_(true);
-    const torch::Tensor positions = network_.Deform(z.unsqueeze(0), points_).squeeze(0);
-    // Sums in float64, so that small falls are seen.
-    const torch::Tensor mean_square = (positions - targets_).to(torch::kFloat64).square().mean();
-    const torch::Tensor energy =
-        options_.data_weight * mean_square + options_.code_weight * z.to(torch::kFloat64).square().mean();
-    return {energy.item<double>(), mean_square.item<double>(), torch::autograd::grad({energy}, {z}).front()};
-  }
-
-  /// Half the second derivatives by the code, those of the points left out: data_weight / 3S J^T J + code_weight / M of
-  /// S points, by forward differences, all in one batch.
-  Eigen::MatrixXd HalfHessian(const torch::Tensor& code, const torch::Tensor& rows) const {
-    const at::NoGradGuard no_gradient;
-    const int64_t m = num_numbers();
-    const SurfacePoints subset{points_.corners.index_select(0, rows), points_.weights.index_select(0, rows),
-                                       points_.positions.index_select(0, rows)};
-    const torch::Tensor moves = torch::cat({Zero().unsqueeze(0), kDifference * torch::eye(m, code.options())});
-    const torch::Tensor positions = network_.Deform(code + moves, subset).reshape({m + 1, -1});
-    const torch::Tensor tangents = (positions.slice(0, 1) - positions.slice(0, 0, 1)) / kDifference;
-    const torch::Tensor gram = torch::matmul(tangents, tangents.t()) * (options_.data_weight / tangents.size(1));
-    Eigen::MatrixXd hessian = tensor::CopyToMatrix<double>(gram);
-    hessian.diagonal().array() += options_.code_weight / m;
-    return hessian;
-  }
-
- private:
-  DeformNetwork& network_;
-  const SurfacePoints& points_;
-  const torch::Tensor& targets_;
-  const CodeFitOptions& options_;
-};
+using Factor = Eigen::LDLT<Eigen::MatrixXd>;
 
 /// `count` different numbers of 0 .. num_points - 1, ascending.
 torch::Tensor DrawRows(int64_t num_points, int64_t count, Rng& rng, torch::Device device) {
@@ -91,41 +37,115 @@ torch::Tensor DrawRows(int64_t num_points, int64_t count, Rng& rng, torch::Devic
   return torch::tensor(at::ArrayRef<int64_t>(indices.data(), num_rows)).to(device);
 }
 
-CodeFit FitByGaussNewton(const CodeEnergy& energy, const CodeFitOptions& options) {
+Eigen::VectorXd HalfGradient(const CodeEnergyValue& value) {
+  return tensor::CopyToMatrix<double>(value.gradient.unsqueeze(1)) / 2;
+}
+
+/// damping: as a share of the mean diagonal.
+Factor Factorised(const Eigen::MatrixXd& hessian, double damping) {
+  Eigen::MatrixXd damped = hessian;
+  damped.diagonal().array() += damping * hessian.diagonal().mean();
+  return damped.ldlt();
+}
+
+/// The minimum of the quadratic model, as a step; absent if the factorisation failed or its numbers overflow.
+std::optional<Eigen::VectorXd> Step(const Factor& factor, const Eigen::VectorXd& half_gradient) {
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  Eigen::VectorXd step = factor.solve(-half_gradient);
+  if (!step.allFinite()) return std::nullopt;
+  return step;
+}
+
+torch::Tensor Moved(const torch::Tensor& code, const Eigen::VectorXd& step) {
+  return code + tensor::CopyToTensor(step).to(code.options());
+}
+
+CodeEnergyValue AtStart(const CodeObjective& objective, const torch::Tensor& code) {
+  CodeEnergyValue value = objective.At(code);
+  DAUMIER_CHECK(std::isfinite(value.energy),
+                "the energy of the code where a fit starts is not finite (found {}): see the network's weights",
+                value.energy);
+  return value;
+}
+
+}  // namespace
+
+CodeFitter::CodeFitter(DeformNetwork& network, CodeEnergy energy, const CodeSolveOptions& options,
+                       const std::optional<torch::Tensor>& start)
+    : objective_(network, std::move(energy)), options_(options), code_(objective_.Zero()) {
+  if (!start) return;
+  tensor::CheckShape(*start, code_.sizes(), "start");
+  DAUMIER_CHECK(torch::isfinite(*start).all().item<bool>(), "start has numbers that are not finite");
+  code_ = start->detach().to(code_.options()).clone();
+}
+
+CodeFit CodeFitter::Solve() {
+  const auto start = std::chrono::steady_clock::now();
+  CodeFit fit = options_.method == "adam" ? SolveByAdam() : SolveByGaussNewton();
+  code_ = fit.code.clone();
+  fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return fit;
+}
+
+bool CodeFitter::StepWithKeptMatrix(CodeFit& fit, CodeEnergyValue& here) {
+  while (kept_ && fit.steps < options_.newton_steps) {
+    const Eigen::VectorXd half_gradient = HalfGradient(here);
+    const std::optional<Eigen::VectorXd> step = Step(*kept_, half_gradient);
+    if (!step) return false;
+    const double predicted = -half_gradient.dot(*step), before = here.energy;
+    const torch::Tensor code = Moved(fit.code, *step);
+    CodeEnergyValue there = objective_.At(code);
+    if (!(there.energy < before)) return predicted < kLeastFall * before;
+    here = std::move(there);
+    fit.code = code;
+    fit.energies.push_back(here.energy);
+    ++fit.steps;
+    const double fall = before - here.energy;
+    if (fall < kLeastGain * predicted) return false;
+    if (fall < kLeastFall * before) return true;
+  }
+  return false;
+}
+
+CodeFit CodeFitter::SolveByGaussNewton() {
   CodeFit fit;
-  fit.code = energy.Zero();
-  Evaluation here = energy.At(fit.code);
+  fit.code = code_;
+  CodeEnergyValue here = AtStart(objective_, fit.code);
   fit.energies = {here.energy};
   double damping = kLeastDamping;
 
   /// The first step of growing damping that lowers the energy.
   const auto lower = [&](const Eigen::MatrixXd& hessian) -> std::optional<torch::Tensor> {
-    const Eigen::VectorXd half_gradient = tensor::CopyToMatrix<double>(here.gradient.unsqueeze(1)) / 2;
+    const Eigen::VectorXd half_gradient = HalfGradient(here);
     for (int trial = 0; trial < kMostTrials; ++trial) {
-      Eigen::MatrixXd damped = hessian;
-      damped.diagonal().array() += damping * hessian.diagonal().mean();
-      const Eigen::VectorXd step = damped.ldlt().solve(-half_gradient);
-      const torch::Tensor code = fit.code + tensor::CopyToTensor(step).to(fit.code.options());
-      Evaluation there = energy.At(code);
-      if (there.energy < here.energy) {
-        here = std::move(there);
-        return code;
+      if (const std::optional<Eigen::VectorXd> step = Step(Factorised(hessian, damping), half_gradient)) {
+        const torch::Tensor code = Moved(fit.code, *step);
+        CodeEnergyValue there = objective_.At(code);
+        if (there.energy < here.energy) {
+          here = std::move(there);
+          return code;
+        }
       }
       damping = std::max(kFirstDamping, kDampingFactor * damping);
     }
     return std::nullopt;
   };
 
-  for (int step = 0; step < options.newton_steps; ++step) {
-    Rng rng = Stream(options.seed, "rows of a code fit", uint64_t(step));
-    const std::optional<torch::Tensor> code =
-        lower(energy.HalfHessian(fit.code, DrawRows(energy.num_points(), options.num_rows, rng, fit.code.device())));
+  bool ended = StepWithKeptMatrix(fit, here);
+  while (!ended && fit.steps < options_.newton_steps) {
+    Rng rng = Stream(options_.seed, "rows of a code fit", uint64_t(fit.num_matrices));
+    const torch::Tensor rows = DrawRows(objective_.num_points(), options_.num_rows, rng, fit.code.device());
+    const Eigen::MatrixXd hessian = objective_.HalfHessian(fit.code, rows);
+    DAUMIER_CHECK(hessian.allFinite(), "derivatives of positions by the code are not finite after {} steps", fit.steps);
+    ++fit.num_matrices;
+    kept_ = Factorised(hessian, kLeastDamping);
+    const std::optional<torch::Tensor> code = lower(hessian);
     if (!code) break;
+    const double before = fit.energies.back();
     fit.code = *code;
     fit.energies.push_back(here.energy);
     ++fit.steps;
-    const double before = fit.energies[fit.energies.size() - 2];
-    if (before - here.energy < kLeastFall * before) break;
+    ended = before - here.energy < kLeastFall * before;
     damping = std::max(kLeastDamping, damping / kDampingFactor);
   }
   fit.energy = here.energy;
@@ -133,12 +153,12 @@ CodeFit FitByGaussNewton(const CodeEnergy& energy, const CodeFitOptions& options
   return fit;
 }
 
-CodeFit FitByAdam(const CodeEnergy& energy, const CodeFitOptions& options) {
+CodeFit CodeFitter::SolveByAdam() {
   CodeFit fit;
-  torch::Tensor code = energy.Zero();
-  torch::optim::Adam adam({code}, torch::optim::AdamOptions(options.learning_rate));
-  const auto look = [&]() -> Evaluation {
-    Evaluation here = energy.At(code);
+  torch::Tensor code = code_.clone();
+  torch::optim::Adam adam({code}, torch::optim::AdamOptions(options_.learning_rate));
+  const auto look = [&]() -> CodeEnergyValue {
+    CodeEnergyValue here = fit.energies.empty() ? AtStart(objective_, code) : objective_.At(code);
     if (fit.energies.empty() || here.energy < fit.energy) {
       fit.code = code.clone();
       fit.energy = here.energy;
@@ -147,7 +167,7 @@ CodeFit FitByAdam(const CodeEnergy& energy, const CodeFitOptions& options) {
     fit.energies.push_back(here.energy);
     return here;
   };
-  for (; fit.steps < options.adam_steps; ++fit.steps) {
+  for (; fit.steps < options_.adam_steps; ++fit.steps) {
     code.mutable_grad() = look().gradient;
     adam.step();
   }
@@ -155,15 +175,17 @@ CodeFit FitByAdam(const CodeEnergy& energy, const CodeFitOptions& options) {
   return fit;
 }
 
-}  // namespace
+CodeFit FitCode(DeformNetwork& network, CodeEnergy energy, const CodeSolveOptions& options,
+                const std::optional<torch::Tensor>& start) {
+  return CodeFitter(network, std::move(energy), options, start).Solve();
+}
 
 CodeFit FitCode(DeformNetwork& network, const SurfacePoints& points, const torch::Tensor& targets,
                 const CodeFitOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const CodeEnergy energy(network, points, targets, options);
-  CodeFit fit = options.method == "adam" ? FitByAdam(energy, options) : FitByGaussNewton(energy, options);
-  fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return fit;
+  CodeEnergy energy;
+  energy.all_points = AllPointsTerm{points, targets, options.data_weight};
+  energy.prior.weight = options.code_weight;
+  return FitCode(network, std::move(energy), options.solve);
 }
 
 CodeFit FitCode(DeformNetwork& network, const torch::Tensor& vertices, const CodeFitOptions& options) {

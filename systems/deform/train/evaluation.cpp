@@ -5,10 +5,8 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/run_manifest.h"
-#include "systems/deform/train/measurement.h"
-#include "reports/chosen_faces.h"
-#include "reports/report.h"
 #include "datasets/read/run_data.h"
+#include "systems/deform/train/measurement.h"
 #include "systems/deform/train/run.h"
 #include "tensor/eigen.h"
 
@@ -39,80 +37,92 @@ torch::Tensor VerticesOf(const faces::FaceDatabase& database, const std::vector<
 
 class DeformEvaluation {
  public:
-  DeformEvaluation(const fs::path& run_directory, const DeformEvalOptions& options)
-      : options_(options), run_(LoadDeformRun(run_directory)), own_(OpenOwnFaces()) {
-    split_ = datasets::SplitOfRun(run_.directory, run_.manifest, run_.config, own_);
-    if (!options.faces.empty()) OpenOtherFaces();
-    measurement_.emplace(*run_.network, Faces(), run_.manifest.seed);
-  }
+  DeformEvaluation(const fs::path& run_directory, const DeformEvalOptions& options, FolderCache& databases,
+                   const Task& task)
+      : options_(options),
+        run_(LoadDeformRun(run_directory)),
+        own_(OpenOwnFaces(databases)),
+        other_(OpenOtherFaces(databases)),
+        split_(datasets::SplitOfRun(run_.directory, run_.manifest, run_.config, own_)),
+        measurement_(*run_.network, Faces(), run_.manifest.seed, Unit(), task) {}
 
   void Measure() {
     const auto start = std::chrono::steady_clock::now();
     CodeFitOptions fit{.data_weight = run_.data_weight, .code_weight = run_.code_weight};
-    const int num_faces = measurement_->num_faces(), adam_faces = std::min(options_.adam_faces, num_faces);
-    measurement_->MeasureNetwork("network", fit, num_faces);
+    const int num_faces = measurement_.num_faces(), adam_faces = std::min(options_.adam_faces, num_faces);
+    measurement_.MeasureNetwork("network", fit, num_faces);
     if (adam_faces > 0) {
-      measurement_->MeasureNetwork("network, first faces by Gauss-Newton", fit, adam_faces);
-      fit.method = "adam";
-      fit.adam_steps = options_.adam_steps;
-      measurement_->MeasureNetwork("network, first faces by Adam", fit, adam_faces);
+      measurement_.MeasureNetwork("network, first faces by Gauss-Newton", fit, adam_faces);
+      fit.solve.method = "adam";
+      fit.solve.adam_steps = options_.adam_steps;
+      measurement_.MeasureNetwork("network, first faces by Adam", fit, adam_faces);
     }
     if (options_.baselines) MeasureBaselines();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
+  reports::MetricTable Table() const {
+    reports::MetricTable table = measurement_.table();
+    table.data_hash = DataHashes();
+    return table;
+  }
+
   Json Metrics() const {
-    const DeformRow& result = measurement_->result();
-    const SurfaceErrors& mean = result.mean;
-    const MeasuredFaces& faces = measurement_->faces();
-    const ModelUnit unit = Unit();
-    Json metrics = {{"product", kDeformProduct},
-                    {"num_faces", result.num_faces},
+    const reports::MetricTable table = Table();
+    const reports::MetricRow& result = measurement_.result();
+    const auto value = [&](const char* key) {
+      const std::optional<double> number = reports::ValueOf(table, result, key);
+      return number ? Json(*number) : Json();
+    };
+    Json metrics = {{"system", kSystem},
+                    {"num_faces", table.faces.size()},
                     {"num_persons", NumPersons()},
-                    {"split", other_ ? Json() : Json(options_.split)},
+                    {"split", other_ != nullptr ? Json() : Json(options_.split)},
                     {"unit", "model units"},
-                    {"mean_vertex_error", mean.mean_vertex_error},
-                    {"interval", {result.interval.low, result.interval.high}},
-                    {"mean_vertex_error_mm", mean.mean_vertex_error * unit.mm},
-                    {"percent_of_head_height", 100 * mean.mean_vertex_error / unit.head_height},
-                    {"p95_vertex_error", mean.p95_vertex_error},
-                    {"surface_sample_error", mean.surface_sample_error},
-                    {"normal_error_degrees", mean.normal_error_degrees},
-                    {"flipped_triangles", mean.flipped_triangles},
-                    {"self_intersections", *mean.self_intersections},
-                    {"true_self_intersections", measurement_->true_self_intersections()},
-                    {"table", DeformTableJson(measurement_->rows(), unit)},
+                    {"mm_per_unit", Unit().mm},
+                    {"mean_vertex_error", result.error().mean},
+                    {"interval", {result.error().interval->low, result.error().interval->high}},
+                    {"mean_vertex_error_mm", value("error_mm")},
+                    {"percent_of_head_height", value("percent_of_head_height")},
+                    {"p95_vertex_error", value("p95")},
+                    {"surface_sample_error", value("surface_sample_error")},
+                    {"normal_error_degrees", value("normal_error_degrees")},
+                    {"flipped_triangles", value("flipped_triangles")},
+                    {"self_intersections", value("self_intersections")},
+                    {"true_self_intersections", measurement_.true_self_intersections()},
+                    {"table", reports::TableJson(table)},
                     {"ridge", baselines_ ? Json(baselines_->ridge()) : Json()},
                     {"components_for_99_percent", Json()},
-                    {"data_hash", DataHashes()},
+                    {"data_hash", table.data_hash},
                     {"seconds", seconds_},
-                    {"faces", faces.faces},
-                    {"groups", faces.groups},
-                    {"face_errors", measurement_->face_errors()}};
+                    {"faces", table.faces},
+                    {"groups", table.groups},
+                    {"face_errors", result.face_errors}};
     if (baselines_ && baselines_->ComponentsFor(0.99))
       metrics["components_for_99_percent"] = *baselines_->ComponentsFor(0.99);
     return metrics;
   }
 
-  reports::ReportData Report() const {
+  reports::ReportData Report(const reports::Predictions& predictions) const {
     const faces::FaceTemplate& face_template = run_.face_template;
     const ModelUnit unit = Unit();
     reports::ReportData report;
     report.title =
-        other_ ? fmt::format("Deformable model of {} on other faces: {}", face_template.source, SourcesOf(*other_))
-               : fmt::format("Deformable model: {}, {} split", face_template.source, options_.split);
+        other_ != nullptr
+            ? fmt::format("Deformable model of {} on other faces: {}", face_template.source, SourcesOf(*other_))
+            : fmt::format("Deformable model: {}, {} split", face_template.source, options_.split);
     report.summary = fmt::format(
-        "{} faces of {} persons, each by the code that is found for it with the network held fixed. eval::Mean distance of "
+        "{} faces of {} persons, each by the code that is found for it with the network held fixed. Mean distance of "
         "all vertices; a unit of the model is {:.1f} mm, where the face from chin to hairline is 200 mm high, and the "
         "head is {:.2f} units high. Nothing is aligned before measuring. The interval resamples persons.",
-        measurement_->num_faces(), NumPersons(), unit.mm, unit.head_height);
-    report.surface = {face_template.triangles, face_template.closing_triangles,
-                      face_template.num_eye_closing_triangles};
-    report.samples = Samples();
+        measurement_.num_faces(), NumPersons(), unit.mm, unit.head_height);
+    report.surface = predictions.surface;
+    report.samples =
+        reports::ChosenSamples(measurement_.table(), predictions, [&](int face) { return measured().Describe(face); });
     report.mean_face = face_template.neutral;
-    report.mean_error_mm = InMm(measurement_->mean_error_map());
-    for (const double error : measurement_->face_errors()) report.face_errors_mm.push_back(error * unit.mm);
-    report.tables = {DeformReportTable(measurement_->rows(), unit)};
+    report.mean_error_mm = InMm(measurement_.mean_error_map());
+    for (const double error : measurement_.result().face_errors) report.face_errors_mm.push_back(error * unit.mm);
+    report.tables = {reports::TextTable(measurement_.table())};
     report.facts = {
         {"seed", fmt::format("{}", run_.manifest.seed)},
         {"network", fmt::format("{}, codes of {}", run_.network->options().kind, run_.network->options().latent)},
@@ -124,45 +134,58 @@ class DeformEvaluation {
     return report;
   }
 
-  std::string TableMarkdown() const { return DeformTableMarkdown(measurement_->rows(), Unit()); }
+  reports::Predictions KeptPredictions() const {
+    reports::Predictions predictions{reports::SurfaceOf(run_.face_template), {}};
+    const std::vector<int>& faces = measurement_.faces().faces;
+    for (const int face : reports::KeptFaces(measurement_.table())) {
+      const int i = int(std::find(faces.begin(), faces.end(), face) - faces.begin());
+      const torch::Tensor predicted = measurement_.Predicted(i);
+      predictions.faces.push_back({face,
+                                   {},
+                                   measured().points(face),
+                                   run_.network->frame().ToCm(tensor::CopyToMatrix<double>(predicted)),
+                                   InMm((predicted - measurement_.faces().vertices[i]).norm(2, {1}))});
+    }
+    return predictions;
+  }
 
   Manifest ReportManifest() const {
-    Manifest manifest;
-    manifest.kind = "report";
-    manifest.verb = "eval";
+    Manifest manifest{.kind = "report", .verb = "eval"};
     manifest.config = ToJson(options_);
     manifest.config.erase("faces");
     manifest.seed = run_.manifest.seed;
     manifest.sources = run_.manifest.sources;
-    if (other_)
+    if (other_ != nullptr)
       for (const Json& source : other_->manifest().sources) manifest.sources.push_back(source);
-    manifest.counts = {{"faces", measurement_->num_faces()}, {"persons", NumPersons()}};
-    manifest.details = {{"product", kDeformProduct},
-                        {"data", DataHashes()},
-                        {"weights", Sha256OfFile(BestWeights(run_.directory))}};
+    manifest.counts = {{"faces", measurement_.num_faces()}, {"persons", NumPersons()}};
+    manifest.details = {
+        {"system", kSystem}, {"data", DataHashes()}, {"weights", Sha256OfFile(BestWeights(run_.directory))}};
     return manifest;
   }
 
  private:
-  faces::FaceDatabase OpenOwnFaces() const {
+  const faces::FaceDatabase& OpenOwnFaces(FolderCache& databases) const {
     datasets::CheckSameData(run_.directory, run_.manifest, run_.config, "faces");
-    return faces::FaceDatabase(run_.config.at("data").at("faces").get<std::string>());
+    return databases.Open<faces::FaceDatabase>(run_.config.at("data").at("faces").get<std::string>());
   }
 
-  void OpenOtherFaces() {
-    other_.emplace(options_.faces);
+  /// Null if a side of the run's split is measured.
+  const faces::FaceDatabase* OpenOtherFaces(FolderCache& databases) const {
+    if (options_.faces.empty()) return nullptr;
+    const auto& faces = databases.Open<faces::FaceDatabase>(options_.faces);
     const auto& own = run_.face_template.triangles;
-    const auto& other = other_->face_template().triangles;
+    const auto& other = faces.face_template().triangles;
     DAUMIER_CHECK(own.rows() == other.rows() && own == other,
-                  "{} holds faces of another topology than {} was trained on: register them to its template",
+                  "{} has faces of another topology than {} was trained on: register them to its template",
                   options_.faces, run_.directory.string());
+    return &faces;
   }
 
-  const faces::FaceDatabase& measured() const { return other_ ? *other_ : own_; }
+  const faces::FaceDatabase& measured() const { return other_ != nullptr ? *other_ : own_; }
 
   MeasuredFaces Faces() const {
     MeasuredFaces measured_faces;
-    if (other_) {
+    if (other_ != nullptr) {
       measured_faces.faces.resize(size_t(other_->num_faces()));
       std::iota(measured_faces.faces.begin(), measured_faces.faces.end(), 0);
     } else {
@@ -182,12 +205,12 @@ class DeformEvaluation {
     baselines_.emplace(VerticesOf(own_, EvenChoice(split_.train, kMostTraining), frame),
                        VerticesOf(own_, EvenChoice(split_.validation, kMostValidation), frame),
                        run_.network->options().latent);
-    measurement_->MeasureBaselines(*baselines_);
+    measurement_.MeasureBaselines(*baselines_);
   }
 
   ModelUnit Unit() const { return UnitOf(run_.face_template, run_.network->frame()); }
   int NumPersons() const {
-    const std::vector<int>& groups = measurement_->faces().groups;
+    const std::vector<int>& groups = measurement_.faces().groups;
     return int(std::set<int>(groups.begin(), groups.end()).size());
   }
   /// "ict, registered meshes": of what faces were made.
@@ -199,7 +222,7 @@ class DeformEvaluation {
 
   Json DataHashes() const {
     Json hashes = run_.manifest.details.at("data");
-    if (other_) hashes["other_faces"] = DataHash(options_.faces);
+    if (other_ != nullptr) hashes["other_faces"] = DataHash(options_.faces);
     return hashes;
   }
 
@@ -207,49 +230,28 @@ class DeformEvaluation {
     return tensor::CopyToMatrix<double>(distances.unsqueeze(1)) * Unit().mm;
   }
 
-  std::vector<reports::ReportSample> Samples() const {
-    const std::vector<int>& faces = measurement_->faces().faces;
-    const std::vector<double>& errors = measurement_->face_errors();
-    std::vector<reports::ReportSample> samples;
-    for (const reports::ChosenFace& chosen : reports::ChooseFaces(faces, errors)) {
-      const int i = int(std::find(faces.begin(), faces.end(), chosen.face) - faces.begin());
-      const torch::Tensor predicted = measurement_->Predicted(i);
-      reports::ReportSample sample;
-      sample.title = fmt::format("{}: {:.2f} mm; {}", chosen.title, errors[size_t(i)] * Unit().mm,
-                                 measured().Describe(chosen.face));
-      sample.truth = measured().points(chosen.face);
-      sample.prediction = run_.network->frame().ToCm(tensor::CopyToMatrix<double>(predicted));
-      sample.error_mm = InMm((predicted - measurement_->faces().vertices[i]).norm(2, {1}));
-      samples.push_back(std::move(sample));
-    }
-    return samples;
-  }
-
   const DeformEvalOptions options_;
   const DeformRun run_;
-  const faces::FaceDatabase own_;
-  std::optional<faces::FaceDatabase> other_;
-  datasets::Split split_;
-  std::optional<DeformMeasurement> measurement_;
+  const faces::FaceDatabase& own_;
+  const faces::FaceDatabase* const other_;
+  const datasets::Split split_;
+  DeformMeasurement measurement_;
   std::optional<DeformBaselines> baselines_;
   double seconds_ = 0;
 };
 
 }  // namespace
 
-Json EvaluateDeformRun(const fs::path& run_directory, const fs::path& out_directory, const DeformEvalOptions& options) {
-  DeformEvaluation evaluation(run_directory, options);
+reports::Evaluation EvaluateDeformRun(const fs::path& run_directory, const DeformEvalOptions& options,
+                                      FolderCache& databases, const Task& task) {
+  DeformEvaluation evaluation(run_directory, options, databases, task);
   evaluation.Measure();
-  const Json metrics = evaluation.Metrics();
-  MakeDirectory(out_directory);
-  reports::WriteReport(out_directory, evaluation.Report());
-  WriteFileAtomically(out_directory / "table.md", evaluation.TableMarkdown());
-  WriteFileAtomically(out_directory / "metrics.json", metrics.dump(2) + "\n");
-  Manifest manifest = evaluation.ReportManifest();
-  for (const char* name : {"metrics.json", "table.md", "sheet.png", "mean_error.png", "errors.svg", "index.html"})
-    manifest.checksums[name] = Sha256OfFile(out_directory / name);
-  WriteManifest(out_directory, manifest);
-  return metrics;
+  const reports::Predictions predictions = evaluation.KeptPredictions();
+  return {.table = evaluation.Table(),
+          .metrics = evaluation.Metrics(),
+          .report = evaluation.Report(predictions),
+          .manifest = evaluation.ReportManifest(),
+          .predictions = predictions};
 }
 
 }  // namespace daumier::deform

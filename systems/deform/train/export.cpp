@@ -1,7 +1,7 @@
 #include "systems/deform/train/export.h"
 
-#include "export/model_card.h"
-#include "export/run_export.h"
+#include "export/onnx_graph.h"
+#include "faces/face_database.h"
 #include "systems/deform/train/run.h"
 #include "tensor/tensor_file.h"
 
@@ -26,6 +26,32 @@ torch::Tensor DrawPoints(const torch::Tensor& vertices, int64_t count, Rng& rng)
   std::vector<int64_t> chosen;
   for (int64_t i = 0; i < count; ++i) chosen.push_back(int64_t(rng.Below(uint64_t(vertices.size(0)))));
   return vertices.index_select(0, torch::tensor(chosen, torch::kInt64));
+}
+
+std::string InputsAndOutputs(const DeformRun& run) {
+  const DeformNetwork& network = *run.network;
+  const faces::ModelFrame frame = network.frame();
+  std::string text = "| name | shape | meaning |\n|---|---|---|\n";
+  const int latent = network.options().latent;
+  if (network.options().is_array()) {
+    text += fmt::format(
+        "| `latent` | ({0}, {1}) float32 | codes |\n"
+        "| `vertices` | ({0}, {2}, 3) float32 | where the vertices go, in model units |\n\n{0} is any batch size. ",
+        exporting::kBatchDimension, latent, network.num_vertices());
+  } else {
+    text += fmt::format(
+        "| `latent` | (1, {1}) float32 | a code |\n"
+        "| `points` | ({0}, 3) float32 | points on the template, in model units: its vertices stand in "
+        "`points_template.safetensors`, and any point between them may be asked for |\n"
+        "| `positions` | ({0}, 3) float32 | where they go, in model units |\n\n{0} is any number of points. ",
+        exporting::kBatchDimension, latent);
+  }
+  return text + fmt::format(
+                    "A point of the faces in centimetres is p_model = {:.9g} p_cm + ({:.9g}, {:.9g}, {:.9g}); the "
+                    "model's metadata `model_from_cm` holds the same. The code of zeros is about the mean face; codes "
+                    "of training faces have numbers of about {:.2g}.\n\n",
+                    frame.scale, frame.offset.x(), frame.offset.y(), frame.offset.z(),
+                    run.codes.square().mean().sqrt().item<double>());
 }
 
 }  // namespace
@@ -55,25 +81,32 @@ exporting::ExportedFunction DeformFunction(std::shared_ptr<DeformNetwork> networ
   return function;
 }
 
-Json ExportDeformRun(const fs::path& run_directory, const fs::path& out_directory) {
+exporting::RunExport DescribeDeformExport(const fs::path& run_directory) {
   const DeformRun run = LoadDeformRun(run_directory);
-  return exporting::WriteExport(
-      {.run_directory = run_directory,
-       .run_manifest = run.manifest,
-       .module = *run.network,
-       .function = DeformFunction(run.network),
-       .face_template = run.face_template,
-       .counts = {{"vertices", run.network->num_vertices()}, {"parameters", run.network->num_parameters()}},
-       .details = {{"model_from_cm", faces::ModelFrameToJson(run.network->frame())}},
-       .write_rest =
-           [&](const fs::path& folder) {
-             const torch::Tensor& vertices = run.network->template_vertices();
-             return std::map<std::string, std::string>{
-                 {kPointsTemplate, tensor::SaveTensors(folder / kPointsTemplate, {{"vertices", vertices}})}};
-           },
-       .model_card = [&](const exporting::ParityReport& parity,
-                         const std::optional<Json>& metrics) { return exporting::ModelCard(run, parity, metrics); }},
-      out_directory);
+  return {.run_directory = run_directory,
+          .run_manifest = run.manifest,
+          .module = run.network,
+          .function = DeformFunction(run.network),
+          .card = {.title = "Deformable 3D caricatures",
+                   .summary = fmt::format(
+                       "A model with {} parameters of kind '{}' that turns a code into a head of the '{}' topology, "
+                       "after Deep Deformable 3D Caricatures (Jung et al., SIGGRAPH 2022), trained and exported by "
+                       "Daumier.",
+                       run.network->num_parameters(), run.network->options().kind, run.face_template.source),
+                   .inputs_and_outputs = InputsAndOutputs(run),
+                   .limits = {"It was trained on caricatures that a program made, not on artists' ones, unless a "
+                              "source above is such a set.",
+                              "Nothing keeps a surface from intersecting itself; strong codes do it around lips and "
+                              "chin.",
+                              "It must not be used to identify or to judge people."}},
+          .counts = {{"vertices", run.network->num_vertices()}, {"parameters", run.network->num_parameters()}},
+          .details = {{"model_from_cm", faces::ModelFrameToJson(run.network->frame())}},
+          .write_rest = [network = run.network, face_template = run.face_template](const fs::path& folder) {
+            auto checksums = faces::WriteFaceTemplate(folder, face_template);
+            checksums[kPointsTemplate] =
+                tensor::SaveTensors(folder / kPointsTemplate, {{"vertices", network->template_vertices()}});
+            return checksums;
+          }};
 }
 
 }  // namespace daumier::deform

@@ -1,6 +1,5 @@
 #pragma once
-#include "core/json.h"
-#include "export/exported_function.h"
+#include "export/run_export.h"
 #include "systems/deform/train/network.h"
 
 #include <filesystem>
@@ -13,8 +12,8 @@ namespace daumier::deform {
 /// `model_from_cm` as {scale, offset}.
 exporting::ExportedFunction DeformFunction(std::shared_ptr<DeformNetwork> network);
 
-/// Exports a finished run of a deformable model as exporting::WriteExport does, with points_template.safetensors (`vertices`, the
-/// template's in the model's frame) beside. @throws Error as LoadDeformRun and exporting::WriteExport.
-Json ExportDeformRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
+/// A finished run of a deformable model as it is exported, with points_template.safetensors (`vertices`, the template's
+/// in the model's frame). @throws Error as LoadDeformRun.
+exporting::RunExport DescribeDeformExport(const std::filesystem::path& run_directory);
 
 }  // namespace daumier::deform

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/progress.h"
 #include "core/random.h"
 #include "eval/surface_metrics.h"
 #include "geometry/self_intersections.h"
@@ -57,23 +58,24 @@ double CountSelfIntersections(const geometry::TriangleMesh& mesh) {
 
 }  // namespace
 
-DeformMeasurement::DeformMeasurement(DeformNetwork& network, MeasuredFaces faces, uint64_t seed)
-    : network_(network), faces_(std::move(faces)), seed_(seed) {
+DeformMeasurement::DeformMeasurement(DeformNetwork& network, MeasuredFaces faces, uint64_t seed, const ModelUnit& unit,
+                                     const Task& task)
+    : network_(network), faces_(std::move(faces)), seed_(seed), unit_(unit), task_(task) {
   DAUMIER_CHECK(num_faces() > 0 && faces_.groups.size() == faces_.faces.size(), "{} faces of {} groups are measured",
                 num_faces(), faces_.groups.size());
   tensor::CheckShape(faces_.vertices, {num_faces(), network.num_vertices(), 3}, "vertices of the faces");
   for (int i = 0; i < num_faces(); ++i)
     samples_.push_back(SamplesOf(TrueMesh(i), faces_.faces[size_t(i)], network.template_vertices()));
+  table_ = {.columns = DeformColumns(), .faces = faces_.faces, .groups = faces_.groups};
 }
 
-void DeformMeasurement::MeasureNetwork(const std::string& name, const CodeFitOptions& options,
-                                       int num_faces_of_row) {
+void DeformMeasurement::MeasureNetwork(const std::string& name, const CodeFitOptions& options, int num_faces_of_row) {
   DAUMIER_CHECK(num_faces_of_row > 0 && num_faces_of_row <= num_faces(), "{} of {} faces cannot be measured",
                 num_faces_of_row, num_faces());
   log::Info("Fitting codes of {} faces: {}", num_faces_of_row, name);
   std::vector<torch::Tensor> codes;
   torch::Tensor map = torch::zeros({network_.num_vertices()});
-  const std::vector<SurfaceErrors> errors = Errors(num_faces_of_row, [&](int i) -> Prediction {
+  const std::vector<SurfaceErrors> errors = Errors(name, num_faces_of_row, [&](int i) -> Prediction {
     const CodeFit fit = FitCode(network_, faces_.vertices[i], options);
     const at::NoGradGuard no_gradient;
     const torch::Tensor code = fit.code.unsqueeze(0);
@@ -82,60 +84,76 @@ void DeformMeasurement::MeasureNetwork(const std::string& name, const CodeFitOpt
     map += Distances(vertices, faces_.vertices[i]) / num_faces_of_row;
     return {vertices, network_.Deform(code, samples_[size_t(i)]).squeeze(0), fit.seconds};
   });
-  rows_.push_back(MakeDeformRow(name, errors, std::span(faces_.groups).first(size_t(num_faces_of_row)), seed_));
-  if (result_ || num_faces_of_row < num_faces()) return;
-  result_ = rows_.size() - 1;
+  AddRow(name, errors);
+  if (has_result_ || num_faces_of_row < num_faces()) return;
+  has_result_ = true;
+  table_.result = table_.rows.size() - 1;
   codes_ = torch::stack(codes);
   mean_error_map_ = map;
 }
 
-const std::vector<std::string>& DeformBaselineNames() {
-  static const std::vector<std::string> names = {"template", "mean face", "nearest training face", "linear model"};
-  return names;
-}
-
 void DeformMeasurement::MeasureBaselines(const DeformBaselines& baselines) {
   const at::NoGradGuard no_gradient;
-  const std::vector<std::string>& names = DeformBaselineNames();
-  AddMeshRow(names[0], [&](int) { return network_.template_vertices(); });
+  AddBaseline(kTemplate, [&](int) { return network_.template_vertices(); });
   const torch::Tensor mean = baselines.Mean(), nearest = baselines.Nearest(faces_.vertices),
                       linear = baselines.Linear(faces_.vertices);
-  AddMeshRow(names[1], [&](int) { return mean; });
-  AddMeshRow(names[2], [&](int i) { return nearest[i]; });
-  AddMeshRow(names[3], [&](int i) { return linear[i]; });
+  AddBaseline(kMeanFace, [&](int) { return mean; });
+  AddBaseline(kNearestFace, [&](int i) { return nearest[i]; });
+  AddBaseline(kLinearModel, [&](int i) { return linear[i]; });
 }
 
-void DeformMeasurement::AddMeshRow(const std::string& name, const std::function<torch::Tensor(int i)>& vertices) {
-  const std::vector<SurfaceErrors> errors = Errors(num_faces(), [&](int i) -> Prediction {
-    const torch::Tensor predicted = vertices(i);
-    return {predicted, OnMesh(samples_[size_t(i)], predicted), std::nullopt};
-  });
-  rows_.push_back(MakeDeformRow(name, errors, faces_.groups, seed_));
+void DeformMeasurement::AddBaseline(const std::string& name, const std::function<torch::Tensor(int i)>& vertices) {
+  AddRow(name, Errors(name, num_faces(), [&](int i) -> Prediction {
+           const torch::Tensor predicted = vertices(i);
+           return {predicted, OnMesh(samples_[size_t(i)], predicted), std::nullopt};
+         }));
+  table_.rows.back().baseline = true;
 }
 
-std::vector<SurfaceErrors> DeformMeasurement::Errors(int num_faces_of_row, const Predictor& predict) const {
+void DeformMeasurement::AddRow(const std::string& name, const std::vector<SurfaceErrors>& errors) {
+  reports::FaceValues values;
+  for (const SurfaceErrors& one : errors) {
+    values["error"].push_back(one.mean_vertex_error);
+    values["num_faces"].push_back(double(errors.size()));
+    values["p95"].push_back(one.p95_vertex_error);
+    values["surface_sample_error"].push_back(one.surface_sample_error);
+    values["error_mm"].push_back(unit_.mm * one.mean_vertex_error);
+    values["percent_of_head_height"].push_back(100 * one.mean_vertex_error / unit_.head_height);
+    values["normal_error_degrees"].push_back(one.normal_error_degrees);
+    values["flipped_triangles"].push_back(one.flipped_triangles);
+    if (one.self_intersections) values["self_intersections"].push_back(*one.self_intersections);
+    if (one.seconds) values["seconds"].push_back(*one.seconds);
+  }
+  table_.rows.push_back(reports::MakeRow(table_, name, values, seed_));
+}
+
+std::vector<SurfaceErrors> DeformMeasurement::Errors(const std::string& name, int num_faces_of_row,
+                                                     const Predictor& predict) const {
+  Progress progress(task_.Stage(name), num_faces_of_row, "faces");
   std::vector<SurfaceErrors> errors;
   for (int i = 0; i < num_faces_of_row; ++i) {
+    task_.ThrowIfCancelled("the evaluation was stopped; nothing was written");
     const Prediction prediction = predict(i);
     const geometry::TriangleMesh truth = TrueMesh(i), predicted{PointsOf(prediction.vertices), faces_.triangles};
     const torch::Tensor distances = Distances(prediction.vertices, faces_.vertices[i]).to(torch::kFloat64).contiguous();
     const eval::SurfaceMetrics surface = eval::CompareSurfaces(truth, predicted.vertices);
     SurfaceErrors one;
     one.mean_vertex_error = MeanOf(distances);
-    one.p95_vertex_error = eval::Percentile({distances.data_ptr<double>(), size_t(distances.numel())}, 95);
+    one.p95_vertex_error = Percentile({distances.data_ptr<double>(), size_t(distances.numel())}, 95);
     one.surface_sample_error = MeanOf(Distances(prediction.samples, OnMesh(samples_[size_t(i)], faces_.vertices[i])));
     one.normal_error_degrees = surface.normal_error_degrees;
     one.flipped_triangles = surface.flipped_triangles;
     if (i < kIntersectionFaces) one.self_intersections = CountSelfIntersections(predicted);
     one.seconds = prediction.seconds;
     errors.push_back(one);
+    progress.Step();
   }
   return errors;
 }
 
-const DeformRow& DeformMeasurement::result() const {
-  DAUMIER_CHECK(result_, "the network was not measured on all {} faces", num_faces());
-  return rows_[*result_];
+const reports::MetricRow& DeformMeasurement::result() const {
+  DAUMIER_CHECK(has_result_, "the network was not measured on all {} faces", num_faces());
+  return table_.rows[table_.result];
 }
 
 torch::Tensor DeformMeasurement::Predicted(int i) const {

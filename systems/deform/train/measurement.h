@@ -1,8 +1,10 @@
 #pragma once
-#include "systems/deform/train/baselines.h"
-#include "systems/deform/train/table.h"
-#include "systems/deform/train/code_fit.h"
+#include "core/task.h"
 #include "geometry/mesh.h"
+#include "reports/metric_table.h"
+#include "systems/deform/metrics.h"
+#include "systems/deform/train/baselines.h"
+#include "systems/deform/train/code_fit.h"
 #include "systems/deform/train/network.h"
 
 #include <functional>
@@ -19,8 +21,16 @@ struct MeasuredFaces {
   std::vector<int> faces, groups;  ///< n: their indices, and whom they show.
 };
 
-/// Of the rows that need no training by steps: template, mean face, nearest training face, linear model.
-const std::vector<std::string>& DeformBaselineNames();
+/// Errors of one predicted face.
+struct SurfaceErrors {
+  double mean_vertex_error = 0;     ///< Over all vertices, model units.
+  double p95_vertex_error = 0;      ///< Over all vertices.
+  double surface_sample_error = 0;  ///< Mean over points that are uniform by area on the true surface.
+  double normal_error_degrees = 0;
+  double flipped_triangles = 0;
+  std::optional<double> self_intersections;  ///< Pairs of triangles; of the first faces only.
+  std::optional<double> seconds;             ///< To find its code, if it has one.
+};
 
 /// The rows of a table of errors on some faces. Every face has 10,000 points that are uniform by area on its own open
 /// surface, the same in every measurement of it: where a network says that its template point goes, or where the
@@ -28,7 +38,8 @@ const std::vector<std::string>& DeformBaselineNames();
 class DeformMeasurement {
  public:
   /// `network` has to outlive it. @throws Error if there is no face, or shapes disagree.
-  DeformMeasurement(DeformNetwork& network, MeasuredFaces faces, uint64_t seed);
+  DeformMeasurement(DeformNetwork& network, MeasuredFaces faces, uint64_t seed, const ModelUnit& unit = {},
+                    const Task& task = {});
 
   /// Adds the row of the network on the first num_faces faces. The first such row of all faces is the result.
   void MeasureNetwork(const std::string& name, const CodeFitOptions& options, int num_faces);
@@ -37,15 +48,15 @@ class DeformMeasurement {
 
   const MeasuredFaces& faces() const { return faces_; }
   int num_faces() const { return static_cast<int>(faces_.faces.size()); }
-  const std::vector<DeformRow>& rows() const { return rows_; }
+  /// With the columns DeformColumns.
+  const reports::MetricTable& table() const { return table_; }
 
-  /// Of the result: its row; its codes (n, M); the mean vertex error of each face; the distance of each vertex (V), of
-  /// one face or the mean of all. @throws Error if there is none yet.
-  const DeformRow& result() const;
+  /// Of the result: its row; its codes (n, M); the distance of each vertex (V), mean over faces. @throws Error if there
+  /// is none yet.
+  const reports::MetricRow& result() const;
   const torch::Tensor& codes() const { return codes_; }
-  const std::vector<double>& face_errors() const { return result().face_errors; }
   const torch::Tensor& mean_error_map() const { return mean_error_map_; }
-  /// What the result makes of face i, (V, 3).
+  /// Face i as the result predicts it, (V, 3).
   torch::Tensor Predicted(int i) const;
   /// Pairs of triangles of true faces that pierce each other, mean over those that are counted.
   double true_self_intersections() const;
@@ -57,16 +68,19 @@ class DeformMeasurement {
   };
   using Predictor = std::function<Prediction(int i)>;
 
-  std::vector<SurfaceErrors> Errors(int num_faces, const Predictor& predict) const;
-  void AddMeshRow(const std::string& name, const std::function<torch::Tensor(int i)>& vertices);
+  std::vector<SurfaceErrors> Errors(const std::string& name, int num_faces, const Predictor& predict) const;
+  void AddRow(const std::string& name, const std::vector<SurfaceErrors>& errors);
+  void AddBaseline(const std::string& name, const std::function<torch::Tensor(int i)>& vertices);
   geometry::TriangleMesh TrueMesh(int i) const;
 
   DeformNetwork& network_;
   const MeasuredFaces faces_;
   const uint64_t seed_;
+  const ModelUnit unit_;
+  const Task task_;
   std::vector<SurfacePoints> samples_;  ///< Of each face, S points.
-  std::vector<DeformRow> rows_;
-  std::optional<size_t> result_;
+  reports::MetricTable table_;
+  bool has_result_ = false;
   torch::Tensor codes_, mean_error_map_;
 };
 

@@ -39,8 +39,8 @@ DeformRecipe::DeformRecipe(const DeformTrainingOptions& options, const faces::Fa
                 split.train.size(), split.validation.size());
   if (options.trainer.precision != "float32")
     throw UsageError(fmt::format("precision=\"{}\": deformable models train in float32", options.trainer.precision));
-  decoder_ = std::make_shared<AutoDecoder>(MakeDeformNetwork(options.network, TemplateOf(points), points.frame()),
-                                           int64_t(split.train.size()));
+  decoder_ = std::make_shared<AutoDecoder>(
+      MakeDeformNetwork(options.network, TemplateOf(points), points.frame()), int64_t(split.train.size()));
   decoder_->to(device_);
   const datasets::PointDataset validation(faces, points, EvenChoice(split.validation, options.validation.faces),
                                           options.points, options.seed);
@@ -65,8 +65,8 @@ train::LossTerms DeformRecipe::Loss(const train::Batch& batch) {
 
 std::map<std::string, double> DeformRecipe::Validate() {
   const CodeFitOptions fit{.data_weight = options_.loss.data_weight,
-                           .code_weight = options_.loss.code_weight,
-                           .newton_steps = options_.validation.newton_steps};
+                                    .code_weight = options_.loss.code_weight,
+                                    .solve = {.newton_steps = options_.validation.newton_steps}};
   const double error = UnseenError(*decoder_->network(), validation_vertices_, fit);
   return {{"vertex_error", error}, {"mean_vertex_error_mm", mm_per_unit_ * error}};
 }

@@ -5,13 +5,16 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "datasets/read/run_data.h"
-#include "models/principal_components.h"
+#include "eval/principal_components.h"
 #include "systems/deform/train/array_deformations.h"
-#include "systems/deform/train/recipe.h"
+#include "tensor/eigen.h"
 #include "tensor/module_state.h"
 #include "tensor/runtime.h"
 #include "tensor/torch_version.h"
+#include "systems/deform/train/export.h"
+#include "systems/deform/train/recipe.h"
 #include "train/run_folder.h"
+#include "train/trainer.h"
 #include "train/run_log.h"
 
 #include <torch/utils.h>
@@ -25,28 +28,31 @@ namespace fs = std::filesystem;
 
 /// The factor of the rows of a linear model, by validation; codes begin with a deviation of 0.01.
 void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
-  constexpr double kCodeDeviation = 0.01;
+  constexpr float kCodeDeviation = 0.01f;
   const at::NoGradGuard no_grad;
   auto& network = dynamic_cast<LinearDeformation&>(*recipe.decoder().network());
   const torch::Tensor faces = recipe.TrainingVertices().flatten(1);
-  const auto components = models::FitPrincipalComponents(faces, options.network.latent, options.seed);
-  const torch::Tensor rows = components.rows * (components.deviations / kCodeDeviation).unsqueeze(1);
+  const eval::PrincipalComponents components = eval::FitPrincipalComponents(
+      eval::Centre(tensor::CopyToMatrix<float>(faces)), options.network.latent, options.seed);
+  const eval::FaceRows scaled = (components.deviations / kCodeDeviation).asDiagonal() * components.rows;
+  const torch::Tensor mean = tensor::CopyToTensor(components.mean).to(faces.device()),
+                      rows = tensor::CopyToTensor(scaled).to(faces.device());
   double best_error = 0, best_factor = 0;
   for (const double factor : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0}) {
-    network.Set(components.mean, rows * factor);
+    network.Set(mean, rows * factor);
     const double error = recipe.Validate().at(recipe.metric());
     if (best_factor == 0 || error < best_error) {
       best_error = error;
       best_factor = factor;
     }
   }
-  network.Set(components.mean, rows * best_factor);
+  network.Set(mean, rows * best_factor);
   log::Info("Rows of {:g} times the deviations miss validation faces least", best_factor);
   // The codes of the training faces minimise the same energy as those of unseen ones: a ridge regression.
   const torch::Tensor r = (rows * best_factor).to(torch::kFloat64);
   const double ridge = options.loss.code_weight / double(r.size(0)) * double(r.size(1)) / options.loss.data_weight;
   const torch::Tensor matrix = torch::matmul(r, r.t()) + ridge * torch::eye(r.size(0), r.options());
-  const torch::Tensor moments = torch::matmul(r, (faces - components.mean).t().to(torch::kFloat64));
+  const torch::Tensor moments = torch::matmul(r, (faces - mean).t().to(torch::kFloat64));
   recipe.decoder().codes().copy_(torch::linalg_solve(matrix, moments).t());
 }
 
@@ -63,18 +69,20 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 
 }  // namespace
 
-TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
-  const DeformTrainingOptions options = train::ParseTraining<DeformTrainingOptions>(config, "training config");
-  const torch::Device torch_device = tensor::ParseDevice(device);
-  const faces::FaceDatabase faces(options.data.faces);
-  const datasets::PointDatabase points(options.data.points);
+TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task) {
+  const fs::path& run_directory = place.directory;
+  const DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
+  const torch::Device torch_device = tensor::TorchDevice(place.device);
+  const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
+  const auto& points = databases.Open<datasets::PointDatabase>(options.data.points);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
-  manifest.details["product"] = kDeformProduct;
+  manifest.details["system"] = kSystem;
   manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}};
 
-  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"],
+  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
                                           ToJson(DeformTrainingOptions()));
   torch::manual_seed(options.seed);
   DeformRecipe recipe(options, faces, points, split, torch_device);
@@ -91,8 +99,9 @@ TrainingSummary TrainDeform(const Json& config, const fs::path& run_directory, b
             recipe.num_samples());
   TrainingSummary summary = options.network.kind == "linear"
                                 ? TrainLinear(recipe, options, run_directory)
-                                : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+                                : train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
   train::FinishRun(run_directory, summary, num_parameters);
+  exporting::StoreGraph(DescribeDeformExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());
   return summary;

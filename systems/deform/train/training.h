@@ -1,10 +1,7 @@
 #pragma once
-#include "core/json.h"
-#include "systems/deform/options.h"
-#include "train/trainer.h"
+#include "core/folder_cache.h"
+#include "systems/system.h"
 
-#include <filesystem>
-#include <string>
 
 namespace daumier::deform {
 
@@ -15,7 +12,7 @@ namespace daumier::deform {
 /// choose, since the larger the rows, the less a code's weight holds it back; its codes are found as those of unseen
 /// faces. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
-TrainingSummary TrainDeform(const Json& config, const std::filesystem::path& run_directory, bool resume,
-                            const std::string& device);
+TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task);
 
 }  // namespace daumier::deform

@@ -1,53 +1,27 @@
 #pragma once
-#include "core/json.h"
-#include "core/options.h"
+#include "core/folder_cache.h"
+#include "core/task.h"
+#include "reports/evaluation.h"
+#include "systems/sketch/evaluation_options.h"
 
 #include <filesystem>
-#include <string>
 
 namespace daumier::sketch {
 
-struct SketchEvalOptions {
-  std::string split = "test";
-  double strength = 0;
-  std::string recover_with = {};
-  bool baselines = true, fit = false, refine = false, deform = false;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("split", split, Choices{{"train", "validation", "test"}}, "The side of the run's split that is measured.");
-    visit("strength", strength, Range{0, 4}, "Augment the sketches: 0 not, 1 as in training, 2 strongly.");
-    visit("recover_with", recover_with, Text{},
-          "Folder of another run on the same data, whose network reads no shape-level numbers: its faces are where a "
-          "network that does read them gets recovered ones from. Empty: such a network is given them alone.");
-    visit("baselines", baselines, Flag{},
-          "Measure the free baselines and the limit of the model beside the network; they depend on data, split and "
-          "strength alone.");
-    visit("fit", fit, Flag{}, "Also fit the bilinear model to the labelled strokes, with and without its prior.");
-    visit("refine", refine, Flag{}, "Also match the contours of the network's faces with the strokes.");
-    visit("deform", deform, Flag{}, "Also do that and then move the faces' surfaces onto the strokes.");
-  }
-};
-
-/// `daumier eval` of a sketch run: errors of the network on one side of its split beside the free baselines
-/// (eval/baselines.h, fitted on training faces) and the limit of the bilinear model, which is its best reconstruction
-/// of each true face, in the least-squares sense over the region `face` that the errors are averaged over. Ridge
-/// regression stands there once more on the shape-level numbers alone, given and recovered (eval/shape_input.h;
-/// "predicted" are those of the network's own face, without a snap). A network that reads these numbers stands there
-/// with given and, if recover_with is told, with recovered ones, which then are the run's result. With `strength` > 0
-/// sketches are augmented, each once; baselines then read the curve points that the shape-level numbers rebuild, since
-/// strokes are missing. `fit` adds rows of morphable-model fitting (eval/sketch_fits.h), `refine` one of the result
-/// after contour matching, `deform` that row and one of its faces moved onto the strokes
-/// (fitting/stroke_deformation.h). Writes into `out_directory` metrics.json (returned), table.md, a report with
-/// pictures (eval/report.h) and a manifest. metrics.json: num_faces, num_persons, split, shape_input,
-/// mean_vertex_error_mm, p90_vertex_error_mm, mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm;
-/// also interval_mm, interocular_share, augmentation_strength, shape_error_px (given, predicted, recovered),
-/// ridge_lambda, regions_mm (mean of the network over the annotation's eyes, mouth and nose, and elsewhere in the
-/// face), table (TableJson of all rows, with the errors of each face), data_hash, seconds, and of each face in order
-/// faces, groups (whom it shows, as far as the split tells persons apart) and face_errors_mm (the network's). @throws
-/// Error as OpenSketchRunData, or if recover_with is a run on other data or reads shape-level numbers itself;
-/// UsageError if the side is empty.
-Json EvaluateSketchRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory,
-                       const SketchEvalOptions& options = {});
+/// `daumier eval` of a sketch run: vertex errors of the network on one side of its split, mm over the region `face`. A
+/// network that reads curve coefficients has a row with given ones and, with recover_with, one with recovered ones,
+/// which is the result then. Further rows: the training-free baselines and ridge regression on curve coefficients
+/// (baseline_rows.h); `fit`: morphable-model fitting (fits.h); `refine`: the result after contour matching; `deform`:
+/// that row and one of its faces moved onto the strokes (fitting/stroke_deformation.h). With `strength` > 0 each sketch
+/// is augmented once. With `faces` the run is measured on other faces: EvaluateOnExternalFaces.
+/// metrics: num_faces, num_persons, split, shape_input, mean_vertex_error_mm, p90_vertex_error_mm,
+/// mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm; also interval_mm, interocular_share,
+/// augmentation_strength, shape_error_px (given, predicted, recovered), ridge_lambda, regions_mm (of the result: eyes,
+/// mouth, nose, elsewhere), table (reports::TableJson), data_hash, seconds; of each face in order faces, groups (whom it
+/// shows, as far as the split separates persons) and face_errors_mm (of the result).
+/// @throws Error as OpenSketchRunData, if recover_with is a run on other data or reads curve coefficients itself, or if
+/// an error is not finite; UsageError if the side is empty or options exclude each other; Cancelled.
+reports::Evaluation EvaluateSketchRun(const std::filesystem::path& run_directory, const SketchEvalOptions& options,
+                                      FolderCache& databases, const Task& task = {});
 
 }  // namespace daumier::sketch

@@ -1,6 +1,5 @@
 #pragma once
-#include "core/json.h"
-#include "export/exported_function.h"
+#include "export/run_export.h"
 #include "systems/sketch/train/network.h"
 
 #include <filesystem>
@@ -11,7 +10,7 @@ namespace daumier::sketch {
 /// v (N, Kv), residual (N, K) of a network that has one, and vertices (N, V, 3) in cm.
 exporting::ExportedFunction SketchFunction(SketchNetwork network);
 
-/// Exports a finished sketch run as exporting::WriteExport does. @throws Error as LoadSketchRun and exporting::WriteExport.
-Json ExportSketchRun(const std::filesystem::path& run_directory, const std::filesystem::path& out_directory);
+/// A finished sketch run as it is exported. @throws Error as LoadSketchRun.
+exporting::RunExport DescribeSketchExport(const std::filesystem::path& run_directory);
 
 }  // namespace daumier::sketch

@@ -1,24 +1,30 @@
 #include "systems/sketch/train/external_evaluation.h"
 
 #include "core/error.h"
-#include "core/files.h"
 #include "core/log.h"
 #include "core/manifest.h"
 #include "core/parallel.h"
+#include "core/progress.h"
 #include "datasets/read/sketch_variation.h"
-#include "eval/baselines.h"
-#include "reports/face_pictures.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
+#include "export/torch_runner.h"
 #include "eval/metrics.h"
-#include "systems/sketch/train/run_data.h"
 #include "faces/bilinear_projector.h"
 #include "faces/face_database.h"
 #include "fitting/contour_refinement.h"
-#include "systems/sketch/train/sketch_predictor.h"
 #include "fitting/stroke_deformation.h"
 #include "fitting/stroke_distance.h"
 #include "geometry/coordinates.h"
 #include "render/sheet.h"
 #include "render/stroke_overlay.h"
+#include "reports/chosen_faces.h"
+#include "reports/face_pictures.h"
+#include "systems/sketch/metrics.h"
+#include "systems/sketch/train/reader.h"
+#include "systems/sketch/train/run_data.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/train/export.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,26 +40,30 @@ namespace fs = std::filesystem;
 using fitting::PredictedFace;
 using Strokes = std::vector<render::Stroke>;
 
-/// Faces that are predicted at once.
-constexpr size_t kBlock = 64;
+constexpr const char* kPixels = "curve_error_px";
 
-struct Row {
-  std::string name;
-  std::vector<double> errors_mm;   ///< One a face; empty for another topology.
-  std::vector<double> matched_mm;  ///< The same where the registered mesh is; empty where faces were not registered.
-  std::vector<double> errors_px;
-};
+std::vector<reports::Metric> Columns(bool registered) {
+  using reports::ShowInterval;
+  std::vector<reports::Metric> columns = {
+      {.key = "error", .title = "mm", .unit = "mm", .interval = ShowInterval::kInColumn},
+      {.key = "p90", .title = "p90", .of_key = "error", .percentile = 90}};
+  if (registered)
+    columns.push_back(
+        {.key = "matched_error", .title = "mm where the mesh is", .unit = "mm", .interval = ShowInterval::kInColumn});
+  columns.push_back({.key = kPixels, .title = "curves, px"});
+  return columns;
+}
 
-class OtherFaces {
+class ExternalEvaluation {
  public:
-  OtherFaces(const fs::path& run, const OtherFacesOptions& options)
-      : predictor_(run),
-        faces_(options.faces),
-        sketches_(options.sketches),
-        seed_(predictor_.run().manifest.seed),
-        refiner_(predictor_.run().models.bilinear, predictor_.curves()),
-        deformer_(predictor_.run().face_template.triangles, predictor_.run().face_template.num_vertices(),
-                  predictor_.curves()) {
+  ExternalEvaluation(const fs::path& run, const SketchEvalOptions& options, FolderCache& databases, const Task& task)
+      : databases_(databases),
+        task_(task),
+        predictor_(ReadSketchRunFolder(run),
+                   std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU), {.deform = true}),
+        faces_(databases.Open<faces::FaceDatabase>(options.faces)),
+        sketches_(databases.Open<datasets::SketchDatabase>(options.sketches)),
+        seed_(predictor_.run().manifest.seed) {
     DAUMIER_CHECK(sketches_.manifest().details.value("faces_data_hash", "") == DataHash(options.faces),
                   "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
                   options.sketches, options.faces);
@@ -61,8 +71,13 @@ class OtherFaces {
     const auto& own = predictor_.run().face_template.triangles;
     const auto& other = faces_.face_template().triangles;
     same_topology_ = own.rows() == other.rows() && own == other;
-    for (int face = 0; face < faces_.num_faces(); ++face) groups_.push_back(faces_.group(face));
     registered_ = same_topology_ && !faces_.match_distances(0).empty();
+    table_.columns = Columns(registered_);
+    for (int face = 0; face < faces_.num_faces(); ++face) {
+      table_.faces.push_back(face);
+      table_.groups.push_back(faces_.group(face));
+    }
+    table_.data_hash = {{"faces", DataHash(options.faces)}, {"sketches", DataHash(options.sketches)}};
   }
 
   void Measure() {
@@ -71,10 +86,12 @@ class OtherFaces {
                           v = bilinear.expression_factors.colwise().mean();
     const Eigen::VectorXf mean = faces::Reconstruct(bilinear, u, v);
     PredictedFace mean_face{u, v, {mean.begin(), mean.end()}};
-    AddRow("mean face", [&](int) { return mean_face; });
+    AddRow(kMeanFace, [&](int) { return mean_face; });
+    table_.rows.back().baseline = true;
     log::Info("Predicting {} faces by the network", faces_.num_faces());
     Predict();
     Refine();
+    table_.result = table_.rows.size();
     AddRow("network", [&](int face) { return predicted_[size_t(face)]; });
     AddRow("network, refined", [&](int face) { return refined_[size_t(face)]; });
     AddRow("network, deformed", [&](int face) { return Deformed(refined_[size_t(face)], face); });
@@ -83,7 +100,7 @@ class OtherFaces {
     Eigen::VectorXf weights = Eigen::VectorXf::Zero(bilinear.num_coordinates());
     for (const int vertex : region()) weights.segment<3>(3 * vertex).setOnes();
     const faces::BilinearProjector projector(bilinear, weights);
-    AddRow("limit of the model", [&](int face) {
+    AddRow(kModelLimit, [&](int face) {
       const auto projection = projector.Project(faces_.vertices(face));
       return PredictedFace{projection.u, projection.v, {projection.vertices.begin(), projection.vertices.end()}};
     });
@@ -96,58 +113,37 @@ class OtherFaces {
     if (!own) return;
     log::Info("Fitting the free baselines on {} training faces", own->split.train.size());
     const eval::SketchSamples samples{[&](int face) { return own->faces.vertices(face); },
-                                [&](int face) { return own->sketches.curve_points(face); }};
-    const eval::NearestNeighbour nearest(samples, own->split.train);
-    AddRow("nearest neighbour", [&](int face) {
-      const auto vertices = samples.vertices(nearest.Nearest(sketches_.curve_points(face)));
+                                      [&](int face) { return own->sketches.curve_points(face); }};
+    const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own->split.train));
+    AddRow(kNearestNeighbour, [&](int face) {
+      const auto vertices = samples.vertices(own->split.train[size_t(nearest.Nearest(sketches_.curve_points(face)))]);
       return PredictedFace{{}, {}, {vertices.begin(), vertices.end()}};
     });
-    const eval::RidgeFit ridge = eval::FitRidge(samples, own->split.train, own->split.validation, region(), eval::DefaultRidgeLambdas());
-    AddRow("ridge regression", [&](int face) {
+    const eval::RidgeFit ridge =
+        eval::FitRidge(samples, own->split.train, own->split.validation, region(), eval::DefaultRidgeLambdas());
+    AddRow(kRidge, [&](int face) {
       const std::vector<float> points = sketches_.curve_points(face);
-      const eval::FaceRows answer =
+      const eval::FaceRows predicted =
           ridge.model.Predict(Eigen::Map<const eval::FaceRows>(points.data(), 1, Eigen::Index(points.size())));
-      return PredictedFace{{}, {}, {answer.data(), answer.data() + answer.size()}};
+      return PredictedFace{{}, {}, {predicted.data(), predicted.data() + predicted.size()}};
     });
   }
 
-  Json Table() const {
-    Json table = Json::array();
-    for (const Row& row : rows_) {
-      Json line{{"name", row.name}, {"curve_error_px", eval::Mean(row.errors_px)}};
-      AddErrors(row.errors_mm, "error", line);
-      line["p90"] = row.errors_mm.empty() ? Json() : Json(eval::Percentile(row.errors_mm, 90));
-      if (registered_) AddErrors(row.matched_mm, "matched_error", line);
-      table.push_back(line);
-    }
-    return table;
-  }
-
-  /// The median, the worst 5 % (where they begin, and the worst) and the first by index.
+  /// Faces of reports::ChooseFaces by the network's errors.
   render::Image Sheet() const {
-    const Row& network = rows_[1];
-    const std::vector<double>& errors = same_topology_ ? network.errors_mm : network.errors_px;
-    std::vector<int> order(errors.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[size_t(a)] < errors[size_t(b)]; });
-    const size_t last = order.size() - 1;
-    const std::vector<std::pair<std::string, int>> chosen{
-        {"median", order[last / 2]},
-        {"95th percentile", order[size_t(std::ceil(0.95 * double(last)))]},
-        {"worst", order[last]},
-        {"first", 0}};
+    const std::vector<double>& errors = same_topology_ ? table_.rows[table_.result].face_errors : network_px_;
     render::SheetStyle style{.column_titles = {"sketch, curves of the deformed face", "true face", "network",
                                                "network, deformed", "network, deformed"}};
     std::vector<render::SheetCell> cells;
-    for (const auto& [what, face] : chosen) {
+    for (const auto& [title, face] : reports::ChooseFaces(table_.faces, errors)) {
       style.row_titles.push_back(
-          fmt::format("{}: {:.2f} {}", what, errors[size_t(face)], same_topology_ ? "mm" : "px"));
+          fmt::format("{}: {:.2f} {}", title, errors[size_t(face)], same_topology_ ? "mm" : "px"));
       const PredictedFace deformed = Deformed(refined_[size_t(face)], face);
       const geometry::Points network = geometry::PointsFrom(predicted_[size_t(face)].vertices),
                              moved = geometry::PointsFrom(deformed.vertices);
       const faces::FaceTemplate& own = predictor_.run().face_template;
-      cells.push_back({render::DrawnWithCurves(Seen(face).strokes, predictor_.CurvesOf(deformed), reports::kCell)});
-      cells.push_back({reports::FrontView(faces_.face_template(), faces_.points(face), render::FrameOf(faces_.points(face)))});
+      cells.push_back({render::DrawnWithCurves(SketchOf(face).strokes, predictor_.CurvesOf(deformed), reports::kCell)});
+      cells.push_back({reports::FrontView(faces_, face, render::FrameOf(faces_.points(face)))});
       cells.push_back({reports::FrontView(own, network, render::FrameOf(network))});
       cells.push_back({reports::FrontView(own, moved, render::FrameOf(moved))});
       cells.push_back({reports::SideView(own, moved, render::FrameOf(moved))});
@@ -155,34 +151,25 @@ class OtherFaces {
     return render::MakeSheet(cells, 5, style);
   }
 
+  const reports::MetricTable& table() const { return table_; }
   bool same_topology() const { return same_topology_; }
   const faces::FaceDatabase& faces() const { return faces_; }
-  const SketchRun& run() const { return predictor_.run(); }
+  const SketchRunFolder& run() const { return predictor_.run(); }
 
  private:
-  /// None where they have moved.
+  /// Absent if they have moved.
   std::optional<SketchRunData> OwnData() const {
     try {
-      return OpenSketchRunData(predictor_.run().directory);
+      return OpenSketchRunData(predictor_.run().directory, databases_);
     } catch (const Error& error) {
       log::Info("Without ridge regression and nearest neighbour, which read the training faces: {}", error.what());
       return std::nullopt;
     }
   }
 
-  /// KEY, KEY_low and KEY_high; null where there are no errors.
-  void AddErrors(const std::vector<double>& errors, const std::string& key, Json& line) const {
-    if (errors.empty()) {
-      line[key] = line[key + "_low"] = line[key + "_high"] = Json();
-      return;
-    }
-    const eval::Interval interval = eval::PersonBootstrap(errors, groups_, seed_);
-    line[key] = eval::Mean(errors);
-    line[key + "_low"] = interval.low;
-    line[key + "_high"] = interval.high;
+  const std::vector<int>& region() const {
+    return faces::RegionFor(faces_.face_template().annotation, "face", "measuring errors");
   }
-
-  const std::vector<int>& region() const { return faces_.face_template().annotation.regions.at("face"); }
 
   /// Vertices of the region that have a match on the mesh that the face was registered onto.
   std::vector<int> MatchedRegion(int face) const {
@@ -193,128 +180,118 @@ class OtherFaces {
     return matched;
   }
 
-  datasets::AugmentedSketch Seen(int face) const {
+  datasets::AugmentedSketch SketchOf(int face) const {
     return datasets::VariedSketch(sketches_, face, variation_, seed_, 0);
   }
 
-  /// The silhouette and feature lines as they are drawn: of strokes that came in, the pieces that are shown.
+  /// The visible pieces of silhouette and feature lines.
   Strokes DrawnFeatures(int face) const {
     Strokes features;
-    for (const render::Stroke& stroke : Seen(face).strokes) {
+    for (const render::Stroke& stroke : SketchOf(face).strokes) {
       if (!datasets::IsWrinkleKind(sketches_.kinds()[size_t(stroke.kind)])) features.push_back(stroke);
     }
     return features;
   }
 
   PredictedFace Deformed(PredictedFace start, int face) const {
-    start.vertices = deformer_.Deform(start.vertices, Seen(face).strokes);
-    return start;
+    return predictor_.Deformed(std::move(start), SketchOf(face).strokes);
   }
 
   void Predict() {
     for (int begin = 0; begin < faces_.num_faces(); begin += int(kBlock)) {
       std::vector<Strokes> block;
       for (int face = begin; face < std::min(begin + int(kBlock), faces_.num_faces()); ++face)
-        block.push_back(Seen(face).strokes);
-      for (PredictedFace& face : predictor_.Predict(block)) predicted_.push_back(std::move(face));
+        block.push_back(SketchOf(face).strokes);
+      for (PredictedFace& face : predictor_.FromStrokes(block)) predicted_.push_back(std::move(face));
     }
   }
 
   void Refine() {
     ForEachInOrder(
-        faces_.num_faces(), [&](int face) { return refiner_.Refine(predicted_[size_t(face)], Seen(face).strokes); },
+        faces_.num_faces(), [&](int face) { return predictor_.Refined(predicted_[size_t(face)], SketchOf(face).strokes); },
         [&](PredictedFace face) { refined_.push_back(std::move(face)); });
   }
 
-  void AddRow(const std::string& name, const std::function<PredictedFace(int face)>& answer) {
+  void AddRow(const std::string& name, const std::function<PredictedFace(int face)>& predict) {
     struct Errors {
       double mm, matched_mm, px;
     };
-    Row row{name, {}, {}, {}};
+    reports::FaceValues values;
     const double mm_per_cm = faces::MillimetresPerCm(faces_.face_template());
+    Progress progress(task_.Stage(name), faces_.num_faces(), "faces");
     ForEachInOrder(
         faces_.num_faces(),
         [&](int face) {
-          const PredictedFace answered = answer(face);
+          task_.ThrowIfCancelled("the evaluation was stopped; nothing was written");
+          const PredictedFace predicted = predict(face);
           const auto error = [&](const std::vector<int>& vertices) {
-            return eval::MeanVertexError(answered.vertices, faces_.vertices(face), vertices, mm_per_cm);
+            return eval::MeanVertexError(predicted.vertices, faces_.vertices(face), vertices, mm_per_cm);
           };
           return Errors{same_topology_ ? error(region()) : 0, registered_ ? error(MatchedRegion(face)) : 0,
-                        fitting::DistanceBetween(DrawnFeatures(face), predictor_.CurvesOf(answered)).two_way()};
+                        fitting::DistanceBetween(DrawnFeatures(face), predictor_.CurvesOf(predicted)).two_way()};
         },
         [&](const Errors& errors) {
-          if (same_topology_) row.errors_mm.push_back(errors.mm);
-          if (registered_) row.matched_mm.push_back(errors.matched_mm);
-          row.errors_px.push_back(errors.px);
+          if (same_topology_) values["error"].push_back(errors.mm);
+          if (registered_) values["matched_error"].push_back(errors.matched_mm);
+          values[kPixels].push_back(errors.px);
+          progress.Step();
         });
-    rows_.push_back(std::move(row));
+    if (table_.rows.size() == table_.result) network_px_ = values.at(kPixels);
+    table_.rows.push_back(reports::MakeRow(table_, name, values, seed_));
   }
 
+  FolderCache& databases_;
+  const Task task_;
   SketchPredictor predictor_;
-  const faces::FaceDatabase faces_;
-  const datasets::SketchDatabase sketches_;
+  const faces::FaceDatabase& faces_;
+  const datasets::SketchDatabase& sketches_;
   const uint64_t seed_;
-  const fitting::ContourRefiner refiner_;
-  const fitting::StrokeDeformer deformer_;
   datasets::SketchVariation variation_;
   bool same_topology_ = false;
   bool registered_ = false;  ///< And of the run's own topology.
-  std::vector<int> groups_;
   std::vector<PredictedFace> predicted_, refined_;
-  std::vector<Row> rows_;
+  reports::MetricTable table_;
+  std::vector<double> network_px_;  ///< Of each face.
 };
-
-std::string TableText(const Json& table) {
-  const bool registered = table.front().contains("matched_error");
-  std::string text =
-      fmt::format("| predictor | mm | 95 % interval | p90 |{} curves, px |\n|---|---:|---:|---:|{}---:|\n",
-                  registered ? " mm where the mesh is | 95 % interval |" : "", registered ? "---:|---:|" : "");
-  for (const Json& row : table) {
-    const auto number = [&](const std::string& key) {
-      return row.at(key).is_null() ? "-" : fmt::format("{:.3f}", row.at(key).get<double>());
-    };
-    const auto with_interval = [&](const std::string& key) {
-      if (row.at(key).is_null()) return std::string("- | -");
-      return fmt::format("{} | {} to {}", number(key), number(key + "_low"), number(key + "_high"));
-    };
-    text += fmt::format("| {} | {} | {} |{} {} |\n", row.at("name").get<std::string>(), with_interval("error"),
-                        number("p90"), registered ? fmt::format(" {} |", with_interval("matched_error")) : "",
-                        number("curve_error_px"));
-  }
-  return text;
-}
 
 }  // namespace
 
-Json EvaluateOnOtherFaces(const fs::path& run_directory, const fs::path& out_directory,
-                          const OtherFacesOptions& options) {
-  OtherFaces other(run_directory, options);
-  other.Measure();
-  if (options.baselines) other.MeasureBaselines();
-  const Json hashes = {{"faces", DataHash(options.faces)}, {"sketches", DataHash(options.sketches)}};
-  Json metrics = {{"num_faces", other.faces().num_faces()},
-                  {"same_topology", other.same_topology()},
-                  {"augmentation_strength", options.strength},
-                  {"table", other.Table()},
-                  {"data_hash", hashes},
-                  {"run_data_hash", DataHash(run_directory)}};
-  MakeDirectory(out_directory);
-  WriteFileAtomically(out_directory / "metrics.json", metrics.dump(2) + "\n");
-  WriteFileAtomically(out_directory / "table.md", TableText(metrics.at("table")));
-  render::WriteImage(out_directory / "sheet.png", other.Sheet());
-  Manifest manifest;
+reports::Evaluation EvaluateOnExternalFaces(const fs::path& run_directory, const SketchEvalOptions& options,
+                                            FolderCache& databases, const Task& task) {
+  ExternalEvaluation external(run_directory, options, databases, task);
+  external.Measure();
+  if (options.baselines) external.MeasureBaselines();
+  const reports::MetricTable& table = external.table();
+  const std::string run_hash = DataHash(run_directory);
+  reports::Evaluation evaluation{.table = table};
+  evaluation.metrics = {{"num_faces", table.faces.size()},
+                        {"same_topology", external.same_topology()},
+                        {"augmentation_strength", options.strength},
+                        {"table", reports::TableJson(table)},
+                        {"data_hash", table.data_hash},
+                        {"run_data_hash", run_hash}};
+  evaluation.report.title = fmt::format("Sketch to face: {} on other faces", external.run().face_template.source);
+  evaluation.report.summary = fmt::format(
+      "{} faces that the run was not trained on. Millimetres over the face region, where the face from chin "
+      "to hairline is 200 mm high; nothing is aligned before measuring. The interval resamples persons.",
+      table.faces.size());
+  evaluation.report.tables = {reports::TextTable(table)};
+  evaluation.report.facts = {{"faces (data hash)", table.data_hash.at("faces").get<std::string>()},
+                             {"sketches (data hash)", table.data_hash.at("sketches").get<std::string>()},
+                             {"run (data hash)", run_hash}};
+  evaluation.sheet = {external.Sheet(),
+                      "Each row: the sketch with the curves of the deformed face, the true face, the network's face, "
+                      "and the deformed one from the front and the side."};
+  Manifest& manifest = evaluation.manifest;
   manifest.kind = "report";
   manifest.verb = "eval";
   manifest.config = {{"strength", options.strength}};
-  manifest.seed = other.run().manifest.seed;
-  manifest.sources = other.run().manifest.sources;
-  for (const Json& source : other.faces().manifest().sources) manifest.sources.push_back(source);
-  manifest.counts = {{"faces", other.faces().num_faces()}};
-  manifest.details = {{"data", hashes}, {"run_data_hash", DataHash(run_directory)}};
-  for (const char* name : {"metrics.json", "table.md", "sheet.png"})
-    manifest.checksums[name] = Sha256OfFile(out_directory / name);
-  WriteManifest(out_directory, manifest);
-  return metrics;
+  manifest.seed = external.run().manifest.seed;
+  manifest.sources = external.run().manifest.sources;
+  for (const Json& source : external.faces().manifest().sources) manifest.sources.push_back(source);
+  manifest.counts = {{"faces", table.faces.size()}};
+  manifest.details = {{"data", table.data_hash}, {"run_data_hash", run_hash}};
+  return evaluation;
 }
 
 }  // namespace daumier::sketch

@@ -14,7 +14,7 @@ fitting::ProjectedCurves CurvesOf(const SketchRunData& data) {
   return fitting::SeeCurves(data.run.face_template, data.run.feature_curves, data.run.camera);
 }
 
-/// Neighbouring points of a curve say about the same: every fourth stands for four.
+/// Neighbouring points of a curve are nearly redundant: every fourth, with weight 4.
 std::vector<float> EveryFourth(std::vector<float> weights) {
   constexpr size_t kEvery = 4;
   for (size_t k = 0; k < weights.size(); ++k) weights[k] = k % kEvery == 0 ? kEvery * weights[k] : 0;
@@ -28,7 +28,7 @@ MorphableRow::MorphableRow(const SketchRunData& data, const SketchReader& reader
 
 eval::FaceRows MorphableRow::Predict(std::span<const int> faces, const fitting::MorphableFitOptions& options) const {
   return eval::RowsOnAllCores(faces.size(), 3 * Eigen::Index(data_.faces.num_vertices()), [&](int i) {
-    const datasets::AugmentedSketch sketch = reader_.Seen(faces[size_t(i)]);
+    const datasets::AugmentedSketch sketch = reader_.SketchOf(faces[size_t(i)]);
     const auto fit = fitting::FitMorphable(
         model_, datasets::PointsOf(sketch.moved, data_.sketches.feature_curves()),
         EveryFourth(datasets::PointWeights(data_.sketches, sketch.moved, sketch.visible)), options);
@@ -59,12 +59,12 @@ fitting::MorphableFitOptions MorphableRow::ChooseOptions(std::span<const int> va
 RefinedRow::RefinedRow(const SketchRunData& data, const SketchReader& reader)
     : reader_(reader), refiner_(data.run.models.bilinear, CurvesOf(data)) {}
 
-eval::FaceRows RefinedRow::Refine(std::span<const int> faces, const SketchAnswers& answers) const {
-  return eval::RowsOnAllCores(faces.size(), answers.faces.cols(), [&](int i) {
-    const std::span<const float> face = eval::RowSpan(answers.faces, size_t(i));
+eval::FaceRows RefinedRow::Refine(std::span<const int> faces, const SketchPredictions& predicted) const {
+  return eval::RowsOnAllCores(faces.size(), predicted.faces.cols(), [&](int i) {
+    const std::span<const float> face = eval::RowSpan(predicted.faces, size_t(i));
     return refiner_
-        .Refine({answers.u.row(i), answers.v.row(i), {face.begin(), face.end()}},
-                reader_.Seen(faces[size_t(i)]).strokes)
+        .Refine({predicted.u.row(i), predicted.v.row(i), {face.begin(), face.end()}},
+                reader_.SketchOf(faces[size_t(i)]).strokes)
         .vertices;
   });
 }
@@ -74,7 +74,7 @@ DeformedRow::DeformedRow(const SketchRunData& data, const SketchReader& reader)
 
 eval::FaceRows DeformedRow::Deform(std::span<const int> faces, const eval::FaceRows& start) const {
   return eval::RowsOnAllCores(faces.size(), start.cols(), [&](int i) {
-    return deformer_.Deform(eval::RowSpan(start, size_t(i)), reader_.Seen(faces[size_t(i)]).strokes);
+    return deformer_.Deform(eval::RowSpan(start, size_t(i)), reader_.SketchOf(faces[size_t(i)]).strokes);
   });
 }
 

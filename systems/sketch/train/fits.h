@@ -1,16 +1,16 @@
 #pragma once
 #include "eval/face_rows.h"
-#include "systems/sketch/train/reader.h"
 #include "fitting/contour_refinement.h"
 #include "fitting/morphable_fit.h"
 #include "fitting/stroke_deformation.h"
+#include "systems/sketch/train/reader.h"
 
 #include <span>
 
 namespace daumier::sketch {
 
 /// Morphable-model fitting to the labelled strokes of sketches, row MMfitting of [Han et al. 2017, Table 2]: the camera
-/// is known, points that a sketch does not show are not looked at, and every fourth of the others stands for four.
+/// is known, and visible points are subsampled by 4, each with weight 4.
 class MorphableRow {
  public:
   /// All arguments have to outlive it.
@@ -35,8 +35,8 @@ class RefinedRow {
   /// All arguments have to outlive it.
   RefinedRow(const SketchRunData& data, const SketchReader& reader);
 
-  /// What the network answered for these faces, refined: num_faces x 3V, cm.
-  eval::FaceRows Refine(std::span<const int> faces, const SketchAnswers& answers) const;
+  /// The predictions of these faces, refined: num_faces x 3V, cm.
+  eval::FaceRows Refine(std::span<const int> faces, const SketchPredictions& predicted) const;
 
  private:
   const SketchReader& reader_;

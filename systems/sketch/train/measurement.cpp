@@ -2,286 +2,168 @@
 
 #include "core/error.h"
 #include "core/log.h"
-#include "core/parallel.h"
-#include "eval/baselines.h"
-#include "eval/metrics.h"
+#include "geometry/coordinates.h"
+#include "render/strokes.h"
+#include "systems/sketch/train/baseline_rows.h"
 #include "systems/sketch/train/fits.h"
-#include "faces/bilinear_projector.h"
+#include "systems/sketch/train/shape_codes.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace daumier::sketch {
 namespace {
 
-/// Faces that are predicted at once.
-constexpr size_t kBlock = 64;
-
-std::vector<float> AsNumbers(const Eigen::VectorXf& vector) {
-  return {vector.data(), vector.data() + vector.size()};
+/// A run whose network reads no curve coefficients, on the data of `data`.
+SketchRun OpenRecoveringRun(const SketchRunData& data, const std::string& directory) {
+  SketchRun run = LoadSketchRun(directory);
+  DAUMIER_CHECK(!run.network->options().reads_shape(),
+                "{} reads curve coefficients itself, and cannot be the run that they are recovered with", directory);
+  for (const char* key : {"data", "split"}) {
+    DAUMIER_CHECK(run.manifest.details.at(key) == data.run.manifest.details.at(key),
+                  "{}: its {} differs from that of {}", directory, key, data.run.directory.string());
+  }
+  return run;
 }
 
-Eigen::VectorXf AsVector(std::span<const float> face) {
-  return Eigen::Map<const Eigen::VectorXf>(face.data(), Eigen::Index(face.size()));
+/// The curve coefficients of a block, for a network that reads them.
+using Numbers = std::function<eval::FaceRows(const FaceBlock& block)>;
+
+/// Reads all sketches of the test set with a network, in blocks.
+StoredCoefficients ReadAll(const SketchTestSet& test, const SketchNetwork& network, const Numbers& numbers) {
+  log::Info("Predicting {} faces by the network", test.faces().size());
+  StoredCoefficients stored(network);
+  for (size_t begin = 0; begin < test.faces().size(); begin += kBlock) {
+    test.task().ThrowIfCancelled("the evaluation was stopped; nothing was written");
+    const size_t count = std::min(kBlock, test.faces().size() - begin);
+    const FaceBlock block{begin, std::span(test.faces()).subspan(begin, count)};
+    if (network->options().reads_shape()) {
+      const eval::FaceRows shape = numbers(block);
+      stored.Append(test.reader().Forward(network, block.faces, &shape));
+    } else {
+      stored.Append(test.reader().Forward(network, block.faces));
+    }
+  }
+  return stored;
 }
 
-eval::FaceRows Rows(std::span<const int> faces, Eigen::Index num_coordinates,
-              const std::function<Eigen::VectorXf(int face)>& predict) {
-  return eval::RowsOnAllCores(faces.size(), num_coordinates, [&](int i) { return predict(faces[size_t(i)]); });
+SketchPredictions Decode(const StoredCoefficients& stored, const FaceBlock& block) {
+  return stored.Decode(int64_t(block.begin), int64_t(block.faces.size()));
 }
 
-/// What the sketches of a test are like: those of the training, augmented as asked for, in the exact view.
-datasets::SketchVariation TestVariation(const SketchRunData& data, double strength) {
-  datasets::SketchVariation variation = data.sketch;
-  variation.all_views = false;
-  variation.augmentation.strength = strength;
-  return variation;
+eval::FaceRows NumbersOf(const FaceBlock& block, const std::function<const faces::CurveCode&(size_t position)>& code) {
+  const Eigen::Index num_numbers = code(block.begin).numbers().size();
+  eval::FaceRows numbers(Eigen::Index(block.faces.size()), num_numbers);
+  for (size_t i = 0; i < block.faces.size(); ++i)
+    numbers.row(Eigen::Index(i)) = code(block.begin + i).numbers().transpose();
+  return numbers;
+}
+
+/// The network with the curve coefficients that it reads: the stored result, and the row with given ones before it.
+struct NetworkRows {
+  StoredCoefficients result;
+  std::string input;
+};
+
+NetworkRows AddNetworkRows(const SketchTestSet& test, const ShapeCodes& codes, SketchMeasurement& measured) {
+  const SketchNetwork& network = test.data().run.network;
+  const auto add = [&](const StoredCoefficients& stored, const std::string& input) {
+    const SketchErrors errors =
+        test.Measure("network", [&](const FaceBlock& block) { return Decode(stored, block).faces; });
+    measured.table.result = measured.table.rows.size();
+    measured.table.rows.push_back(test.Row("network", input, errors));
+    measured.of_vertices = errors.of_vertices;
+  };
+  if (!network->options().reads_shape()) {
+    add(codes.without_shape(), "none");
+    return {codes.without_shape(), "none"};
+  }
+  const auto read = [&](const std::string& input) {
+    return ReadAll(test, network, [&](const FaceBlock& block) {
+      return NumbersOf(block, [&](size_t i) -> const faces::CurveCode& {
+        return input == "given" ? codes.given(test.faces()[i]) : codes.recovered(i);
+      });
+    });
+  };
+  const StoredCoefficients given = read("given");
+  add(given, "given");
+  if (!codes.can_recover()) return {given, "given"};
+  const StoredCoefficients recovered = read("recovered");
+  add(recovered, "recovered");
+  return {recovered, "recovered"};
+}
+
+/// Contours matched, and surfaces moved onto the strokes after that.
+void AddRefinedRows(const SketchTestSet& test, const NetworkRows& network, bool deform, SketchMeasurement& measured) {
+  log::Info("Matching contours{} of {} faces", deform ? " and moving surfaces onto the strokes" : "",
+            test.faces().size());
+  const RefinedRow refiner(test.data(), test.reader());
+  std::optional<DeformedRow> deformer;
+  if (deform) deformer.emplace(test.data(), test.reader());
+  const std::vector<SketchErrors> errors =
+      test.Measure("contours", deform ? 2 : 1, [&](const FaceBlock& block) -> std::vector<eval::FaceRows> {
+        const eval::FaceRows refined = refiner.Refine(block.faces, Decode(network.result, block));
+        if (!deformer) return {refined};
+        return {refined, deformer->Deform(block.faces, refined)};
+      });
+  measured.table.rows.push_back(test.Row("network, refined", network.input, errors[0]));
+  if (deform) measured.table.rows.push_back(test.Row("network, deformed", network.input, errors[1]));
+}
+
+void AddMorphableRows(const SketchTestSet& test, SketchMeasurement& measured) {
+  log::Info("Fitting the bilinear model to the strokes of {} faces", test.faces().size());
+  const MorphableRow fit(test.data(), test.reader());
+  const auto add = [&](const std::string& name, const fitting::MorphableFitOptions& options) {
+    measured.table.rows.push_back(test.Row(name, "given", test.Measure("fits", [&](const FaceBlock& block) {
+      return fit.Predict(block.faces, options);
+    })));
+  };
+  const auto with_prior = fit.ChooseOptions(test.data().split.validation, test.region());
+  log::Info("The deviation of labelled points is {} pixels, by validation", with_prior.deviation_px);
+  add("morphable model fit", with_prior);
+  add("morphable model fit without prior", {.prior = false});
+}
+
+reports::Predictions KeptPredictions(const SketchTestSet& test, const NetworkRows& network,
+                                     const reports::MetricTable& table) {
+  const std::vector<int> kept = reports::KeptFaces(table);
+  std::vector<int64_t> entries;
+  for (const int face : kept)
+    entries.push_back(std::find(test.faces().begin(), test.faces().end(), face) - test.faces().begin());
+  const SketchPredictions predicted = network.result.Decode(entries);
+  reports::Predictions predictions{reports::SurfaceOf(test.data().run.face_template), {}};
+  for (size_t i = 0; i < kept.size(); ++i) {
+    const std::span<const float> vertices = eval::RowSpan(predicted.faces, i);
+    const datasets::AugmentedSketch sketch = test.reader().SketchOf(kept[i]);
+    predictions.faces.push_back({kept[i], render::RasteriseStrokes(sketch.strokes, render::kSketchCanvas, sketch.style),
+                                 test.data().faces.points(kept[i]), geometry::PointsFrom(vertices),
+                                 test.ErrorMap(vertices, kept[i])});
+  }
+  return predictions;
 }
 
 }  // namespace
 
-SketchMeasurement::SketchMeasurement(const SketchRunData& data, const SketchEvalOptions& options)
-    : data_(data),
-      options_(options),
-      test_(data.side(options.split)),
-      annotation_(data.faces.face_template().annotation),
-      region_(annotation_.regions.at("face")),
-      mm_per_cm_(faces::MillimetresPerCm(data.faces.face_template())),
-      shape_input_(data.run.models.curves, data.sketches, data.faces.face_template()),
-      reader_(data.sketches, TestVariation(data, options.strength), data.run.manifest.seed),
-      mean_error_map_(size_t(data.faces.num_vertices()), 0) {
-  if (test_.empty()) throw UsageError(fmt::format("the split has no {} face", options.split));
-  if (!options.recover_with.empty()) OpenRecoveringRun();
-  for (const int face : test_) {
-    groups_.push_back(data.faces.group(face));
-    for (const int person : data.faces.persons(face)) persons_.insert(person);
-    const std::span<const float> truth = data.faces.vertices(face);
-    interocular_mm_.push_back(mm_per_cm_ * eval::VertexDistance(truth, annotation_.landmarks[36], annotation_.landmarks[45]));
+SketchMeasurement MeasureSketchRun(const SketchTestSet& test, const SketchEvalOptions& options) {
+  SketchMeasurement measured{.table = test.EmptyTable()};
+  const SketchRunData& data = test.data();
+  std::optional<SketchRun> recovering;
+  if (!options.recover_with.empty()) recovering = OpenRecoveringRun(data, options.recover_with);
+  const SketchNetwork& without_shape = recovering ? recovering->network : data.run.network;
+  std::optional<StoredCoefficients> start;
+  if (!without_shape->options().reads_shape()) start = ReadAll(test, without_shape, nullptr);
+  const ShapeCodes codes(test, start, options.baselines);
+
+  const NetworkRows network = AddNetworkRows(test, codes, measured);
+  if (options.refine || options.deform) AddRefinedRows(test, network, options.deform, measured);
+  if (options.fit) AddMorphableRows(test, measured);
+  if (options.baselines) {
+    BaselineRows baselines = MeasureBaselines(test, codes, options.strength);
+    for (reports::MetricRow& row : baselines.rows) measured.table.rows.push_back(std::move(row));
+    measured.ridge_lambda = baselines.ridge_lambda;
+    measured.shape_error_px = baselines.shape_error_px;
   }
-}
-
-void SketchMeasurement::OpenRecoveringRun() {
-  recovering_ = LoadSketchRun(options_.recover_with);
-  DAUMIER_CHECK(!recovering_->network->options().reads_shape(),
-                "{} reads shape-level numbers itself, and cannot be what they are recovered with",
-                options_.recover_with);
-  for (const char* key : {"data", "split"}) {
-    DAUMIER_CHECK(recovering_->manifest.details.at(key) == data_.run.manifest.details.at(key),
-                  "{} was trained on another {} than {}", options_.recover_with, key, data_.run.directory.string());
-  }
-}
-
-void SketchMeasurement::Measure() {
-  Encode();
-  MeasureNetwork();
-  MeasureFits();
-  if (options_.baselines) MeasureBaselines();
-}
-
-std::optional<double> SketchMeasurement::error_of(const std::string& name) const {
-  const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const ErrorRow& row) { return row.name == name; });
-  return found == rows_.end() ? std::nullopt : std::optional(found->error_mm);
-}
-
-void SketchMeasurement::Encode() {
-  codes_.resize(size_t(data_.faces.num_faces()));
-  std::set<int> faces(test_.begin(), test_.end());
-  if (options_.baselines) {
-    faces.insert(data_.split.train.begin(), data_.split.train.end());
-    faces.insert(data_.split.validation.begin(), data_.split.validation.end());
-  }
-  log::Info("Encoding the curves of {} faces", faces.size());
-  const std::vector<int> order(faces.begin(), faces.end());
-  auto next = order.begin();
-  ForEachInOrder(
-      int(order.size()), [&](int i) { return GivenCode(order[size_t(i)]); },
-      [&](faces::CurveCode code) { codes_[size_t(*next++)] = std::move(code); });
-}
-
-faces::CurveCode SketchMeasurement::GivenCode(int face) const {
-  const auto sketch = Seen(face);
-  return shape_input_.Given(sketch.moved, sketch.visible);
-}
-
-void SketchMeasurement::MeasureNetwork() {
-  log::Info("Predicting {} {} faces by the network", test_.size(), options_.split);
-  const SketchNetwork& network = data_.run.network;
-  const bool reads_shape = network->options().reads_shape();
-  if (reads_shape && can_recover()) {
-    AddRow("network", "given", Errors([&](auto faces) {
-             const eval::FaceRows numbers = GivenNumbers(faces);
-             return reader_.Predict(network, faces, &numbers);
-           }));
-  }
-  result_ = rows_.size();
-  const auto errors_mm = Errors([this](auto faces) { return PredictResult(faces); }, &mean_error_map_);
-  AddRow("network", !reads_shape ? "none" : can_recover() ? "recovered" : "given", errors_mm);
-}
-
-SketchAnswers SketchMeasurement::AskResult(std::span<const int> faces) const {
-  const SketchNetwork& network = data_.run.network;
-  if (!network->options().reads_shape()) return reader_.Ask(network, faces);
-  const eval::FaceRows numbers = can_recover() ? RecoveredNumbers(faces) : GivenNumbers(faces);
-  return reader_.Ask(network, faces, &numbers);
-}
-
-void SketchMeasurement::MeasureFits() {
-  if (options_.refine || options_.deform) {
-    log::Info("Matching contours of {} faces", test_.size());
-    const RefinedRow refined(data_, reader_);
-    AddRow("network, refined", result().shape_input,
-           Errors([&](auto faces) { return refined.Refine(faces, AskResult(faces)); }));
-    if (options_.deform) {
-      log::Info("Moving the surfaces of {} faces onto the strokes", test_.size());
-      const DeformedRow deformed(data_, reader_);
-      AddRow("network, deformed", result().shape_input,
-             Errors([&](auto faces) { return deformed.Deform(faces, refined.Refine(faces, AskResult(faces))); }));
-    }
-  }
-  if (!options_.fit) return;
-  log::Info("Fitting the bilinear model to the strokes of {} faces", test_.size());
-  const MorphableRow fit(data_, reader_);
-  const auto with_prior = fit.ChooseOptions(data_.split.validation, region_);
-  log::Info("Labelled points are taken to stray by {} pixels", with_prior.deviation_px);
-  AddRow("morphable model fit", "given", Errors([&](auto faces) { return fit.Predict(faces, with_prior); }));
-  AddRow("morphable model fit without prior", "given",
-         Errors([&](auto faces) { return fit.Predict(faces, {.prior = false}); }));
-}
-
-eval::FaceRows SketchMeasurement::PredictWithoutShape(std::span<const int> faces) const {
-  return reader_.Predict(recovering_ ? recovering_->network : data_.run.network, faces);
-}
-
-eval::FaceRows SketchMeasurement::GivenNumbers(std::span<const int> faces) const {
-  return Rows(faces, data_.run.network->num_shape(),
-              [this](int face) { return (codes_.empty() ? GivenCode(face) : codes_[size_t(face)]).numbers(); });
-}
-
-eval::FaceRows SketchMeasurement::RecoveredNumbers(std::span<const int> faces) const {
-  const eval::FaceRows start = PredictWithoutShape(faces);
-  return eval::RowsOnAllCores(faces.size(), data_.run.network->num_shape(), [&](int i) {
-    return shape_input_.Recovered(eval::RowSpan(start, size_t(i)), Seen(faces[size_t(i)]).strokes).numbers();
-  });
-}
-
-std::vector<float> SketchMeasurement::CurvePoints(int face) const {
-  if (options_.strength == 0) return data_.sketches.curve_points(face);
-  return AsNumbers(codes_[size_t(face)].points);
-}
-
-void SketchMeasurement::MeasureBaselines() {
-  const eval::SketchSamples samples{[this](int face) { return data_.faces.vertices(face); },
-                              [this](int face) { return CurvePoints(face); }};
-  const Eigen::Index num_coordinates = 3 * Eigen::Index(data_.faces.num_vertices());
-  log::Info("Fitting the free baselines on {} training faces", data_.split.train.size());
-  const eval::RidgeFit ridge = eval::FitRidge(samples, data_.split.train, data_.split.validation, region_, eval::DefaultRidgeLambdas());
-  ridge_lambda_ = ridge.lambda;
-  AddRow("ridge regression", "none",
-         Errors([&](auto faces) { return ridge.model.Predict(eval::PointRows(samples, faces)); }));
-  MeasureShapeInput();
-  const eval::NearestNeighbour nearest(samples, data_.split.train);
-  AddRow("nearest neighbour", "none", Errors([&](auto faces) {
-           return Rows(faces, num_coordinates, [&](int face) {
-             return AsVector(samples.vertices(nearest.Nearest(samples.curve_points(face))));
-           });
-         }));
-  Eigen::VectorXf mean_face = eval::MeanFace(samples, data_.split.train);
-  AddRow("mean face", "none",
-         Errors([&](auto faces) { return Rows(faces, num_coordinates, [&](int) { return mean_face; }); }));
-  log::Info("Projecting the true faces on the bilinear model");
-  Eigen::VectorXf weights = Eigen::VectorXf::Zero(num_coordinates);
-  for (const int vertex : region_) weights.segment<3>(3 * vertex).setOnes();
-  const faces::BilinearProjector projector(data_.run.models.bilinear, weights);
-  AddRow("limit of the model", "none", Errors([&](auto faces) {
-           return Rows(faces, num_coordinates,
-                       [&](int face) { return projector.Project(data_.faces.vertices(face)).vertices; });
-         }));
-}
-
-/// Ridge regression on the shape-level numbers, fitted on given ones, tested on given, predicted and recovered ones.
-void SketchMeasurement::MeasureShapeInput() {
-  const eval::SketchSamples samples{[this](int face) { return data_.faces.vertices(face); },
-                              [this](int face) { return AsNumbers(codes_[size_t(face)].numbers()); }};
-  const eval::RidgeFit ridge = eval::FitRidge(samples, data_.split.train, data_.split.validation, region_, eval::DefaultRidgeLambdas());
-  const auto measure = [&](const std::string& input,
-                           const std::function<faces::CurveCode(int face, std::span<const float> predicted)>& code) {
-    double error_px = 0;
-    AddRow("ridge on shape numbers", input, Errors([&](std::span<const int> faces) {
-             const eval::FaceRows predicted = input == "given" ? eval::FaceRows() : PredictWithoutShape(faces);
-             eval::FaceRows numbers(Eigen::Index(faces.size()), data_.run.network->num_shape());
-             for (size_t i = 0; i < faces.size(); ++i) {
-               const faces::CurveCode one =
-                   code(faces[i], input == "given" ? std::span<const float>() : eval::RowSpan(predicted, i));
-               error_px += shape_input_.ErrorPx(one, Seen(faces[i]).moved) / double(test_.size());
-               numbers.row(Eigen::Index(i)) = one.numbers().transpose();
-             }
-             return ridge.model.Predict(numbers);
-           }));
-    shape_error_px_[input] = error_px;
-  };
-  measure("given", [&](int face, auto) { return codes_[size_t(face)]; });
-  if (!can_recover()) return;
-  measure("predicted", [&](int face, auto predicted) {
-    return shape_input_.Recovered(predicted, Seen(face).strokes, {.snaps = 0});
-  });
-  measure("recovered", [&](int face, auto predicted) { return shape_input_.Recovered(predicted, Seen(face).strokes); });
-}
-
-/// One error a test face in mm; adds the mean distance of each vertex to `map` where one is given.
-std::vector<double> SketchMeasurement::Errors(const Predictor& predict, std::vector<double>* map) const {
-  std::vector<double> errors;
-  for (size_t begin = 0; begin < test_.size(); begin += kBlock) {
-    const std::span<const int> block = std::span(test_).subspan(begin, std::min(kBlock, test_.size() - begin));
-    const eval::FaceRows predicted = predict(block);
-    for (size_t i = 0; i < block.size(); ++i) {
-      const std::span<const float> prediction = eval::RowSpan(predicted, i), truth = data_.faces.vertices(block[i]);
-      errors.push_back(eval::MeanVertexError(prediction, truth, region_, mm_per_cm_));
-      if (map == nullptr) continue;
-      const std::vector<double> distances = eval::VertexErrors(prediction, truth, mm_per_cm_);
-      for (size_t vertex = 0; vertex < distances.size(); ++vertex)
-        (*map)[vertex] += distances[vertex] / double(test_.size());
-    }
-  }
-  return errors;
-}
-
-void SketchMeasurement::AddRow(const std::string& name, const std::string& shape_input,
-                               const std::vector<double>& errors_mm) {
-  ErrorRow row = MakeErrorRow(name, errors_mm, interocular_mm_, groups_, data_.run.manifest.seed);
-  row.shape_input = shape_input;  // May be that of a row that moves as the list grows.
-  rows_.push_back(std::move(row));
-}
-
-Eigen::VectorXd SketchMeasurement::InFaceOnly(const std::vector<double>& errors) const {
-  Eigen::VectorXd kept =
-      Eigen::VectorXd::Constant(Eigen::Index(errors.size()), std::numeric_limits<double>::quiet_NaN());
-  for (const int vertex : region_) kept[vertex] = errors[size_t(vertex)];
-  return kept;
-}
-
-Eigen::VectorXd SketchMeasurement::ErrorMap(const eval::FaceRows& prediction, int face) const {
-  return InFaceOnly(eval::VertexErrors(eval::RowSpan(prediction, 0), data_.faces.vertices(face), mm_per_cm_));
-}
-
-std::map<std::string, double> SketchMeasurement::region_errors_mm() const {
-  std::set<int> elsewhere(region_.begin(), region_.end());
-  const auto mean = [&](const auto& vertices) {
-    double sum = 0;
-    for (const int vertex : vertices) sum += mean_error_map_[size_t(vertex)];
-    return sum / double(vertices.size());
-  };
-  std::map<std::string, double> errors;
-  for (const char* name : {"eyes", "mouth", "nose"}) {
-    const auto found = annotation_.regions.find(name);
-    if (found == annotation_.regions.end()) continue;
-    std::vector<int> in_face;
-    for (const int vertex : found->second) {
-      if (elsewhere.erase(vertex) > 0) in_face.push_back(vertex);
-    }
-    if (!in_face.empty()) errors[name] = mean(in_face);
-  }
-  if (!elsewhere.empty()) errors["elsewhere"] = mean(elsewhere);
-  return errors;
+  measured.predictions = KeptPredictions(test, network, measured.table);
+  return measured;
 }
 
 }  // namespace daumier::sketch

@@ -70,8 +70,7 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
                 options.residual, bilinear.core.cols());
   const int shape_size = models.curves.num_identity + models.curves.num_expression;
   const bool early = options.shape_input == "early", late = options.shape_input == "late";
-  trunk_ = models::MakeSketchTrunk(
-      {options.trunk, options.resolution, options.width, options.batch_norm, options.hidden}, shape_size);
+  trunk_ = models::MakeSketchTrunk(TrunkOf(options), shape_size);
   register_module("convolutions", trunk_.convolutions);
   register_module("features", trunk_.features);
 
@@ -114,6 +113,10 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
   basis_ = register_buffer("basis", tensor::CopyToTensor(models.basis.rows));
 }
 
+models::TrunkOptions TrunkOf(const SketchNetworkOptions& options) {
+  return {options.trunk, options.resolution, options.width, options.batch_norm, options.hidden};
+}
+
 torch::Tensor ChannelsLast(const torch::Tensor& images) {
   if (!images.defined()) return images;
   const int64_t height = images.size(2), width = images.size(3);
@@ -128,7 +131,7 @@ SketchNetworkImpl::BranchFeatures SketchNetworkImpl::Features(const SketchInput&
   }
   if (options_.reads_image()) {
     tensor::CheckShape(input.images, {tensor::kAny, 1, options_.resolution, options_.resolution}, "images");
-    features = trunk_.convolutions->forward(input.images);
+    features = trunk_.convolutions->forward(options_.has_whole_blocks() ? input.images : models::InPlainLayout(input.images));
   } else if (options_.reads_points()) {
     tensor::CheckShape(input.points, {tensor::kAny, 4, options_.num_points}, "points");
     features = trunk_.convolutions->forward(input.points);

@@ -1,6 +1,5 @@
 #pragma once
-#include "faces/bilinear_model.h"
-#include "faces/face_basis.h"
+#include "systems/sketch/fitted_models.h"
 #include "systems/sketch/network_options.h"
 #include "models/sketch_trunks.h"
 
@@ -20,6 +19,9 @@ struct SketchInput {
   int64_t size() const { return (images.defined() ? images : points.defined() ? points : shape).size(0); }
 };
 
+/// The trunk of these options.
+models::TrunkOptions TrunkOf(const SketchNetworkOptions& options);
+
 /// Images of one channel, (B, 1, R, R), marked channels-last. This moves no memory, but the convolutions that follow
 /// keep the layout, which is faster. Undefined images stay undefined.
 torch::Tensor ChannelsLast(const torch::Tensor& images);
@@ -29,13 +31,6 @@ struct FaceCoefficients {
   torch::Tensor u, v, residual;
 };
 
-/// The models that a network answers and reads in, fitted on training faces.
-struct FittedModels {
-  faces::BilinearModel bilinear;  ///< Of faces: what u and v mean.
-  faces::BilinearModel curves;    ///< Of 2-D feature curves: what the shape-level numbers mean.
-  faces::FaceBasis basis;         ///< Of networks with a residual alone; else empty.
-};
-
 /// Sketch -> u, v of a bilinear face [Han et al. 2017, section 4.3, figure 7]: a trunk, and behind it two branches of
 /// fully connected layers (ReLU) with an output layer each, or one branch with both. The shape-level numbers,
 /// standardised, pass a layer of their own for each branch and join its last features ("late"), or join the features
@@ -43,6 +38,7 @@ struct FittedModels {
 /// The outputs are standardised coefficients; u = mean + deviation * output, over the training identities, and v over
 /// the training expressions. With a residual, one more output reads the last features of both branches.
 /// Means, deviations, core or basis are buffers, so that a checkpoint is whole.
+/// Runs of widths that a training refuses today (RequireWholeBlocks) still predict, their convolutions in plain layout.
 class SketchNetworkImpl : public torch::nn::Module {
  public:
   /// @throws Error if the models do not belong together, or a wanted basis has another size than options.residual.

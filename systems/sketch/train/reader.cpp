@@ -9,13 +9,23 @@
 #include <numeric>
 
 namespace daumier::sketch {
+namespace {
 
-datasets::AugmentedSketch SketchReader::Seen(int face) const {
+/// The same function of u, v and the residual, which may be undefined.
+template <class Function>
+FaceCoefficients Each(const FaceCoefficients& coefficients, const Function& function) {
+  const auto& [u, v, residual] = coefficients;
+  return {function(u), function(v), residual.defined() ? function(residual) : residual};
+}
+
+}  // namespace
+
+datasets::AugmentedSketch SketchReader::SketchOf(int face) const {
   return datasets::VariedSketch(sketches_, face, variation_, seed_, 0);
 }
 
-SketchAnswers SketchReader::Ask(SketchNetwork network, std::span<const int> faces,
-                                const eval::FaceRows* shape) const {
+FaceCoefficients SketchReader::Forward(SketchNetwork network, std::span<const int> faces,
+                                       const eval::FaceRows* shape) const {
   const at::NoGradGuard no_grad;
   const SketchNetworkOptions& options = network->options();
   const datasets::SketchDataset dataset(sketches_, {faces.begin(), faces.end()},
@@ -30,12 +40,35 @@ SketchAnswers SketchReader::Ask(SketchNetwork network, std::span<const int> face
                     tensor::TakeTensor(std::move(batch.arrays["points"])),
                     {}};
   if (options.reads_shape()) {
-    DAUMIER_CHECK(shape != nullptr, "the network reads shape-level numbers, but there are none");
+    DAUMIER_CHECK(shape != nullptr, "the network reads curve coefficients, but there are none");
     input.shape = tensor::CopyToTensor(*shape);
   }
-  const FaceCoefficients answer = network->forward(input);
-  return {tensor::CopyToMatrix<float>(answer.u), tensor::CopyToMatrix<float>(answer.v),
-          tensor::CopyToMatrix<float>(network->Decode(answer))};
+  return network->forward(input);
+}
+
+void StoredCoefficients::Append(const FaceCoefficients& block) {
+  if (size() == 0) {
+    coefficients_ = block;
+    return;
+  }
+  coefficients_.u = torch::cat({coefficients_.u, block.u});
+  coefficients_.v = torch::cat({coefficients_.v, block.v});
+  if (block.residual.defined()) coefficients_.residual = torch::cat({coefficients_.residual, block.residual});
+}
+
+SketchPredictions StoredCoefficients::Decode(int64_t begin, int64_t count) const {
+  return Decode(Each(coefficients_, [&](const torch::Tensor& all) { return all.narrow(0, begin, count); }));
+}
+
+SketchPredictions StoredCoefficients::Decode(std::span<const int64_t> entries) const {
+  const torch::Tensor index = torch::tensor(std::vector<int64_t>(entries.begin(), entries.end()));
+  return Decode(Each(coefficients_, [&](const torch::Tensor& all) { return all.index_select(0, index); }));
+}
+
+SketchPredictions StoredCoefficients::Decode(const FaceCoefficients& coefficients) const {
+  const at::NoGradGuard no_grad;
+  return {tensor::CopyToMatrix<float>(coefficients.u), tensor::CopyToMatrix<float>(coefficients.v),
+          tensor::CopyToMatrix<float>(network_->Decode(coefficients))};
 }
 
 }  // namespace daumier::sketch

@@ -10,14 +10,22 @@ const std::vector<int>& SketchRunData::side(const std::string& name) const {
 }
 
 SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory) {
+  FolderCache databases;
+  return OpenSketchRunData(run_directory, databases);
+}
+
+SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases) {
   SketchRun run = LoadSketchRun(run_directory);
   try {
-    for (const char* kind : {"faces", "sketches"}) datasets::CheckSameData(run_directory, run.manifest, run.config, kind);
-    faces::FaceDatabase faces(run.config.at("data").at("faces").get<std::string>());
-    datasets::SketchDatabase sketches(run.config.at("data").at("sketches").get<std::string>());
+    for (const char* kind : {"faces", "sketches"})
+      datasets::CheckSameData(run_directory, run.manifest, run.config, kind);
+    // Copies share the mapped shards.
+    const auto& faces = databases.Open<faces::FaceDatabase>(run.config.at("data").at("faces").get<std::string>());
+    const auto& sketches =
+        databases.Open<datasets::SketchDatabase>(run.config.at("data").at("sketches").get<std::string>());
     datasets::Split split = datasets::SplitOfRun(run_directory, run.manifest, run.config, faces);
     const auto sketch = ParseOptions<datasets::SketchVariation>(run.config.at("sketch"), "sketches of the run");
-    return {std::move(run), std::move(faces), std::move(sketches), std::move(split), sketch};
+    return {std::move(run), faces, sketches, std::move(split), sketch};
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{} is not the folder of a sketch run: {}", run_directory.string(), error.what()));
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/folder_cache.h"
 #include "datasets/read/sketch_variation.h"
 #include "datasets/read/splits.h"
 #include "faces/face_database.h"
@@ -22,8 +23,10 @@ struct SketchRunData {
   const std::vector<int>& side(const std::string& name) const;
 };
 
-/// Opens the databases that resolved.toml names. @throws Error as LoadSketchRun and the databases, and if a database is
-/// not the one that the run was trained on, by its hash, or if the split comes out otherwise than the manifest tells.
+/// Opens the databases that resolved.toml names by `databases`. @throws Error as LoadSketchRun and the databases, and if
+/// a database differs from the one that the run was trained on, by its hash, or the split from that of the manifest.
+SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases);
+/// The same with a cache of its own.
 SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory);
 
 }  // namespace daumier::sketch

@@ -11,6 +11,9 @@
 #include "systems/sketch/train/run.h"
 #include "tensor/runtime.h"
 #include "train/run_folder.h"
+#include "train/trainer.h"
+#include "systems/sketch/train/export.h"
+#include "systems/sketch/train/recipe.h"
 
 #include <torch/utils.h>
 
@@ -64,18 +67,22 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 }  // namespace
 
-TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, bool resume, const std::string& device) {
-  const SketchTrainingOptions options = train::ParseTraining<SketchTrainingOptions>(config, "training config");
-  const torch::Device torch_device = tensor::ParseDevice(device);
-  const faces::FaceDatabase faces(options.data.faces);
-  const datasets::SketchDatabase sketches(options.data.sketches);
+TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task) {
+  const fs::path& run_directory = place.directory;
+  const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
+  RequireWholeBlocks(options.network);
+  const torch::Device torch_device = tensor::TorchDevice(place.device);
+  const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
+  const auto& sketches = databases.Open<datasets::SketchDatabase>(options.data.sketches);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
   manifest.details["data"] = DataHashes(options, sketches);
   manifest.details["sketches"] = SketchFrame(sketches);
+  manifest.details["system"] = kSystem;
 
-  const bool begun = train::OpenRunFolder(run_directory, resume, manifest.config, manifest.details["data"],
+  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
                                           ToJson(SketchTrainingOptions()));
   const FittedModels models =
       begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
@@ -83,8 +90,9 @@ TrainingSummary TrainSketch(const Json& config, const fs::path& run_directory, b
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
   log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
-  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory);
+  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
   train::FinishRun(run_directory, summary, recipe.network()->num_parameters());
+  exporting::StoreGraph(DescribeSketchExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,
             summary.epochs, run_directory.string());
   return summary;

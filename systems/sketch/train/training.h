@@ -1,9 +1,7 @@
 #pragma once
-#include "core/json.h"
-#include "train/trainer.h"
+#include "core/folder_cache.h"
+#include "systems/system.h"
 
-#include <filesystem>
-#include <string>
 
 namespace daumier::sketch {
 
@@ -12,7 +10,7 @@ namespace daumier::sketch {
 /// LoadSketchRun reads. The manifest tells the split, what the models were fitted on, the camera of the
 /// sketches, the hashes of the data and their licences, and holds no path. device: "cpu" or "cuda".
 /// @throws UsageError as ParseOptions and train::OpenRunFolder, Error as Train and the databases.
-TrainingSummary TrainSketch(const Json& config, const std::filesystem::path& run_directory, bool resume,
-                            const std::string& device);
+TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, FolderCache& databases,
+                            const Task& task);
 
 }  // namespace daumier::sketch

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
 
 namespace daumier::datasets {
 namespace {
@@ -36,38 +39,45 @@ class PointDatasetTest : public ::testing::Test {
   static PointDataset Dataset(const PointReading& reading, std::vector<int> which = {3, 11, 5}, uint64_t seed = 9) {
     return PointDataset(*faces_, *points_, std::move(which), reading, seed);
   }
-  static geometry::Points Model(const geometry::Points& points_cm) { return points_->frame().FromCm(points_cm); }
-  static geometry::Points Template() {
-    const auto vertices = points_->template_vertices();
-    geometry::Points points(points_->num_vertices(), 3);
-    for (int v = 0; v < points.rows(); ++v)
-      for (int k = 0; k < 3; ++k) points(v, k) = vertices[size_t(3 * v + k)];
-    return points;
+  static geometry::Points Model(int face) { return points_->frame().FromCm(faces_->points(face)); }
+  static Eigen::RowVector3d OnTemplate(int64_t vertex) {
+    const std::span<const float> open = points_->template_vertices();
+    return {open[size_t(3 * vertex)], open[size_t(3 * vertex + 1)], open[size_t(3 * vertex + 2)]};
   }
-  /// What the batch has for face `row` against the face's own mesh.
+  /// Three numbers of point n of face `row`.
+  template <class T>
+  static std::array<T, 3> Triple(const Array<T>& array, int64_t row, int64_t n) {
+    const T* const first = array.row(row) + 3 * n;
+    return {first[0], first[1], first[2]};
+  }
+  static std::array<float, 3> Triple(const SampleBatch& batch, const char* name, int64_t row, int64_t n) {
+    return Triple(batch.arrays.at(name), row, n);
+  }
+  static std::array<int64_t, 3> Corners(const SampleBatch& batch, int64_t row, int64_t n) {
+    return Triple(batch.indices.at("corners"), row, n);
+  }
+  /// The points of `row` are those that corners and weights give on the template and on the face.
   static void ExpectPointsOf(const SampleBatch& batch, int64_t row, int face) {
-    const geometry::Points on_template = Template(), on_face = Model(faces_->points(face));
-    const int64_t* const corners = batch.indices.at("corners").row(row);
-    const float *const weights = batch.arrays.at("weights").row(row),
-                       *const positions = batch.arrays.at("positions").row(row),
-                       *const targets = batch.arrays.at("targets").row(row);
-    for (int64_t n = 0; n < batch.indices.at("corners").shape[1]; ++n) {
+    const geometry::Points model = Model(face);
+    for (int64_t n = 0; n < batch.arrays.at("weights").shape[1]; ++n) {
+      const auto corners = Corners(batch, row, n);
+      const auto weights = Triple(batch, "weights", row, n);
+      Eigen::RowVector3d position = Eigen::RowVector3d::Zero(), target = position;
+      for (size_t c = 0; c < 3; ++c) {
+        position += double(weights[c]) * OnTemplate(corners[c]);
+        target += double(weights[c]) * model.row(corners[c]);
+      }
       for (int k = 0; k < 3; ++k) {
-        double position = 0, target = 0;
-        for (int64_t c = 3 * n; c < 3 * n + 3; ++c) {
-          position += weights[c] * on_template(corners[c], k);
-          target += weights[c] * on_face(corners[c], k);
-        }
-        ASSERT_NEAR(positions[3 * n + k], position, 1e-6) << n;
-        ASSERT_NEAR(targets[3 * n + k], target, 1e-5) << n;
+        ASSERT_NEAR(Triple(batch, "positions", row, n)[size_t(k)], position[k], 1e-6);
+        ASSERT_NEAR(Triple(batch, "targets", row, n)[size_t(k)], target[k], 1e-5);
       }
     }
   }
   static bool Equal(const SampleBatch& a, const SampleBatch& b) {
     const auto same = [&](const char* name) { return a.arrays.at(name).values == b.arrays.at(name).values; };
-    return Corners(a) == Corners(b) && same("weights") && same("positions") && same("targets");
+    return a.indices.at("corners").values == b.indices.at("corners").values && same("weights") && same("positions") &&
+           same("targets");
   }
-  static const std::vector<int64_t>& Corners(const SampleBatch& batch) { return batch.indices.at("corners").values; }
 
   static inline TempDir* folder_ = nullptr;
   static inline faces::FaceDatabase* faces_ = nullptr;
@@ -76,13 +86,15 @@ class PointDatasetTest : public ::testing::Test {
 
 TEST_F(PointDatasetTest, PointsLieInTheirTrianglesOnTemplateAndFace) {
   const SampleBatch batch = Dataset({.num_points = 200}).Get(std::vector<int>{2, 0}, 3);
-  EXPECT_EQ(batch.samples, (std::vector<int>{2, 0}));
   const std::vector<int64_t> shape{2, 200, 3};
-  ASSERT_EQ(batch.indices.at("corners").shape, shape);
-  for (const char* name : {"weights", "positions", "targets"}) ASSERT_EQ(batch.arrays.at(name).shape, shape);
-  const std::vector<float>& weights = batch.arrays.at("weights").values;
-  EXPECT_GE(std::ranges::min(weights), 0);
-  for (size_t n = 0; n < 400; ++n) EXPECT_NEAR(weights[3 * n] + weights[3 * n + 1] + weights[3 * n + 2], 1, 1e-6);
+  EXPECT_EQ(batch.indices.at("corners").shape, shape);
+  for (const char* name : {"weights", "positions", "targets"}) EXPECT_EQ(batch.arrays.at(name).shape, shape);
+  EXPECT_EQ(batch.samples, (std::vector<int>{2, 0}));
+  for (int64_t n = 0; n < 200; ++n) {
+    const auto weights = Triple(batch, "weights", 1, n);
+    EXPECT_GE(std::min({weights[0], weights[1], weights[2]}), 0);
+    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-6);
+  }
   ExpectPointsOf(batch, 0, 5);
   ExpectPointsOf(batch, 1, 3);
 }
@@ -94,10 +106,10 @@ TEST_F(PointDatasetTest, AllPointsAreTheVerticesAndThenTheSamples) {
   ExpectPointsOf(batch, 0, 11);
   const SurfaceSamples samples = points_->samples(11);
   for (const int s : {0, 77, 599}) {
-    const size_t at = size_t(3 * (num_vertices + s));
     for (int k = 0; k < 3; ++k)
-      EXPECT_EQ(Corners(batch)[at + size_t(k)], points_->face_template().triangles(samples.triangles[size_t(s)], k));
-    EXPECT_EQ(batch.arrays.at("weights").values[at + 1], samples.weights[size_t(2 * s + 1)]);
+      EXPECT_EQ(Corners(batch, 0, num_vertices + s)[size_t(k)],
+                points_->face_template().triangles(samples.triangles[size_t(s)], k));
+    EXPECT_EQ(Triple(batch, "weights", 0, num_vertices + s)[1], samples.weights[size_t(2 * s + 1)]);
   }
   const SampleBatch vertices = Dataset({.num_points = 0, .sampling = "vertices"}).Get(std::vector<int>{1});
   EXPECT_EQ(vertices.indices.at("corners").shape[1], num_vertices);
@@ -105,43 +117,53 @@ TEST_F(PointDatasetTest, AllPointsAreTheVerticesAndThenTheSamples) {
 
 TEST_F(PointDatasetTest, VerticesAreAllVerticesInOrder) {
   const SampleBatch batch = Dataset({.num_points = 50}).Vertices(std::vector<int>{1, 2});
-  const int64_t num_vertices = points_->num_vertices();
-  ASSERT_EQ(batch.indices.at("corners").shape, (std::vector<int64_t>{2, num_vertices, 3}));
   for (const auto& [row, face] : {std::pair{0, 11}, {1, 5}}) {
-    ExpectPointsOf(batch, row, face);
-    for (int64_t n = 0; n < 3 * num_vertices; ++n) {
-      ASSERT_EQ(batch.indices.at("corners").row(row)[n], n / 3);
-      ASSERT_EQ(batch.arrays.at("weights").row(row)[n], n % 3 == 0 ? 1 : 0);
+    for (int64_t n = 0; n < points_->num_vertices(); ++n) {
+      EXPECT_EQ(Corners(batch, row, n), (std::array<int64_t, 3>{n, n, n}));
+      EXPECT_EQ(Triple(batch, "weights", row, n), (std::array<float, 3>{1, 0, 0}));
     }
+    ExpectPointsOf(batch, row, face);
   }
 }
 
 TEST_F(PointDatasetTest, ABatchIsAFunctionOfSeedFaceAndEpoch) {
   const PointReading reading{.num_points = 300};
   const PointDataset dataset = Dataset(reading);
-  const SampleBatch alone = dataset.Get(std::vector<int>{1}, 4);
+  const SampleBatch alone = dataset.Get(std::vector<int>{1}, 4), all = dataset.Get(std::vector<int>{0, 1, 2}, 4);
+  const auto corners = [](const SampleBatch& batch) { return batch.indices.at("corners").values; };
   EXPECT_TRUE(Equal(Dataset(reading, {0, 11}).Get(std::vector<int>{1}, 4), alone));
-  const FloatArray all = dataset.Get(std::vector<int>{0, 1, 2}, 4).arrays.at("targets");
-  EXPECT_EQ(std::vector<float>(all.row(1), all.row(2)), alone.arrays.at("targets").values);
-  EXPECT_NE(Corners(dataset.Get(std::vector<int>{1}, 5)), Corners(alone));
-  EXPECT_NE(Corners(Dataset(reading, {11}, 8).Get(std::vector<int>{0}, 4)), Corners(alone));
-  EXPECT_NE(Corners(dataset.Get(std::vector<int>{0}, 4)), Corners(alone));
+  for (int64_t n = 0; n < 300; ++n) EXPECT_EQ(Triple(all, "targets", 1, n), Triple(alone, "targets", 0, n));
+  EXPECT_NE(corners(dataset.Get(std::vector<int>{1}, 5)), corners(alone));
+  EXPECT_NE(corners(Dataset(reading, {11}, 8).Get(std::vector<int>{0}, 4)), corners(alone));
+  EXPECT_NE(corners(dataset.Get(std::vector<int>{0}, 4)), corners(alone));
+}
+
+TEST_F(PointDatasetTest, MayBeReadFromSeveralThreads) {
+  const PointDataset dataset = Dataset({.num_points = 300});
+  const SampleBatch expected = dataset.Get(std::vector<int>{0, 1, 2}, 4);
+  std::atomic<int> num_equal = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&] { num_equal += Equal(dataset.Get(std::vector<int>{0, 1, 2}, 4), expected); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(num_equal, 4);
 }
 
 TEST_F(PointDatasetTest, HybridsTakeVerticesAndSamplesInTheirProportion) {
   const auto share_of_vertices = [](const SampleBatch& batch) {
-    const std::vector<int64_t>& corners = Corners(batch);
-    double count = 0;
-    for (size_t n = 0; n < corners.size(); n += 3) count += corners[n] == corners[n + 1];
-    return 3 * count / double(corners.size());
+    const std::vector<int64_t>& corners = batch.indices.at("corners").values;
+    int64_t count = 0;
+    for (size_t i = 0; i < corners.size(); i += 3) count += corners[i] == corners[i + 1];
+    return double(count) / double(corners.size() / 3);
   };
   const std::vector<int> samples{0, 1, 2};
   const double expected = double(points_->num_vertices()) / (points_->num_vertices() + 600);
   EXPECT_NEAR(share_of_vertices(Dataset({.num_points = 4000}).Get(samples)), expected, 0.02);
   const SampleBatch vertices = Dataset({.num_points = 4000, .sampling = "vertices"}).Get(samples);
   EXPECT_EQ(share_of_vertices(vertices), 1);
-  EXPECT_LT(std::ranges::min(Corners(vertices)), 20);
-  EXPECT_GT(std::ranges::max(Corners(vertices)), points_->num_vertices() - 20);
+  const auto [least, greatest] = std::ranges::minmax(vertices.indices.at("corners").values);
+  EXPECT_LT(least, 20);
+  EXPECT_GT(greatest, points_->num_vertices() - 20);
 }
 
 TEST_F(PointDatasetTest, WhatIsNotThereIsRefused) {

@@ -1,27 +1,51 @@
 #include "datasets/read/run_data.h"
 
-#include "tests/systems/deform/train/run_fixture.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/synthetic_database.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
 
 namespace daumier::datasets {
 namespace {
 
-class RunDataTest : public DeformRunFixture {
+/// The manifest and config of a run on six synthetic persons.
+class RunDataTest : public ::testing::Test {
  protected:
-  const std::filesystem::path run_ = *folder_ / "run";
-  Manifest manifest_ = ReadManifest(run_, "run");
-  Json config_ = LoadConfig(run_ / "resolved.toml");
+  RunDataTest() {
+    testing::BuildSyntheticFaces(folder_ / "faces");
+    const faces::FaceDatabase faces(folder_ / "faces");
+    config_ = {{"data", {{"faces", (folder_ / "faces").string()}}}, {"split", ToJson(SplitOptions())}};
+    manifest_ = ManifestOfTraining(config_, 7, faces, MakeSplit(faces, SplitOptions(), 7));
+    manifest_.details["data"] = {{"faces", DataHash(folder_ / "faces")}};
+  }
+
+  const testing::TempDir folder_;
+  const std::filesystem::path run_ = folder_ / "run";
+  Manifest manifest_;
+  Json config_;
 };
+
+TEST_F(RunDataTest, AManifestHoldsCountsAndSplitAndNoPath) {
+  const faces::FaceDatabase faces(folder_ / "faces");
+  EXPECT_EQ(manifest_.kind, "run");
+  EXPECT_FALSE(manifest_.config.contains("data"));
+  const auto& counts = manifest_.counts;
+  EXPECT_EQ(counts.at("training_faces").get<int>() + counts.at("validation_faces").get<int>() +
+                counts.at("test_faces").get<int>(),
+            faces.num_faces());
+  EXPECT_EQ(manifest_.sources, faces.manifest().sources);
+}
 
 TEST_F(RunDataTest, RefusesFacesThatTheRunWasNotTrainedOn) {
   CheckSameData(run_, manifest_, config_, "faces");
-  testing::BuildSyntheticFaces(*folder_ / "others", 2);
-  config_["data"]["faces"] = (*folder_ / "others").string();
+  testing::BuildSyntheticFaces(folder_ / "others", 2);
+  config_["data"]["faces"] = (folder_ / "others").string();
   testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); }, "holds other faces than");
 }
 
 TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
-  const faces::FaceDatabase faces(*folder_ / "faces");
+  const faces::FaceDatabase faces(folder_ / "faces");
   const Split split = SplitOfRun(run_, manifest_, config_, faces);
   EXPECT_EQ(SplitToJson(faces, split), manifest_.details.at("split"));
   config_["split"]["test"] = 0.5;

@@ -55,6 +55,16 @@ TEST(GivenFaces, AnnotationTellsTheUnitAndTheCrop) {
             1e-9);
 }
 
+TEST(GivenFaces, TemplateHasTheUvOfTheMesh) {
+  GivenFiles files = Files();
+  EXPECT_FALSE(ImportGivenFaces(files, testing::ForeignAnnotation()).face_template.has_uv());
+  files.mesh.uv = geometry::TextureCoordinates::Random(files.mesh.vertices.rows(), 2);
+  files.mesh.uv_corners = files.mesh.corners;
+  const FaceTemplate face = ImportGivenFaces(files, testing::ForeignAnnotation()).face_template;
+  EXPECT_EQ(face.uv, files.mesh.uv);
+  EXPECT_EQ(face.uv_triangles, face.triangles);
+}
+
 TEST(GivenFaces, ChecksumNamesTheNeutralFaces) {
   GivenFiles files = Files();
   const Json one = ImportGivenFaces(files, testing::ForeignAnnotation()).face_template.provenance;

@@ -1,5 +1,6 @@
 #include "systems/deform/train/baselines.h"
 
+#include "tensor/eigen.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -47,18 +48,19 @@ TEST(DeformBaselines, LinearModelGivesFacesOfItsSpaceBack) {
 TEST(DeformBaselines, LinearModelIsTheLeastSquaresOneThatIsDrawnToTheMean) {
   const DeformBaselines baselines(Faces(12, 1, 0.3), Faces(20, 2, 0.3), 11);
   const torch::Tensor faces = Faces(3, 3, 0.3), flat = (faces - baselines.Mean()).reshape({3, 60});
-  const auto& components = baselines.components();
-  const torch::Tensor variances = components.deviations.square();
+  const auto& components = baselines.linear_model().components;
+  const torch::Tensor rows = tensor::CopyToTensor(components.rows);
+  const torch::Tensor variances = tensor::CopyToTensor(components.deviations).square();
   // By the normal equations of |x - c D|^2 + ridge mean(v) sum c_k^2 / v_k.
-  const torch::Tensor matrix = torch::matmul(components.rows, components.rows.t()) +
-                               torch::diag(baselines.ridge() * variances.mean() / variances);
-  const torch::Tensor scores = torch::matmul(torch::matmul(flat, components.rows.t()), matrix.inverse());
-  const torch::Tensor expected = torch::matmul(scores, components.rows).reshape({3, 20, 3}) + baselines.Mean();
+  const torch::Tensor matrix =
+      torch::matmul(rows, rows.t()) + torch::diag(baselines.ridge() * variances.mean() / variances);
+  const torch::Tensor scores = torch::matmul(torch::matmul(flat, rows.t()), matrix.inverse());
+  const torch::Tensor expected = torch::matmul(scores, rows).reshape({3, 20, 3}) + baselines.Mean();
   EXPECT_LT(Error(baselines.Linear(faces), expected), 1e-4);
 }
 
 TEST(DeformBaselines, HasAtMostOneComponentLessThanTrainingFaces) {
-  EXPECT_EQ(DeformBaselines(Faces(6, 1, 0.3), Faces(4, 2), 128).components().rows.size(0), 5);
+  EXPECT_EQ(DeformBaselines(Faces(6, 1, 0.3), Faces(4, 2), 128).linear_model().components.rows.rows(), 5);
 }
 
 TEST(DeformBaselines, CountsTheComponentsThatExplainAShare) {
@@ -76,7 +78,7 @@ TEST(DeformBaselines, RefusesTooFewFaces) {
   testing::ExpectError([] { DeformBaselines(Faces(1, 1), Faces(4, 2), 3); }, "not 1");
   testing::ExpectError([] { DeformBaselines(Faces(9, 1), Faces(0, 2), 3); }, "none");
   const DeformBaselines baselines(Faces(9, 1), Faces(4, 2), 3);
-  testing::ExpectError([&] { baselines.Nearest(torch::zeros({1, 19, 3})); }, "(1, 57)");
+  testing::ExpectError([&] { baselines.Nearest(torch::zeros({1, 19, 3})); }, "57 coordinates, expected 60");
 }
 
 }  // namespace

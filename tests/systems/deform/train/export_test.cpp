@@ -10,6 +10,7 @@
 #include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {
@@ -58,7 +59,7 @@ TEST(DeformExport, ARunBecomesAFolderThatTellsFrameTemplateAndLicences) {
   testing::AllowWarnings();  // There may be no runtime.
   const testing::TempDir folder;
   const auto decoder = testing::WriteDeformRun(folder / "run", "hypernetwork");
-  ExportRun(folder / "run", folder / "out");
+  exporting::WriteExport(DescribeDeformExport(folder / "run"), folder / "out");
   const Manifest manifest = ReadManifest(folder / "out", "export");
   VerifyChecksums(folder / "out", manifest);
   EXPECT_EQ(faces::ModelFrameFromJson(manifest.details.at("model_from_cm")).scale, decoder->network()->frame().scale);
@@ -70,14 +71,14 @@ TEST(DeformExport, ARunBecomesAFolderThatTellsFrameTemplateAndLicences) {
     EXPECT_NE(card.find(part), std::string::npos) << part;
 }
 
-TEST(DeformExport, ARunOfASketchNetworkIsExportedAsSuch) {
+TEST(DeformExport, ARunOfAnotherTaskIsRefused) {
   const testing::TempDir folder;
-  testing::ExpectError([&] { ExportRun(folder / "run", folder / "out"); }, "is not a run folder");
+  testing::ExpectError([&] { DescribeDeformExport(folder / "run"); }, "is not a run folder");
   testing::WriteDeformRun(folder / "run", "positions");
   Manifest manifest = ReadManifest(folder / "run", "run");
   manifest.details.erase("product");
   WriteManifest(folder / "run", manifest);
-  testing::ExpectError([&] { ExportRun(folder / "run", folder / "out"); }, "bilinear.safetensors");
+  testing::ExpectError([&] { DescribeDeformExport(folder / "run"); }, "this is a run of the task 'sketch'");
 }
 
 }  // namespace

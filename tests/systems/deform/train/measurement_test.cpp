@@ -8,6 +8,7 @@
 #include "tests/support/synthetic_face.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {
@@ -39,19 +40,24 @@ class DeformMeasurementTest : public ::testing::Test {
 };
 
 TEST_F(DeformMeasurementTest, AMovedTemplateIsMeasuredAsWorkedOutByHand) {
-  DeformMeasurement measurement(*network_, Moved(2), 1);
+  DeformMeasurement measurement(*network_, Moved(2), 1, {.mm = 110, .head_height = 2});
   measurement.MeasureBaselines(Baselines());
-  ASSERT_EQ(measurement.rows().size(), 4u);
-  const DeformRow& row = measurement.rows()[0];
-  EXPECT_EQ(row.name, "template");
-  EXPECT_EQ(row.num_faces, 2);
-  EXPECT_NEAR(row.mean.mean_vertex_error, 0.1, 1e-6);
-  EXPECT_NEAR(row.mean.p95_vertex_error, 0.1, 1e-6);
-  EXPECT_NEAR(row.mean.surface_sample_error, 0.1, 1e-6);
-  EXPECT_NEAR(row.mean.normal_error_degrees, 0, 1e-2);
-  EXPECT_EQ(row.mean.flipped_triangles, 0);
-  EXPECT_EQ(row.mean.self_intersections, measurement.true_self_intersections());
-  EXPECT_EQ(row.mean.seconds, std::nullopt);
+  const reports::MetricTable& table = measurement.table();
+  ASSERT_EQ(table.rows.size(), 4u);
+  const reports::MetricRow& row = table.rows[0];
+  const auto value = [&](const char* key) { return reports::ValueOf(table, row, key); };
+  EXPECT_EQ(row.name, kTemplate);
+  EXPECT_TRUE(row.baseline);
+  EXPECT_EQ(value("num_faces"), 2);
+  EXPECT_NEAR(row.error().mean, 0.1, 1e-6);
+  EXPECT_NEAR(*value("p95"), 0.1, 1e-6);
+  EXPECT_NEAR(*value("surface_sample_error"), 0.1, 1e-6);
+  EXPECT_NEAR(*value("error_mm"), 11, 1e-4);
+  EXPECT_NEAR(*value("percent_of_head_height"), 5, 1e-4);
+  EXPECT_NEAR(*value("normal_error_degrees"), 0, 1e-2);
+  EXPECT_EQ(value("flipped_triangles"), 0);
+  EXPECT_EQ(value("self_intersections"), measurement.true_self_intersections());
+  EXPECT_EQ(value("seconds"), std::nullopt);
 }
 
 TEST_F(DeformMeasurementTest, SurfacesOfTheNetworkAreFound) {
@@ -64,19 +70,20 @@ TEST_F(DeformMeasurementTest, SurfacesOfTheNetworkAreFound) {
   }
   DeformMeasurement measurement(*network_, FacesOf(vertices), 1);
   measurement.MeasureNetwork("network", fit_, 3);
-  const SurfaceErrors& mean = measurement.result().mean;
-  EXPECT_LT(mean.mean_vertex_error, 1e-3);
-  EXPECT_LT(mean.normal_error_degrees, 1);
-  EXPECT_GT(*mean.seconds, 0);
+  const reports::MetricRow& result = measurement.result();
+  const auto value = [&](const char* key) { return *reports::ValueOf(measurement.table(), result, key); };
+  EXPECT_LT(result.error().mean, 1e-3);
+  EXPECT_LT(value("normal_error_degrees"), 1);
+  EXPECT_GT(value("seconds"), 0);
+  EXPECT_FALSE(result.baseline);
   EXPECT_LT((measurement.codes() - codes).abs().max().item<double>(), 0.02);
-  ASSERT_EQ(measurement.face_errors().size(), 3u);
-  EXPECT_NEAR(eval::Mean(measurement.face_errors()), mean.mean_vertex_error, 1e-9);
-  EXPECT_NEAR(measurement.mean_error_map().mean().item<double>(), mean.mean_vertex_error, 1e-6);
-  EXPECT_NEAR((measurement.Predicted(1) - vertices[1]).norm(2, {1}).mean().item<double>(), measurement.face_errors()[1],
-              1e-6);
+  ASSERT_EQ(result.face_errors.size(), 3u);
+  EXPECT_NEAR(Mean(result.face_errors), result.error().mean, 1e-9);
+  EXPECT_NEAR(measurement.mean_error_map().mean().item<double>(), result.error().mean, 1e-6);
+  EXPECT_NEAR((measurement.Predicted(1) - vertices[1]).norm(2, {1}).mean().item<double>(), result.face_errors[1], 1e-6);
   // Points between the vertices are where the network takes them, not where the mesh has them.
-  EXPECT_LT(mean.surface_sample_error, 0.05);
-  EXPECT_NE(mean.surface_sample_error, mean.mean_vertex_error);
+  EXPECT_LT(value("surface_sample_error"), 0.05);
+  EXPECT_NE(value("surface_sample_error"), result.error().mean);
 }
 
 TEST_F(DeformMeasurementTest, TheFirstRowOfAllFacesIsTheResult) {
@@ -86,7 +93,8 @@ TEST_F(DeformMeasurementTest, TheFirstRowOfAllFacesIsTheResult) {
   measurement.MeasureNetwork("all", fit_, 3);
   measurement.MeasureNetwork("again", fit_, 3);
   EXPECT_EQ(measurement.result().name, "all");
-  EXPECT_EQ(measurement.rows()[0].num_faces, 2);
+  EXPECT_EQ(measurement.table().result, 1u);
+  EXPECT_EQ(reports::ValueOf(measurement.table(), measurement.table().rows[0], "num_faces"), 2);
   testing::ExpectError([&] { measurement.MeasureNetwork("more", fit_, 4); }, "4 of 3");
 }
 
@@ -97,7 +105,7 @@ TEST_F(DeformMeasurementTest, FacesAreMeasuredAtTheSamePointsEachTime) {
   for (const uint64_t seed : {1, 2}) {
     DeformMeasurement measurement(*network_, faces, seed);
     measurement.MeasureBaselines(Baselines());
-    errors.push_back(measurement.rows()[0].mean.surface_sample_error);
+    errors.push_back(*reports::ValueOf(measurement.table(), measurement.table().rows[0], "surface_sample_error"));
   }
   EXPECT_EQ(errors[0], errors[1]);
   EXPECT_GT(errors[0], 0.01);
@@ -111,7 +119,14 @@ TEST_F(DeformMeasurementTest, SelfIntersectionsAreCountedOnSixteenFaces) {
   const double clean = double(geometry::SelfIntersections({points, face_.triangles}).size());
   EXPECT_EQ(measurement.true_self_intersections(), clean);
   measurement.MeasureBaselines(Baselines());
-  EXPECT_EQ(measurement.rows()[0].mean.self_intersections, clean);
+  EXPECT_EQ(reports::ValueOf(measurement.table(), measurement.table().rows[0], "self_intersections"), clean);
+}
+
+TEST_F(DeformMeasurementTest, StopsIfItsTaskIsCancelled) {
+  std::stop_source stop;
+  DeformMeasurement measurement(*network_, Moved(2), 1, {}, Task(stop.get_token()));
+  stop.request_stop();
+  EXPECT_THROW(measurement.MeasureNetwork("network", fit_, 2), Cancelled);
 }
 
 TEST_F(DeformMeasurementTest, RefusesFacesThatDoNotFit) {

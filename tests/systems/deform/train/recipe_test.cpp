@@ -6,6 +6,7 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 #include <memory>
 
@@ -56,8 +57,7 @@ TEST_F(DeformRecipeTest, LossIsTheWeightedSumOfMissesAndCodes) {
     for (int64_t n = 0; n < 30; ++n) {
       const auto one = [&](const torch::Tensor& numbers) { return numbers[i].slice(0, n, n + 1); };
       const torch::Tensor miss =
-          recipe.decoder().network()->Deform(
-              code, {one(batch.at("corners")), one(batch.at("weights")), one(batch.at("positions"))})[0] -
+          recipe.decoder().network()->Deform(code, {one(batch.at("corners")), one(batch.at("weights")), one(batch.at("positions"))})[0] -
           one(batch.at("targets"));
       squares += miss.square().sum().item<double>();
       distances += miss.norm().item<double>();

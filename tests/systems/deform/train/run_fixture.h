@@ -36,7 +36,7 @@ class DeformRunFixture : public ::testing::Test {
     AutoDecoder decoder(
         testing::SmoothDeformNetwork("hypernetwork", tensor::CopyToTensor(vertices).to(torch::kFloat32), frame),
         int64_t(split.train.size()));
-    const Json config = {{"product", kDeformProduct},
+    const Json config = {{"system", kSystem},
                          {"data", {{"faces", (*folder_ / "faces").string()}, {"points", ""}}},
                          {"split", ToJson(split_options)},
                          {"network", ToJson(decoder.network()->options())},
@@ -50,7 +50,7 @@ class DeformRunFixture : public ::testing::Test {
     manifest.verb = "train";
     manifest.seed = 7;
     manifest.counts = {{"training_faces", split.train.size()}};
-    manifest.details = {{"product", kDeformProduct},
+    manifest.details = {{"system", kSystem},
                         {"data", {{"faces", DataHash(*folder_ / "faces")}}},
                         {"split", datasets::SplitToJson(faces, split)}};
     manifest.sources = faces.manifest().sources;

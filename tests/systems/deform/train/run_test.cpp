@@ -5,6 +5,7 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+#include <torch/utils.h>
 
 namespace daumier::deform {
 namespace {
@@ -36,7 +37,7 @@ TEST_F(DeformRunTest, RefusesWhatIsNoFinishedRunOfThisProduct) {
   Manifest manifest = ReadManifest(run(), "run");
   manifest.details.erase("product");
   WriteManifest(run(), manifest);
-  ExpectError([&] { LoadDeformRun(run()); }, "a run of kind 'sketch', not of a deformable model");
+  ExpectError([&] { LoadDeformRun(run()); }, "this is a run of the task 'sketch' (expected a run of 'deform')");
   manifest.details["product"] = "deform";
   WriteManifest(run(), manifest);
   fs::rename(run() / "best", run() / "worst");
@@ -53,13 +54,6 @@ TEST_F(DeformRunTest, RefusesDamagedWeightsAndThoseOfAnotherNetwork) {
   config["network"]["width"] = 64;
   WriteFileAtomically(run() / "resolved.toml", ToToml(config));
   ExpectError([&] { LoadDeformRun(run()); }, "model.safetensors");
-}
-
-TEST(ProductOf, ARunThatTellsNoneIsOfASketchNetwork) {
-  EXPECT_EQ(ProductOf({}), "sketch");
-  Manifest manifest;
-  manifest.details = {{"product", "deform"}};
-  EXPECT_EQ(ProductOf(manifest), "deform");
 }
 
 TEST(AutoDecoder, CodesBeginAsADeviationOfOneHundredth) {

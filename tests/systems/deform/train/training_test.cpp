@@ -2,7 +2,9 @@
 
 #include "core/config.h"
 #include "core/files.h"
-#include "core/interrupt.h"
+#include "core/task.h"
+#include "faces/face_database.h"
+#include "systems/deform/options.h"
 #include "core/manifest.h"
 #include "systems/deform/train/run.h"
 #include "tensor/tensor_file.h"
@@ -22,6 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TrainingSummary RunDeform(const Json& config, const systems::RunPlace& place, const Task& task) {
+  FolderCache databases;
+  return TrainDeform(config, place, databases, task);
+}
+
 class DeformTrainingTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -32,7 +39,7 @@ class DeformTrainingTest : public ::testing::Test {
   static void TearDownTestSuite() { folder_.reset(); }
 
   static Json Config(const std::string& kind) {
-    return {{"product", "deform"},
+    return {{"system", "deform"},
             {"data", {{"faces", (*folder_ / "faces").string()}, {"points", (*folder_ / "points").string()}}},
             {"network", ToJson(testing::SmallDeformOptions(kind))},
             {"points", {{"num_points", 50}}},
@@ -61,9 +68,9 @@ std::unique_ptr<testing::TempDir> DeformTrainingTest::folder_;
 TEST_F(DeformTrainingTest, EveryKindLeavesARunThatIsReadBack) {
   for (const std::string& kind : testing::DeformKinds()) {
     SCOPED_TRACE(kind);
-    const TrainingSummary summary = TrainDeform(Config(kind), Run(kind), false, "cpu");
+    const TrainingSummary summary = RunDeform(Config(kind), {Run(kind), false}, {});
     const DeformRun run = LoadDeformRun(Run(kind));
-    EXPECT_EQ(run.manifest.details.at("product"), "deform");
+    EXPECT_EQ(run.manifest.details.at("system"), "deform");
     EXPECT_EQ(run.manifest.counts.at("steps"), summary.steps);
     EXPECT_EQ(run.network->options().kind, kind);
     EXPECT_EQ(run.codes.size(0), run.manifest.counts.at("training_faces"));
@@ -77,18 +84,18 @@ TEST_F(DeformTrainingTest, LearnsItsTrainingFaces) {
   Json config = Config("hypernetwork");
   config["epochs"] = 40;
   config["validate_every"] = 40;
-  TrainDeform(config, Run("learns"), false, "cpu");
+  RunDeform(config, {Run("learns"), false}, {});
   const std::vector<double> errors = TrainingErrors(Run("learns"));
   EXPECT_LT(errors.back(), 0.7 * errors.front());
 }
 
 TEST_F(DeformTrainingTest, ResumedEqualsUninterruptedByteForByte) {
   const Json config = Config("hypernetwork");
-  TrainDeform(config, Run("whole"), false, "cpu");
-  SetInterrupted(true);
-  EXPECT_THROW(TrainDeform(config, Run("stopped"), false, "cpu"), Error);
-  SetInterrupted(false);
-  TrainDeform(config, Run("stopped"), true, "cpu");
+  RunDeform(config, {Run("whole"), false}, {});
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(RunDeform(config, {Run("stopped"), false}, Task(stop.get_token())), Cancelled);
+  RunDeform(config, {Run("stopped"), true}, {});
   for (const char* file : {"best/model.safetensors", "manifest.json"})
     EXPECT_EQ(ReadFile(Run("whole") / file), ReadFile(Run("stopped") / file)) << file;
 }
@@ -99,7 +106,7 @@ TEST_F(DeformTrainingTest, ALinearModelHasTheComponentsOfTrainingFaces) {
     Json config = Config("linear");
     config["network"]["latent"] = latent;
     const fs::path folder = Run("linear" + std::to_string(latent));
-    TrainDeform(config, folder, false, "cpu");
+    RunDeform(config, {folder, false}, {});
     const DeformRun run = LoadDeformRun(folder);
     const faces::FaceDatabase faces(*folder_ / "faces");
     const Json persons = run.manifest.details.at("split").at("train").at("persons");
@@ -117,17 +124,17 @@ TEST_F(DeformTrainingTest, ALinearModelHasTheComponentsOfTrainingFaces) {
 TEST_F(DeformTrainingTest, RefusesWhatItCannotUse) {
   Json config = Config("hypernetwork");
   config["data"]["points"] = "";
-  testing::ExpectError([&] { TrainDeform(config, Run("refused"), false, "cpu"); }, "data.points=FOLDER");
+  testing::ExpectError([&] { RunDeform(config, {Run("refused"), false}, {}); }, "data.points=FOLDER");
   config = Config("hypernetwork");
   config["network"]["kind"] = "hypernet";
-  testing::ExpectError([&] { TrainDeform(config, Run("refused"), false, "cpu"); }, "hypernetwork");
+  testing::ExpectError([&] { RunDeform(config, {Run("refused"), false}, {}); }, "hypernetwork");
   EXPECT_FALSE(fs::exists(Run("refused")));
 }
 
 TEST_F(DeformTrainingTest, EveryConfigOfADeformableModelIsParsed) {
   for (const char* name : {"paper", "cpu"}) {
     const Json config = LoadConfig(testing::SourceRoot() / "configs/deform" / (std::string(name) + ".toml"), {});
-    EXPECT_EQ(ParseOptions<DeformTrainingOptions>(config, name).product, "deform");
+    EXPECT_EQ(ParseOptions<DeformTrainingOptions>(config, name).system, "deform");
   }
 }
 

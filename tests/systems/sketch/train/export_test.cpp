@@ -24,6 +24,10 @@ std::vector<std::string> NamesIn(const fs::path& directory) {
   return names;
 }
 
+Json Export(const fs::path& run, const fs::path& out) {
+  return exporting::WriteExport(DescribeSketchExport(run), out);
+}
+
 onnx::ModelProto ReadModel(const fs::path& file) {
   onnx::ModelProto model;
   EXPECT_TRUE(model.ParseFromString(ReadFile(file)));
@@ -46,9 +50,9 @@ TEST(SketchExport, FunctionIsTheNetworkAndItsDecoder) {
 TEST(SketchExport, WithoutARuntimeWritesAGraphThatHoldsTheNetwork) {
   testing::AllowWarnings();
   const TempDir folder;
-  const WithoutNpmPackage without;
+  const exporting::WithoutNpmPackage without;
   auto network = WriteSketchRun(folder / "run");
-  const Json report = ExportSketchRun(folder / "run", folder / "out");
+  const Json report = Export(folder / "run", folder / "out");
   EXPECT_EQ(NamesIn(folder / "out"),
             (std::vector<std::string>{"manifest.json", "model.onnx", "model_card.md", "parity.json", "template.json",
                                       "template.safetensors"}));
@@ -90,7 +94,7 @@ TEST(SketchExport, AnswersAsLibTorchInOnnxRuntime) {
   const TempDir folder;
   WriteSketchRun(folder / "run");
   testing::AllowWarnings();  // There may be no runtime.
-  const Json report = ExportSketchRun(folder / "run", folder / "out");
+  const Json report = Export(folder / "run", folder / "out");
   if (report["runtime"].is_null()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
   EXPECT_LT(report["max_abs_diff"].get<double>(), 1e-4);
   EXPECT_EQ(report["opset"], 13);
@@ -102,7 +106,7 @@ TEST(SketchExport, EveryKindOfNetworkAnswersAsLibTorchInOnnxRuntime) {
     SCOPED_TRACE(name);
     const TempDir folder;
     WriteSketchRun(folder / "run", name);
-    const Json report = ExportSketchRun(folder / "run", folder / "out");
+    const Json report = Export(folder / "run", folder / "out");
     const auto model = ReadModel(folder / "out/model.onnx");
     EXPECT_EQ(model.graph().input_size(),
               int(options.reads_image()) + int(options.reads_points()) + int(options.reads_shape()));
@@ -114,29 +118,29 @@ TEST(SketchExport, EveryKindOfNetworkAnswersAsLibTorchInOnnxRuntime) {
 TEST(SketchExport, ManifestCarriesSourcesAndChecksums) {
   testing::AllowWarnings();
   const TempDir folder;
-  const WithoutNpmPackage without;
+  const exporting::WithoutNpmPackage without;
   WriteSketchRun(folder / "run");
-  ExportSketchRun(folder / "run", folder / "out");
+  Export(folder / "run", folder / "out");
   const Manifest manifest = ReadManifest(folder / "out", "export");
   EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
   EXPECT_EQ(manifest.checksums.size(), 5u);
   EXPECT_EQ(manifest.sources, ReadManifest(folder / "run", "run").sources);
   EXPECT_EQ(manifest.details["run_data_hash"], DataHash(folder / "run"));
   // The same run gives the same bytes.
-  ExportSketchRun(folder / "run", folder / "again");
+  Export(folder / "run", folder / "again");
   EXPECT_EQ(ReadFile(folder / "out/manifest.json"), ReadFile(folder / "again/manifest.json"));
 }
 
 TEST(SketchExport, FailureLeavesNothingBehind) {
   const TempDir folder;
-  ExpectError([&] { ExportSketchRun(folder / "run", folder / "out"); }, "is not a run folder");
+  ExpectError([&] { Export(folder / "run", folder / "out"); }, "is not a run folder");
   WriteSketchRun(folder / "run");
   MakeDirectory(folder / "run/report");
   WriteFileAtomically(folder / "run/report/metrics.json", "[");
-  ExpectError([&] { ExportSketchRun(folder / "run", folder / "out"); }, "metrics.json");
+  ExpectError([&] { Export(folder / "run", folder / "out"); }, "metrics.json");
   EXPECT_EQ(NamesIn(folder.path()), (std::vector<std::string>{"run"}));
   fs::remove_all(folder / "run/report");
-  ExpectError([&] { ExportSketchRun(folder / "run", folder / "run"); }, "holds no earlier export");
+  ExpectError([&] { Export(folder / "run", folder / "run"); }, "holds no earlier export");
   EXPECT_TRUE(fs::exists(folder / "run/best/model.safetensors"));
 }
 

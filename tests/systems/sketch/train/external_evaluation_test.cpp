@@ -1,12 +1,16 @@
 #include "systems/sketch/train/external_evaluation.h"
 
 #include "core/safetensors.h"
-#include "eval/baselines.h"
+#include "eval/nearest_neighbour.h"
+#include "eval/ridge_regression.h"
 #include "eval/metrics.h"
+#include "systems/sketch/train/evaluation.h"
 #include "systems/sketch/train/run_data.h"
-#include "systems/sketch/train/sketch_predictor.h"
-#include "tests/systems/sketch/train/run_fixture.h"
+#include "export/torch_runner.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/train/export.h"
 #include "tests/support/expect_error.h"
+#include "tests/systems/sketch/train/run_fixture.h"
 
 #include <cmath>
 #include <limits>
@@ -14,77 +18,88 @@
 namespace daumier::sketch {
 namespace {
 
-class OtherFacesTest : public SketchRunFixture {
+SketchPredictor Open(const std::filesystem::path& run) {
+  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU)};
+}
+
+class ExternalEvaluationTest : public SketchRunFixture {
  protected:
-  OtherFacesOptions Options() const {
+  SketchEvalOptions Options() const {
     return {.faces = (*folder_ / "faces").string(), .sketches = (*folder_ / "sketches").string()};
   }
+  static reports::Evaluation Evaluate(const SketchEvalOptions& options) {
+    FolderCache databases;
+    return EvaluateSketchRun(*folder_ / "run", options, databases);
+  }
+  static Json Table(const SketchEvalOptions& options) { return Evaluate(options).metrics.at("table"); }
 };
 
-TEST_F(OtherFacesTest, OfTheOwnTopologyErrorsAreThoseOfThePredictor) {
-  const Json metrics = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", Options());
+TEST_F(ExternalEvaluationTest, OfTheOwnTopologyErrorsAreThoseOfThePredictor) {
+  const Json metrics = Evaluate(Options()).metrics;
   EXPECT_TRUE(metrics.at("same_topology"));
   ASSERT_EQ(metrics.at("table").size(), 8u);
   const faces::FaceDatabase faces(*folder_ / "faces");
   const datasets::SketchDatabase sketches(*folder_ / "sketches");
-  SketchPredictor predictor(*folder_ / "run");
+  const SketchPredictor predictor = Open(*folder_ / "run");
   std::vector<double> errors;
   for (int face = 0; face < faces.num_faces(); ++face) {
-    errors.push_back(eval::MeanVertexError(predictor.Predict({sketches.strokes(face)})[0].vertices, faces.vertices(face),
-                                     faces.face_template().annotation.regions.at("face"),
-                                     faces::MillimetresPerCm(faces.face_template())));
+    errors.push_back(eval::MeanVertexError(predictor.FromStrokes({sketches.strokes(face)})[0].vertices,
+                                           faces.vertices(face), faces.face_template().annotation.regions.at("face"),
+                                           faces::MillimetresPerCm(faces.face_template())));
   }
   EXPECT_EQ(metrics.at("table")[1].at("name"), "network");
-  EXPECT_NEAR(metrics.at("table")[1].at("error").get<double>(), eval::Mean(errors), 1e-3);
+  EXPECT_NEAR(metrics.at("table")[1].at("error").get<double>(), Mean(errors), 1e-3);
   const double limit = metrics.at("table")[5].at("error");
   for (const Json& row : metrics.at("table")) EXPECT_GT(row.at("curve_error_px").get<double>(), 0);
   for (int row = 0; row < 3; ++row) EXPECT_GE(metrics.at("table")[size_t(row)].at("error").get<double>(), limit);
-  VerifyChecksums(*folder_ / "other", ReadManifest(*folder_ / "other", "report"));
+  EXPECT_EQ(metrics.at("table")[1].at("face_errors_mm").size(), errors.size());
 }
 
-TEST_F(OtherFacesTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
-  const Json table = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", Options()).at("table");
+TEST_F(ExternalEvaluationTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
+  const Json table = Table(Options());
   const SketchRunData own = OpenSketchRunData(*folder_ / "run");
   const eval::SketchSamples samples{[&](int face) { return own.faces.vertices(face); },
-                              [&](int face) { return own.sketches.curve_points(face); }};
+                                    [&](int face) { return own.sketches.curve_points(face); }};
   const auto& region = own.faces.face_template().annotation.regions.at("face");
-  const eval::NearestNeighbour nearest(samples, own.split.train);
+  const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own.split.train));
   const eval::RidgeRegression ridge =
       eval::FitRidge(samples, own.split.train, own.split.validation, region, eval::DefaultRidgeLambdas()).model;
   std::vector<double> nearest_errors, ridge_errors;
   for (int face = 0; face < own.faces.num_faces(); ++face) {
     const auto error = [&](std::span<const float> vertices) {
       return eval::MeanVertexError(vertices, samples.vertices(face), region,
-                             faces::MillimetresPerCm(own.faces.face_template()));
+                                   faces::MillimetresPerCm(own.faces.face_template()));
     };
     const std::vector<float> points = samples.curve_points(face);
-    nearest_errors.push_back(error(samples.vertices(nearest.Nearest(points))));
-    const eval::FaceRows answer = ridge.Predict(Eigen::Map<const eval::FaceRows>(points.data(), 1, Eigen::Index(points.size())));
+    nearest_errors.push_back(error(samples.vertices(own.split.train[size_t(nearest.Nearest(points))])));
+    const eval::FaceRows answer =
+        ridge.Predict(Eigen::Map<const eval::FaceRows>(points.data(), 1, Eigen::Index(points.size())));
     ridge_errors.push_back(error({answer.data(), size_t(answer.size())}));
   }
   EXPECT_EQ(table[6].at("name"), "nearest neighbour");
-  EXPECT_NEAR(table[6].at("error").get<double>(), eval::Mean(nearest_errors), 1e-6);
+  EXPECT_NEAR(table[6].at("error").get<double>(), Mean(nearest_errors), 1e-6);
   EXPECT_EQ(table[7].at("name"), "ridge regression");
-  EXPECT_NEAR(table[7].at("error").get<double>(), eval::Mean(ridge_errors), 1e-4);
+  EXPECT_NEAR(table[7].at("error").get<double>(), Mean(ridge_errors), 1e-4);
 }
 
-TEST_F(OtherFacesTest, BaselinesAreLeftOutWhereTheTrainingFacesAreGoneOrTheSketchesAugmentedOrTheyAreNotWanted) {
-  OtherFacesOptions augmented = Options(), unwanted = Options(), moved = Options();
+TEST_F(ExternalEvaluationTest,
+       BaselinesAreLeftOutWhereTheTrainingFacesAreGoneOrTheSketchesAugmentedOrTheyAreNotWanted) {
+  SketchEvalOptions augmented = Options(), unwanted = Options(), moved = Options();
   augmented.strength = 1;
   unwanted.baselines = false;
   testing::BuildSyntheticFaces(*folder_ / "moved_faces");
   testing::BuildSyntheticSketches(*folder_ / "moved_faces", *folder_ / "moved_sketches");
   moved.faces = (*folder_ / "moved_faces").string();
   moved.sketches = (*folder_ / "moved_sketches").string();
-  EXPECT_EQ(EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", augmented).at("table").size(), 6u);
-  EXPECT_EQ(EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", unwanted).at("table").size(), 6u);
+  EXPECT_EQ(Table(augmented).size(), 6u);
+  EXPECT_EQ(Table(unwanted).size(), 6u);
   std::filesystem::rename(*folder_ / "faces", *folder_ / "gone");
-  EXPECT_EQ(EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", moved).at("table").size(), 6u);
+  EXPECT_EQ(Table(moved).size(), 6u);
   std::filesystem::rename(*folder_ / "gone", *folder_ / "faces");
 }
 
-TEST_F(OtherFacesTest, RefiningAndDeformingBringTheCurvesNearer) {
-  const Json table = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "nearer", Options()).at("table");
+TEST_F(ExternalEvaluationTest, RefiningAndDeformingBringTheCurvesNearer) {
+  const Json table = Table(Options());
   EXPECT_LT(table[2].at("curve_error_px"), table[1].at("curve_error_px"));
   EXPECT_LT(table[3].at("curve_error_px"), table[2].at("curve_error_px"));
   EXPECT_EQ(table[4].at("name"), "mean face, deformed");
@@ -109,20 +124,21 @@ void MarkAsRegistered(const std::filesystem::path& directory) {
   WriteManifest(directory, manifest);
 }
 
-TEST_F(OtherFacesTest, OfRegisteredFacesAlsoWhereTheMeshIs) {
+TEST_F(ExternalEvaluationTest, OfRegisteredFacesAlsoWhereTheMeshIs) {
   testing::BuildSyntheticFaces(*folder_ / "registered", 2);
   MarkAsRegistered(*folder_ / "registered");
   testing::BuildSyntheticSketches(*folder_ / "registered", *folder_ / "registered_sketches");
-  const OtherFacesOptions options{.faces = (*folder_ / "registered").string(),
+  const SketchEvalOptions options{.faces = (*folder_ / "registered").string(),
                                   .sketches = (*folder_ / "registered_sketches").string(),
                                   .baselines = false};
-  const Json table = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", options).at("table");
+  const reports::Evaluation registered = Evaluate(options);
+  const Json& table = registered.metrics.at("table");
   const faces::FaceDatabase faces(*folder_ / "registered");
   const datasets::SketchDatabase sketches(*folder_ / "registered_sketches");
-  SketchPredictor predictor(*folder_ / "run");
+  const SketchPredictor predictor = Open(*folder_ / "run");
   double sum = 0;
   for (int face = 0; face < faces.num_faces(); ++face) {
-    const std::vector<float> predicted = predictor.Predict({sketches.strokes(face)})[0].vertices;
+    const std::vector<float> predicted = predictor.FromStrokes({sketches.strokes(face)})[0].vertices;
     const std::span<const float> truth = faces.vertices(face);
     double of_face = 0;
     int count = 0;
@@ -138,19 +154,28 @@ TEST_F(OtherFacesTest, OfRegisteredFacesAlsoWhereTheMeshIs) {
   EXPECT_NEAR(table[1].at("matched_error").get<double>(), expected, 1e-3);
   EXPECT_LE(table[1].at("matched_error_low").get<double>(), expected);
   EXPECT_GE(table[1].at("matched_error_high").get<double>(), expected);
-  EXPECT_NE(ReadFile(*folder_ / "other/table.md").find("mm where the mesh is"), std::string::npos);
-  const Json own = EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "other", Options()).at("table");
+  EXPECT_NE(reports::TableMarkdown(reports::TextTable(registered.table)).find("mm where the mesh is"),
+            std::string::npos);
+  const Json own = Table(Options());
   EXPECT_FALSE(own[1].contains("matched_error"));
-  EXPECT_EQ(ReadFile(*folder_ / "other/table.md").find("mm where the mesh is"), std::string::npos);
 }
 
-TEST_F(OtherFacesTest, RefusesSketchesOfOtherFaces) {
+TEST_F(ExternalEvaluationTest, IsWrittenWithASheetOfFourFacesAndItsTable) {
+  SketchEvalOptions options = Options();
+  options.baselines = false;
+  const reports::Evaluation evaluation = Evaluate(options);
+  EXPECT_EQ(reports::FindRow(evaluation.table, "").name, "network");
+  reports::WriteEvaluation(*folder_ / "other", evaluation);
+  VerifyChecksums(*folder_ / "other", ReadManifest(*folder_ / "other", "report"));
+  for (const char* file : {"metrics.json", "table.md", "sheet.png", "index.html"})
+    EXPECT_TRUE(std::filesystem::exists(*folder_ / "other" / file)) << file;
+}
+
+TEST_F(ExternalEvaluationTest, RefusesSketchesOfOtherFaces) {
   testing::BuildSyntheticFaces(*folder_ / "others", 2);
-  OtherFacesOptions options = Options();
+  SketchEvalOptions options = Options();
   options.faces = (*folder_ / "others").string();
-  testing::ExpectError([&] { EvaluateOnOtherFaces(*folder_ / "run", *folder_ / "none", options); },
-                       "sketches of other faces");
-  EXPECT_FALSE(std::filesystem::exists(*folder_ / "none"));
+  testing::ExpectError([&] { Evaluate(options).metrics; }, "sketches of other faces");
 }
 
 }  // namespace

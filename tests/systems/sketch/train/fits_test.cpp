@@ -15,9 +15,10 @@ class SketchFitsTest : public SketchRunFixture {
     std::vector<double> errors;
     for (size_t i = 0; i < faces.size(); ++i) {
       const auto row = predicted.row(Eigen::Index(i));
-      errors.push_back(eval::MeanVertexError({row.data(), size_t(row.size())}, data_.faces.vertices(faces[i]), region(), 10));
+      errors.push_back(
+          eval::MeanVertexError({row.data(), size_t(row.size())}, data_.faces.vertices(faces[i]), region(), 10));
     }
-    return eval::Mean(errors);
+    return Mean(errors);
   }
   const std::vector<int>& region() const { return data_.faces.face_template().annotation.regions.at("face"); }
 
@@ -56,7 +57,7 @@ TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelpsAndDeformingItMore) {
   const RefinedRow refined(data_, reader_);
   const auto faces = std::span(data_.split.train).first(4);
   // Wrong by a little: what the model makes of the true coefficients, pulled towards the mean.
-  SketchAnswers answers;
+  SketchPredictions answers;
   const auto& model = data_.run.models.bilinear;
   const faces::BilinearProjector projector(model);
   answers.u.resize(4, model.num_identity), answers.v.resize(4, model.num_expression);

@@ -1,46 +1,42 @@
 #include "systems/sketch/train/measurement.h"
 
-#include "eval/metrics.h"
+#include "systems/sketch/train/fits.h"
 #include "tests/systems/sketch/train/run_fixture.h"
-
-#include <cmath>
 
 namespace daumier::sketch {
 namespace {
 
 using SketchMeasurementTest = SketchRunFixture;
 
-TEST_F(SketchMeasurementTest, ItsRegionsMakeUpTheFace) {
+TEST_F(SketchMeasurementTest, RefinedAndDeformedRowsAreThoseOfTheNetworksFaces) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  SketchMeasurement measurement(data, {});
-  measurement.Measure();
-  const Eigen::VectorXd map = measurement.mean_error_map();
-  const auto& regions = data.faces.face_template().annotation.regions;
-  double sum = 0;
-  for (const int vertex : regions.at("face")) sum += map[vertex];
-  EXPECT_NEAR(sum / double(regions.at("face").size()), measurement.result().error_mm, 1e-9);
-  EXPECT_EQ((map.array().isNaN()).count(), map.size() - Eigen::Index(regions.at("face").size()));
-  const auto by_region = measurement.region_errors_mm();
-  double least = 1e9, most = 0;
-  for (const auto& [name, error] : by_region) least = std::min(least, error), most = std::max(most, error);
-  EXPECT_EQ(by_region.size(), 4u);
-  EXPECT_LE(least, measurement.result().error_mm);
-  EXPECT_GE(most, measurement.result().error_mm);
+  const SketchTestSet test(data, "test", 1, {});
+  const SketchMeasurement measured = MeasureSketchRun(test, {.strength = 1, .baselines = false, .deform = true});
+  ASSERT_EQ(measured.table.rows.size(), 3u);
+  StoredCoefficients stored(data.run.network);
+  stored.Append(test.reader().Forward(data.run.network, test.faces()));
+  const SketchPredictions predicted = stored.Decode(0, stored.size());
+  const eval::FaceRows refined = RefinedRow(data, test.reader()).Refine(test.faces(), predicted);
+  const auto row = [&](const eval::FaceRows& rows) {
+    return test.Measure("rows", [&](const FaceBlock&) { return rows; }).of_faces;
+  };
+  const std::vector<double> plain = row(predicted.faces), after = row(refined);
+  for (size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_NEAR(measured.table.rows[0].face_errors[i], plain[i], 1e-4);
+    EXPECT_NEAR(measured.table.rows[1].face_errors[i], after[i], 1e-3);
+  }
+  EXPECT_EQ(measured.table.rows[1].name, "network, refined");
+  EXPECT_EQ(measured.table.rows[2].name, "network, deformed");
+  EXPECT_NE(measured.table.rows[2].face_errors, measured.table.rows[1].face_errors);
+  EXPECT_EQ(measured.table.result, 0u);
 }
 
-TEST_F(SketchMeasurementTest, PredictionsAreWhatTheErrorsAreOf) {
+TEST_F(SketchMeasurementTest, KeptPredictionsAreThoseThatTheErrorsAreOf) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  SketchMeasurement measurement(data, {.strength = 1});
-  measurement.Measure();
-  const int face = measurement.faces()[3];
-  const eval::FaceRows prediction = measurement.PredictResult(std::span(&face, 1));
-  const Eigen::VectorXd map = measurement.ErrorMap(prediction, face);
-  double sum = 0;
-  int count = 0;
-  for (const double error : map) {
-    if (!std::isnan(error)) sum += error, ++count;
-  }
-  EXPECT_NEAR(sum / count, measurement.errors_mm()[3], 1e-3);
+  const SketchTestSet test(data, "test", 1, {});
+  const SketchMeasurement measured = MeasureSketchRun(test, {.strength = 1, .baselines = false});
+  for (size_t i = 0; i < test.faces().size(); ++i)
+    EXPECT_NEAR(measured.predictions.at(test.faces()[i]).mean_error_mm(), measured.table.rows[0].face_errors[i], 1e-3);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <torch/linalg.h>
 #include <torch/optim.h>
 #include <torch/utils.h>
+#include <torch/nn/modules/conv.h>
 
 namespace daumier::sketch {
 namespace {
@@ -16,7 +17,7 @@ using testing::RandomModels;
 using testing::RandomSketchInput;
 using testing::SmallSketchNetworks;
 
-const SketchNetworkOptions kSmall{.resolution = 32, .width = 4, .hidden = 16, .branch = 16};
+const SketchNetworkOptions kSmall{.resolution = 32, .width = 8, .hidden = 16, .branch = 16};
 
 SketchNetwork SmallNetwork(const SketchNetworkOptions& options = kSmall) {
   torch::manual_seed(5);
@@ -59,10 +60,10 @@ TEST(SketchNetwork, ReadsWhatItsOptionsSayAndNothingElse) {
 }
 
 TEST(SketchNetwork, CompactParametersAreTheSumOverItsLayers) {
-  // 32 -> 16 -> 8 -> 4 with 4, 8, 16 channels; each convolution 9 in out weights and a batch norm of 2 out; 16 * 4 * 4
+  // 32 -> 16 -> 8 -> 4 with 8, 16, 32 channels; each convolution 9 in out weights and a batch norm of 2 out; 32 * 4 * 4
   // features.
-  const int64_t convolutions = 9 * (1 * 4 + 4 * 8 + 8 * 16) + 2 * (4 + 8 + 16);
-  const int64_t shared = 256 * 16 + 16;
+  const int64_t convolutions = 9 * (1 * 8 + 8 * 16 + 16 * 32) + 2 * (8 + 16 + 32);
+  const int64_t shared = 512 * 16 + 16;
   const int64_t identity = 2 * (16 * 16 + 16) + 16 * 6 + 6;
   const int64_t expression = 16 * 3 + 3;
   EXPECT_EQ(SmallNetwork()->num_parameters(), convolutions + shared + identity + expression);
@@ -110,7 +111,7 @@ TEST(SketchNetwork, DecodeEqualsReconstruct) {
 
 TEST(SketchNetwork, ResidualIsAddedInABasisThatHoldsTheBilinearFace) {
   // With all 30 directions of an orthonormal basis nothing of the bilinear face is lost.
-  const SketchNetworkOptions options{.resolution = 32, .width = 4, .hidden = 16, .residual = 30};
+  const SketchNetworkOptions options{.resolution = 32, .width = 8, .hidden = 16, .residual = 30};
   FittedModels models = RandomModels(10, 30);
   models.basis.rows = Eigen::MatrixXf(models.basis.rows).householderQr().householderQ();
   SketchNetwork network(options, models);
@@ -189,6 +190,59 @@ TEST(SketchNetwork, FrozenConvolutionsNeitherLearnNorNormaliseAnew) {
   EXPECT_TRUE(network->named_parameters()["convolutions.0.weight"].grad().defined());
 }
 
+/// Gradients of the convolutions' weights, by the name of the parameter.
+std::map<std::string, torch::Tensor> ConvolutionGradients(const SketchNetworkOptions& options,
+                                                          const torch::Tensor& images, torch::ScalarType type) {
+  auto network = SmallNetwork(options);
+  network->to(type);
+  network->train();
+  network->Decode(network->forward({images.to(type), {}, {}})).square().mean().backward();
+  std::map<std::string, torch::Tensor> gradients;
+  for (const auto& item : network->named_parameters())
+    if (item.key().rfind("convolutions.", 0) == 0 && item.value().dim() == 4)
+      gradients[item.key()] = item.value().grad().to(torch::kFloat64);
+  return gradients;
+}
+
+// What a convolution reads or writes beyond its channels is seen in its gradients, or as a corrupted heap. In float64
+// LibTorch computes by itself.
+TEST(SketchNetwork, OfEveryWidthHasTheGradientsOfFloat64) {
+  for (const auto& [trunk, width] : std::vector<std::pair<std::string, int>>{{"compact", 4},
+                                                                             {"compact", 8},
+                                                                             {"compact", 12},
+                                                                             {"residual", 1},
+                                                                             {"residual", 4},
+                                                                             {"residual", 5},
+                                                                             {"residual", 8},
+                                                                             {"alexnet", 12},
+                                                                             {"alexnet", 24}}) {
+    SketchNetworkOptions options = kSmall;
+    options.trunk = trunk;
+    options.width = width;
+    options.resolution = trunk == "alexnet" ? 64 : 32;
+    for (const int64_t batch : {1, 3, 4}) {
+      SCOPED_TRACE(fmt::format("{} of width {}, batch {}", trunk, width, batch));
+      torch::manual_seed(4);
+      const auto images = ChannelsLast(torch::rand({batch, 1, options.resolution, options.resolution}));
+      const auto exact = ConvolutionGradients(options, images, torch::kFloat64);
+      for (const auto& [name, gradient] : ConvolutionGradients(options, images, torch::kFloat32))
+        EXPECT_LT((gradient - exact.at(name)).norm().item<double>(), 1e-3 * exact.at(name).norm().item<double>())
+            << name;
+    }
+  }
+}
+
+TEST(SketchNetwork, OfAWidthThatATrainingRefusesTakesSketchesInEitherLayout) {
+  SketchNetworkOptions options = kSmall;
+  options.trunk = "residual";
+  options.width = 4;
+  auto network = SmallNetwork(options);
+  network->eval();
+  const auto images = RandomSketchInput(options, 3).images;
+  const auto answer = network->Decode(network->forward({images, {}, {}}));
+  EXPECT_TRUE(torch::equal(network->Decode(network->forward({ChannelsLast(images), {}, {}})), answer));
+}
+
 TEST(SketchNetwork, PointsMayComeInAnyOrder) {
   const SketchNetworkOptions options = SmallSketchNetworks().at("points");
   auto network = SmallNetwork(options);
@@ -248,6 +302,35 @@ TEST(SketchNetwork, RefusesOtherShapes) {
   options.trunk = "shape";
   options.shape_input = "late";
   ExpectError([&] { SketchNetwork(options, RandomModels(10)); }, "network.shape_input has to be \"none\"");
+}
+
+TEST(SketchNetworkOptions, HasWholeBlocksWhereAllChannelsAreMultiplesOfEight) {
+  for (const char* trunk : {"compact", "alexnet", "residual", "points"}) {
+    for (int width = 1; width <= 48; ++width) {
+      const SketchNetworkOptions options{.trunk = trunk, .resolution = 64, .width = width, .hidden = 1};
+      bool whole = true;
+      for (const auto& layer : models::MakeSketchTrunk(TrunkOf(options), 6).convolutions->modules()) {
+        if (const auto* convolution = layer->as<torch::nn::Conv2d>())
+          whole = whole && convolution->options.out_channels() % 8 == 0;
+        if (const auto* convolution = layer->as<torch::nn::Conv1d>())
+          whole = whole && convolution->options.out_channels() % 8 == 0;
+      }
+      EXPECT_EQ(options.has_whole_blocks(), whole) << trunk << " of width " << width;
+    }
+  }
+  EXPECT_TRUE((SketchNetworkOptions{.trunk = "shape", .width = 5}.has_whole_blocks()));
+}
+
+TEST(SketchNetwork, EveryTrunkEndsInHiddenFeatures) {
+  for (const auto& [name, options] : testing::SmallSketchNetworks()) {
+    SCOPED_TRACE(name);
+    models::SketchTrunk trunk = models::MakeSketchTrunk(TrunkOf(options), 6);
+    const SketchInput input = testing::RandomSketchInput(options, 3);
+    torch::Tensor features = input.shape;
+    if (options.reads_image()) features = trunk.convolutions->forward(input.images);
+    if (options.reads_points()) features = trunk.convolutions->forward(input.points);
+    EXPECT_EQ(trunk.features->forward(features).sizes().vec(), (std::vector<int64_t>{3, options.hidden}));
+  }
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class SketchRunFixture : public ::testing::Test {
 
   static void WriteRun(const std::filesystem::path& run,
                        const SketchNetworkOptions& network_options = {
-                           .resolution = 32, .width = 4, .hidden = 16, .branch = 16}) {
+                           .resolution = 32, .width = 8, .hidden = 16, .branch = 16}) {
     const faces::FaceDatabase faces(*folder_ / "faces");
     const datasets::SplitOptions split_options;
     const datasets::Split split = datasets::MakeSplit(faces, split_options, 7);

@@ -1,6 +1,7 @@
 #include "core/config.h"
 #include "core/files.h"
-#include "core/interrupt.h"
+#include "core/task.h"
+#include "systems/sketch/options.h"
 #include "core/manifest.h"
 #include "systems/sketch/train/run.h"
 #include "tests/support/expect_error.h"
@@ -19,6 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TrainingSummary RunSketch(const Json& config, const systems::RunPlace& place, const Task& task) {
+  FolderCache databases;
+  return TrainSketch(config, place, databases, task);
+}
+
 class SketchTrainingTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -31,7 +37,7 @@ class SketchTrainingTest : public ::testing::Test {
   static Json Config() {
     return {{"data", {{"faces", (*folder_ / "faces").string()}, {"sketches", (*folder_ / "sketches").string()}}},
             {"bilinear", {{"num_identity", 5}, {"num_expression", 3}}},
-            {"network", {{"resolution", 32}, {"width", 4}, {"hidden", 32}}},
+            {"network", {{"resolution", 32}, {"width", 8}, {"hidden", 32}}},
             {"optimiser", {{"learning_rate", 0.005}}},
             {"epochs", 4},
             {"batch", 8}};
@@ -46,7 +52,7 @@ std::unique_ptr<testing::TempDir> SketchTrainingTest::folder_;
 TEST_F(SketchTrainingTest, LeavesARunThatIsReadBackAndHasLearnt) {
   Json config = Config();
   config["epochs"] = 15;
-  const TrainingSummary summary = TrainSketch(config, Run("learns"), false, "cpu");
+  const TrainingSummary summary = RunSketch(config, {Run("learns"), false}, {});
   const SketchRun run = LoadSketchRun(Run("learns"));
   EXPECT_EQ(run.manifest.counts.at("best_epoch"), summary.best_epoch);
   EXPECT_EQ(run.config.at("data").at("faces"), (*folder_ / "faces").string());
@@ -60,7 +66,7 @@ TEST_F(SketchTrainingTest, LeavesARunThatIsReadBackAndHasLearnt) {
 }
 
 TEST_F(SketchTrainingTest, ManifestProvesThatOnlyTrainingFacesWereFittedAndHoldsNoPath) {
-  TrainSketch(Config(), Run("proof"), false, "cpu");
+  RunSketch(Config(), {Run("proof"), false}, {});
   const Manifest manifest = ReadManifest(Run("proof"), "run");
   const Json& split = manifest.details.at("split");
   EXPECT_EQ(manifest.details.at("bilinear").at("faces_checksum"), split.at("train").at("faces_checksum"));
@@ -80,13 +86,14 @@ TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
     Json config = Config();
     config["sketch"] = {{"augmentation", {{"strength", strength}}}};
     const fs::path whole = Run(fmt::format("whole{}", strength)), stopped = Run(fmt::format("stopped{}", strength));
-    TrainSketch(config, whole, false, "cpu");
+    RunSketch(config, {whole, false}, {});
     // Stopped after the first step, then after the second, then let go on.
-    SetInterrupted(true);
-    testing::ExpectError([&] { TrainSketch(config, stopped, false, "cpu"); }, "stopped after step 1 of");
-    testing::ExpectError([&] { TrainSketch(config, stopped, true, "cpu"); }, "stopped after step 2 of");
-    SetInterrupted(false);
-    TrainSketch(config, stopped, true, "cpu");
+    std::stop_source stop;
+    stop.request_stop();
+    const Task cancelled(stop.get_token());
+    testing::ExpectError([&] { RunSketch(config, {stopped, false}, cancelled); }, "interrupted at step 1 of");
+    testing::ExpectError([&] { RunSketch(config, {stopped, true}, cancelled); }, "interrupted at step 2 of");
+    RunSketch(config, {stopped, true}, {});
     for (const auto& entry : fs::recursive_directory_iterator(whole)) {
       const fs::path name = fs::relative(entry.path(), whole);
       if (!entry.is_regular_file() || name == "metrics.jsonl" || name.string().find("tfevents") != std::string::npos)
@@ -97,29 +104,36 @@ TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
 }
 
 TEST_F(SketchTrainingTest, RefusesToResumeAnotherConfigAndToOverwriteARun) {
-  TrainSketch(Config(), Run("once"), false, "cpu");
-  testing::ExpectError([&] { TrainSketch(Config(), Run("once"), false, "cpu"); }, "already holds a run");
+  RunSketch(Config(), {Run("once"), false}, {});
+  testing::ExpectError([&] { RunSketch(Config(), {Run("once"), false}, {}); }, "already holds a run");
   Json config = Config();
   config["optimiser"]["learning_rate"] = 0.25;
-  testing::ExpectError([&] { TrainSketch(config, Run("once"), true, "cpu"); },
+  testing::ExpectError([&] { RunSketch(config, {Run("once"), true}, {}); },
                        "optimiser.learning_rate is 0.005 there and 0.25 now");
 }
 
 TEST_F(SketchTrainingTest, WhatTheFitRefusesCanBeToldOtherwiseInTheSameFolder) {
   Json config = Config();
   config["bilinear"]["num_identity"] = 500;
-  testing::ExpectError([&] { TrainSketch(config, Run("refused"), false, "cpu"); }, "");
-  EXPECT_NO_THROW(TrainSketch(Config(), Run("refused"), false, "cpu"));
+  testing::ExpectError([&] { RunSketch(config, {Run("refused"), false}, {}); }, "");
+  EXPECT_NO_THROW(RunSketch(Config(), {Run("refused"), false}, {}));
+}
+
+TEST_F(SketchTrainingTest, RefusesAWidthWithNarrowLayersBeforeItMakesAFolder) {
+  Json config = Config();
+  config["network"]["width"] = 12;
+  testing::ExpectError([&] { RunSketch(config, {Run("narrow"), false}, {}); }, "set network.width=8 or 16");
+  EXPECT_FALSE(fs::exists(Run("narrow")));
 }
 
 TEST_F(SketchTrainingTest, RefusesMissingFoldersAndSketchesOfOtherFaces) {
   Json config = Config();
   config["data"].erase("sketches");
-  testing::ExpectError([&] { TrainSketch(config, Run("missing"), false, "cpu"); }, "data.sketches=FOLDER");
+  testing::ExpectError([&] { RunSketch(config, {Run("missing"), false}, {}); }, "data.sketches=FOLDER");
   testing::BuildSyntheticFaces(*folder_ / "other_faces", 7);
   testing::BuildSyntheticSketches(*folder_ / "other_faces", *folder_ / "other_sketches");
   config["data"]["sketches"] = (*folder_ / "other_sketches").string();
-  testing::ExpectError([&] { TrainSketch(config, Run("missing"), false, "cpu"); }, "are sketches of other faces");
+  testing::ExpectError([&] { RunSketch(config, {Run("missing"), false}, {}); }, "are sketches of other faces");
   EXPECT_FALSE(fs::exists(Run("missing")));
 }
 

@@ -1,0 +1,38 @@
+#include "cli/system_table.h"
+
+#include "core/error.h"
+#include "core/run_manifest.h"
+#include "core/training.h"
+#include "systems/deform/system.h"
+#include "systems/sketch/system.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace daumier::cli {
+
+const std::vector<systems::System>& Systems() {
+  static const std::vector<systems::System> table = {sketch::SketchSystem(), deform::DeformSystem()};
+  return table;
+}
+
+const systems::System& SystemNamed(std::string_view name) {
+  const auto found = std::ranges::find(Systems(), name, &systems::System::name);
+  if (found != Systems().end()) return *found;
+  std::vector<std::string_view> names;
+  for (const systems::System& system : Systems()) names.push_back(system.name);
+  throw UsageError(fmt::format("there is no task '{}' (expected {})", name, fmt::join(names, ", ")));
+}
+
+const systems::System& SystemOfConfig(const Json& config) {
+  const Json system = WithSystemKey(config).value("system", Json("sketch"));
+  if (!system.is_string()) throw UsageError(fmt::format("system is {}, expected a text", system.dump()));
+  return SystemNamed(system.get<std::string>());
+}
+
+const systems::System& SystemOfRun(const std::filesystem::path& run) {
+  return SystemNamed(SystemOf(ReadFinishedRun(run)));
+}
+
+}  // namespace daumier::cli

@@ -1,0 +1,101 @@
+// The training library: rows of the systems' LibTorch half, and what is the same for all of them.
+#include "ablation/ablation.h"
+#include "core/error.h"
+#include "core/run_manifest.h"
+#include "core/runtime.h"
+#include "export/torch_runner.h"
+#include "systems/deform/train/system.h"
+#include "systems/sketch/train/system.h"
+#include "systems/training_library.h"
+#include "tensor/runtime.h"
+
+#include <ATen/Parallel.h>
+#include <ATen/ops/mm.h>
+#include <torch/cuda.h>
+#include <torch/version.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace daumier {
+namespace {
+
+const systems::TrainingLibrary& Library();
+
+exporting::RunExport Describe(const std::filesystem::path& run) {
+  return Library().at(SystemOf(ReadFinishedRun(run))).describe_export(run);
+}
+
+/// GFLOP/s of LibTorch's own float product of two matrices of that side: the best of some.
+double MeasureMm(int64_t side = 1024, int repeats = 6) {
+  const torch::Tensor a = torch::ones({side, side}), b = torch::ones({side, side});
+  double best = 0;
+  for (int i = 0; i < repeats; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    at::mm(a, b);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    best = std::max(best, 2e-9 * double(side * side * side) / seconds);
+  }
+  return best;
+}
+
+Json DescribeLibTorch() {
+  return {{"libtorch", TORCH_VERSION},
+          {"device", torch::cuda::is_available() ? "cuda" : "cpu"},
+          {"threads", at::get_num_threads()},
+          {"sgemm_gflops", MeasureMm()}};
+}
+
+std::string Text(ablation::RowState state) {
+  switch (state) {
+    case ablation::RowState::kToTrain:
+      return "to train";
+    case ablation::RowState::kToGoOn:
+      return "to resume";
+    case ablation::RowState::kToEvaluate:
+      return "to evaluate";
+    case ablation::RowState::kDone:
+      return "done";
+  }
+  return "";
+}
+
+Json Ablate(const systems::AblationRequest& request, const systems::System& system, const Task& task) {
+  const ablation::AblationSystem of_rows{system, Library().at(system.name), request.device};
+  const ablation::Ablation ablation =
+      ablation::LoadAblation(request.config, request.overrides, system.run_options);
+  if (!request.dry_run) return ablation::RunAblation(ablation, of_rows, request.out, request.only, task);
+  Json plan = Json::array();
+  for (const ablation::AblationStep& step : ablation::PlanAblation(ablation, of_rows, request.out, request.only))
+    plan.push_back({{"row", step.row}, {"split", step.split}, {"seed", step.seed}, {"state", Text(step.state)}});
+  return plan;
+}
+
+Json BaseConfig(const systems::AblationRequest& request) {
+  return ablation::LoadAblation(request.config, request.overrides, {}).rows.front().config;
+}
+
+const systems::TrainingLibrary& Library() {
+  static const systems::TrainingLibrary library{
+      .version = DAUMIER_VERSION,
+      .systems = {sketch::SketchTraining(), deform::DeformTraining()},
+      .set_up = [](int threads) { tensor::SetUpTorch(threads); },
+      .describe = DescribeLibTorch,
+      .open_network = [](const std::filesystem::path& run,
+                         const Device& device) -> std::unique_ptr<runtime::NetworkRunner> {
+        return std::make_unique<exporting::TorchRunner>(Describe(run), tensor::TorchDevice(device));
+      },
+      .export_run = [](const std::filesystem::path& run, const std::filesystem::path& out,
+                       const Task&) { return exporting::WriteExport(Describe(run), out); },
+      .ablation_config = BaseConfig,
+      .ablate = Ablate,
+  };
+  return library;
+}
+
+}  // namespace
+}  // namespace daumier
+
+extern "C" __attribute__((visibility("default"))) const daumier::systems::TrainingLibrary* daumier_training_library() {
+  return &daumier::Library();
+}

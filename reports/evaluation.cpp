@@ -1,0 +1,65 @@
+#include "reports/evaluation.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/staged_directory.h"
+
+namespace daumier::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kKind = "report";
+constexpr const char* kMetricsFile = "metrics.json";
+constexpr const char* kPredictionsFile = "predictions.safetensors";
+
+void WriteSheetReport(const fs::path& folder, const ReportData& report, const Evaluation::Sheet& sheet) {
+  render::WriteImage(folder / "sheet.png", sheet.image);
+  WriteFileAtomically(folder / "index.html", PageHtml({.title = report.title,
+                                                       .summary = report.summary,
+                                                       .tables = report.tables,
+                                                       .figures = {{"Samples", "sheet.png", sheet.caption}},
+                                                       .facts = report.facts}));
+}
+
+}  // namespace
+
+void CheckReportDirectory(const fs::path& out) {
+  StagedDirectory(out, kKind);
+}
+
+void WriteEvaluation(const fs::path& out, const Evaluation& evaluation) {
+  DAUMIER_CHECK(evaluation.manifest.kind == kKind, "the manifest of an evaluation is of kind '{}', expected '{}'",
+                evaluation.manifest.kind, kKind);
+  StagedDirectory staged(out, kKind);
+  const fs::path& folder = staged.path();
+  if (evaluation.sheet) {
+    WriteSheetReport(folder, evaluation.report, *evaluation.sheet);
+  } else {
+    WriteReport(folder, evaluation.report);
+  }
+  WriteFileAtomically(folder / "table.md", TableMarkdown(TextTable(evaluation.table)));
+  WriteFileAtomically(folder / kMetricsFile, evaluation.metrics.dump(2) + "\n");
+  if (evaluation.predictions) WritePredictions(folder / kPredictionsFile, *evaluation.predictions);
+  Manifest manifest = evaluation.manifest;
+  for (const auto& file : fs::directory_iterator(folder))
+    manifest.checksums[file.path().filename().string()] = Sha256OfFile(file.path());
+  WriteManifest(folder, manifest);
+  staged.Commit();
+}
+
+Json ReadMetrics(const fs::path& report) {
+  const fs::path file = report / kMetricsFile;
+  try {
+    return Json::parse(ReadFile(file));
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{}: not JSON: {}", file.string(), error.what()));
+  }
+}
+
+std::optional<Predictions> ReadReportPredictions(const fs::path& report) {
+  const fs::path file = report / kPredictionsFile;
+  return fs::exists(file) ? std::optional(ReadPredictions(file)) : std::nullopt;
+}
+
+}  // namespace daumier::reports

@@ -1,0 +1,29 @@
+#pragma once
+#include "core/options.h"
+
+#include <string>
+
+namespace daumier::deform {
+
+struct DeformEvalOptions {
+  std::string split = "test";
+  std::string faces = {};
+  int max_faces = 128;
+  int adam_faces = 8;
+  int adam_steps = 1000;
+  bool baselines = true;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("split", split, Choices{{"test", "validation", "train"}}, "The side of the run's split that is measured.");
+    visit("faces", faces, Text{},
+          "Folder of other faces of the same topology, which the run was not trained on; all of them are measured.");
+    visit("max_faces", max_faces, Range{1, 1e6}, "So many faces of the side, evenly spread over it.");
+    visit("adam_faces", adam_faces, Range{0, 1e6},
+          "The codes of so many of these, the first ones, are also found as in the paper.");
+    visit("adam_steps", adam_steps, Range{1, 1e6}, "Steps of that.");
+    visit("baselines", baselines, Flag{}, "Also measure the training-free baselines.");
+  }
+};
+
+}  // namespace daumier::deform

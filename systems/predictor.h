@@ -1,0 +1,45 @@
+#pragma once
+#include "core/json.h"
+#include "core/task.h"
+#include "faces/face_model.h"
+#include "geometry/mesh.h"
+#include "render/drawing.h"
+#include "render/framing.h"
+#include "render/image.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace daumier::systems {
+
+/// What a person brings. A system takes one kind or several.
+using Input = std::variant<render::Drawing, render::Image, geometry::PolygonMesh>;
+
+/// A face found for an input.
+struct FaceResult {
+  std::shared_ptr<const faces::FaceTemplate> face_template;
+  geometry::Points vertices;                         ///< V x 3, cm.
+  Eigen::VectorXf identity = {}, expression = {}, code = {};  ///< Of the system's model; empty where it has none.
+  geometry::Points landmarks = {};                   ///< 68 x 3, cm, iBUG order; NaN where the template has none.
+  std::optional<render::Placement> frame = {};       ///< Of a drawing: p_canvas = scale * p_sheet + shift.
+  std::vector<render::Stroke> drawn = {}, curves = {};  ///< On the canvas: the drawing, and the face's feature curves.
+  std::vector<std::string> warnings = {};
+  Json record = Json::object();  ///< Numbers of the prediction, by system.
+};
+
+/// A trained run, ready to predict, in memory. The same object may be used by several threads.
+class Predictor {
+ public:
+  virtual ~Predictor() = default;
+  /// One face an input, in order. @throws Error if the system does not take an input's kind, or finds no face in it, with
+  /// its position in the list; Cancelled if the task is.
+  virtual std::vector<FaceResult> Predict(std::span<const Input> inputs, const Task& task = {}) const = 0;
+};
+
+}  // namespace daumier::systems

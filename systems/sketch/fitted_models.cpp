@@ -1,0 +1,28 @@
+#include "systems/sketch/fitted_models.h"
+
+namespace daumier::sketch {
+namespace {
+
+constexpr const char* kBilinear = "bilinear.safetensors";
+constexpr const char* kCurves = "curves.safetensors";
+constexpr const char* kBasis = "basis.safetensors";
+
+}  // namespace
+
+std::map<std::string, std::string> WriteFittedModels(const std::filesystem::path& directory,
+                                                     const FittedModels& models) {
+  std::map<std::string, std::string> checksums;
+  checksums[kBilinear] = faces::WriteBilinearModel(directory / kBilinear, models.bilinear);
+  checksums[kCurves] = faces::WriteBilinearModel(directory / kCurves, models.curves);
+  if (models.basis.size() > 0) checksums[kBasis] = faces::WriteFaceBasis(directory / kBasis, models.basis);
+  return checksums;
+}
+
+FittedModels ReadFittedModels(const std::filesystem::path& directory) {
+  FittedModels models{
+      faces::ReadBilinearModel(directory / kBilinear), faces::ReadBilinearModel(directory / kCurves), {}};
+  if (std::filesystem::exists(directory / kBasis)) models.basis = faces::ReadFaceBasis(directory / kBasis);
+  return models;
+}
+
+}  // namespace daumier::sketch

@@ -1,0 +1,24 @@
+#pragma once
+#include "faces/bilinear_model.h"
+#include "faces/face_basis.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace daumier::sketch {
+
+/// The models that a network answers and reads in, fitted on training faces.
+struct FittedModels {
+  faces::BilinearModel bilinear;  ///< Of faces: what u and v mean.
+  faces::BilinearModel curves;    ///< Of 2-D feature curves: what the shape-level numbers mean.
+  faces::FaceBasis basis;         ///< Of networks with a residual alone; else empty.
+};
+
+/// Files of the fitted models in a folder of a run, as names and checksums.
+std::map<std::string, std::string> WriteFittedModels(const std::filesystem::path& directory,
+                                                     const FittedModels& models);
+/// Undoes WriteFittedModels; the basis is empty where there is none. @throws Error naming file and cause.
+FittedModels ReadFittedModels(const std::filesystem::path& directory);
+
+}  // namespace daumier::sketch

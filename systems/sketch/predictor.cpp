@@ -1,0 +1,127 @@
+#include "systems/sketch/predictor.h"
+
+#include "core/error.h"
+#include "geometry/coordinates.h"
+#include "render/line_drawing.h"
+#include "systems/training_library.h"
+
+#include <limits>
+
+namespace daumier::sketch {
+namespace {
+
+using Strokes = std::vector<render::Stroke>;
+
+geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geometry::Points& vertices) {
+  const auto& landmarks = face_template.annotation.landmarks;
+  geometry::Points points(Eigen::Index(landmarks.size()), 3);
+  for (size_t i = 0; i < landmarks.size(); ++i) {
+    const Eigen::Index row(i), vertex = landmarks[i];
+    if (vertex >= 0 && vertex < vertices.rows()) {
+      points.row(row) = vertices.row(vertex);
+    } else {
+      points.row(row).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return points;
+}
+
+render::Drawing DrawingOf(const systems::Input& input) {
+  if (const auto* drawing = std::get_if<render::Drawing>(&input)) return *drawing;
+  if (const auto* image = std::get_if<render::Image>(&input)) return render::TraceLineDrawing(*image).drawing;
+  throw Error("a mesh is no input of a sketch run (expected a drawing or an image of one). Draw it first: daumier draw");
+}
+
+}  // namespace
+
+render::Placement SheetPlacement(const render::Drawing& drawing) {
+  const double side = std::max(drawing.width, drawing.height), scale = render::kSketchCanvas / side;
+  return {scale, 0.5 * scale * Eigen::Vector2d(side - drawing.width, side - drawing.height)};
+}
+
+SketchPredictor::SketchPredictor(SketchRunFolder run, std::shared_ptr<const runtime::NetworkRunner> network,
+                                 const PredictOptions& options)
+    : run_(std::move(run)),
+      options_(options),
+      face_template_(std::make_shared<const faces::FaceTemplate>(run_.face_template)),
+      network_(run_, std::move(network)),
+      refiner_(run_.models.bilinear, network_.curves(), options.refinement) {
+  if (options.deform) {
+    deformer_.emplace(run_.face_template.triangles, run_.face_template.num_vertices(), network_.curves(),
+                      options.deformation);
+  }
+}
+
+fitting::PredictedFace SketchPredictor::Refined(const fitting::PredictedFace& face, const Strokes& strokes) const {
+  return refiner_.Refine(face, strokes);
+}
+
+fitting::PredictedFace SketchPredictor::Deformed(fitting::PredictedFace face, const Strokes& strokes) const {
+  DAUMIER_CHECK(deformer_.has_value(), "the predictor was opened without deform=true");
+  face.vertices = deformer_->Deform(face.vertices, strokes);
+  return face;
+}
+
+std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const systems::Input> inputs,
+                                                          const Task& task) const {
+  std::vector<systems::FaceResult> results;
+  for (size_t i = 0; i < inputs.size(); ++i) {
+    task.ThrowIfCancelled("stopped after {} of {} drawings", i, inputs.size());
+    results.push_back(PredictOne(DrawingOf(inputs[i])));
+    task.Report(int64_t(i + 1), int64_t(inputs.size()), "drawings");
+  }
+  return results;
+}
+
+systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) const {
+  const bool fit = options_.framing == "fit";
+  const render::FramedDrawing framed =
+      fit ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
+  render::Placement placement = framed.placement;
+  if (fit) {
+    const fitting::CurvesOfSketches curves_of = [this](const std::vector<Strokes>& sketches) {
+      std::vector<Strokes> curves;
+      for (const fitting::PredictedFace& face : FromStrokes(sketches)) curves.push_back(CurvesOf(face));
+      return curves;
+    };
+    placement = fitting::FindFrame(framed, curves_of, options_.search).placement;
+  }
+  const Strokes before = render::Place(framed.strokes, framed.placement),
+                strokes = render::Place(framed.strokes, placement);
+  const std::vector<fitting::PredictedFace> faces = FromStrokes({before, strokes});
+  fitting::PredictedFace face = options_.refine ? Refined(faces[1], strokes) : faces[1];
+  if (options_.deform) face = Deformed(std::move(face), strokes);
+
+  systems::FaceResult result;
+  result.face_template = face_template_;
+  result.vertices = geometry::PointsFrom(face.vertices);
+  result.identity = face.u;
+  result.expression = face.v;
+  result.landmarks = LandmarksOf(*face_template_, result.vertices);
+  result.frame = placement;
+  result.drawn = strokes;
+  result.curves = CurvesOf(face);
+  const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
+    return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
+  };
+  const fitting::FrameSearchOptions& search = options_.search;
+  result.record = {
+      {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
+      {"two_way_distance_px",
+       {{"before", distance(before, faces[0])},
+        {"framed", distance(strokes, faces[1])},
+        {"after", distance(strokes, face)},
+        {"after_trimmed",
+         fitting::DistanceBetween(strokes, result.curves, search.drawn_trim, search.projected_trim).two_way()}}}};
+  return result;
+}
+
+std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::path& run, const Device& device,
+                                                        const Json& options) {
+  SketchRunFolder folder = ReadSketchRunFolder(run);
+  const auto parsed = ParseOptions<PredictOptions>(options, "options of predict");
+  return std::make_unique<SketchPredictor>(std::move(folder), systems::LoadTrainingLibrary().open_network(run, device),
+                                           parsed);
+}
+
+}  // namespace daumier::sketch

@@ -1,0 +1,49 @@
+#pragma once
+#include "runtime/network_runner.h"
+#include "systems/system.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// libdaumier_training.so: all that needs LibTorch. The program loads it for train, eval, ablate and export, and, until
+/// runtime/ runs exported graphs itself, for the networks of predictors.
+namespace daumier::systems {
+
+struct AblationRequest {
+  std::filesystem::path config, out;
+  std::vector<std::string> overrides, only;
+  Device device;
+  bool dry_run = false;
+};
+
+struct TrainingLibrary {
+  std::string version;  ///< Of the build; that of the program.
+  std::vector<SystemTraining> systems;
+  /// Threads of LibTorch; 0: all cores.
+  void (*set_up)(int threads);
+  /// {libtorch, device, threads, sgemm_gflops}
+  Json (*describe)();
+  /// The network of a finished run of any system. @throws Error as SystemTraining::describe_export.
+  std::unique_ptr<runtime::NetworkRunner> (*open_network)(const std::filesystem::path& run, const Device& device);
+  /// Writes an export of a finished run of any system and returns parity.json.
+  Json (*export_run)(const std::filesystem::path& run, const std::filesystem::path& out, const Task& task);
+  /// The config of the first row, as its file and the overrides give it: it names the system of all rows.
+  Json (*ablation_config)(const AblationRequest& request);
+  /// The plan of a dry run: [{row, split, seed, state}]; else the table.
+  Json (*ablate)(const AblationRequest& request, const System& system, const Task& task);
+
+  /// @throws Error naming the task and those that the library trains.
+  const SystemTraining& at(std::string_view name) const;
+};
+
+/// Loads the library once, from the program's folder or its ../lib, and sets its threads (NumThreads). @throws Error naming file, cause and repair if it is
+/// missing, does not load or is of another build.
+const TrainingLibrary& LoadTrainingLibrary();
+
+/// The symbol of the library: const TrainingLibrary* daumier_training_library().
+inline constexpr const char* kTrainingLibrarySymbol = "daumier_training_library";
+inline constexpr const char* kTrainingLibraryFile = "libdaumier_training.so";
+
+}  // namespace daumier::systems

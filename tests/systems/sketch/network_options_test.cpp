@@ -1,0 +1,25 @@
+#include "systems/sketch/network_options.h"
+
+#include "core/error.h"
+#include "tests/support/expect_error.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::sketch {
+namespace {
+
+TEST(RequireWholeBlocks, RefusesOtherWidthsAndNamesTheNearest) {
+  const auto require = [](const std::string& trunk, int width) {
+    RequireWholeBlocks({.trunk = trunk, .width = width});
+  };
+  EXPECT_NO_THROW(require("compact", 16));
+  EXPECT_NO_THROW(require("alexnet", 96));
+  testing::ExpectError([&] { require("compact", 12); }, "(expected a multiple of 8): set network.width=8 or 16");
+  testing::ExpectError([&] { require("residual", 4); }, "set network.width=8");
+  testing::ExpectError([&] { require("alexnet", 16); }, "(expected a multiple of 24): set network.width=24");
+  testing::ExpectError([&] { require("alexnet", 256); }, "set network.width=240");
+  EXPECT_THROW(require("compact", 255), UsageError);
+}
+
+}  // namespace
+}  // namespace daumier::sketch

@@ -1,0 +1,110 @@
+#include "systems/sketch/predictor.h"
+
+#include "core/files.h"
+#include "core/manifest.h"
+#include "geometry/obj.h"
+#include "export/torch_runner.h"
+#include "systems/predict_files.h"
+#include "systems/sketch/system.h"
+#include "systems/sketch/train/export.h"
+#include "systems/sketch/train/run.h"
+#include "render/draw.h"
+#include "render/read_drawing.h"
+#include "render/svg.h"
+#include "tests/fitting/drawn_circles.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/sketch_run_folder.h"
+#include "tests/support/temp_dir.h"
+
+namespace daumier::sketch {
+namespace {
+
+using render::Image;
+using testing::ExpectError;
+
+SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options = {}) {
+  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU),
+          options};
+}
+
+void PredictSketches(const std::filesystem::path& run, const std::vector<std::filesystem::path>& files,
+                     const std::filesystem::path& out, const PredictOptions& options = {}) {
+  PredictOptions all = options;
+  systems::PredictFiles(SketchSystem(), Open(run, options), run, files, out, ToJson(all));
+}
+
+TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  MakeDirectory(folder / "other");
+  for (const auto* name : {"face.png", "other/face.png"}) {
+    render::WriteImage(folder / name, render::RasteriseStrokes(fitting::Circles(), 240));
+  }
+  PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out",
+                  {.search = {.shares = {1.0}, .starts = 1, .halvings = 1}});
+  const Manifest manifest = ReadManifest(folder / "out", "predictions");
+  EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
+  EXPECT_EQ(manifest.checksums.size(), 6u);
+  EXPECT_EQ(ReadFile(folder / "out/face.obj"), ReadFile(folder / "out/face-2.obj"));
+  const Json record = manifest.details.at("drawings").at("face-2");
+  EXPECT_GT(record.at("frame").at("scale").get<double>(), 0);
+  EXPECT_EQ(record.at("frame").at("shift").size(), 2u);
+  const Json distance = record.at("two_way_distance_px");
+  EXPECT_LE(distance.at("after_trimmed").get<double>(), distance.at("after").get<double>());
+  for (const char* when : {"before", "framed"}) EXPECT_GT(distance.at(when).get<double>(), 0) << when;
+  const auto mesh = geometry::ReadObj(folder / "out/face.obj");
+  EXPECT_EQ(mesh.vertices.rows(), LoadSketchRun(folder / "run").face_template.num_vertices());
+  EXPECT_GT(render::ReadImage(folder / "out/face.png").width, 1000);
+}
+
+TEST(TrainedSketchPredictor, ReadsStrokesDirectly) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  WriteFileAtomically(folder / "two.ndjson",
+                      "{\"drawing\": [[[0, 90], [10, 200]], [[50, 60, 70], [5, 9, 5]]]}\n"
+                      "{\"drawing\": [[[0, 255], [0, 255]]]}\n");
+  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
+  PredictSketches(folder / "run", {folder / "two.ndjson", folder / "face.svg"}, folder / "out",
+                  {.framing = "keep"});
+  for (const char* name : {"two.obj", "two-2.obj", "face.obj"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / name));
+  const auto strokes = render::ReadSvg(folder / "out/face.svg").strokes;
+  ASSERT_EQ(strokes.size(), fitting::Circles().size());
+  EXPECT_EQ(strokes[2].points, fitting::Circles()[2].points) << "the canvas is kept as it is";
+}
+
+TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
+  PredictSketches(folder / "run", {folder / "face.svg"}, folder / "own", {.framing = "keep", .refine = false});
+  const Json details = ReadManifest(folder / "own", "predictions").details;
+  const Json distance = details.at("drawings").at("face").at("two_way_distance_px");
+  EXPECT_EQ(distance.at("before"), distance.at("after"));
+}
+
+TEST(TrainedSketchPredictor, ADeformedSurfaceIsNearerToTheDrawing) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
+  const auto after = [&](bool deform) {
+    const auto out = folder / (deform ? "deformed" : "refined");
+    PredictSketches(folder / "run", {folder / "face.svg"}, out, {.framing = "keep", .deform = deform});
+    const Manifest manifest = ReadManifest(out, "predictions");
+    EXPECT_EQ(manifest.config.at("deform"), deform);
+    return manifest.details.at("drawings").at("face").at("two_way_distance_px").at("after").get<double>();
+  };
+  EXPECT_LT(after(true), after(false));
+}
+
+TEST(TrainedSketchPredictor, NamesTheBadPictureAndWritesNothing) {
+  const testing::TempDir folder;
+  testing::WriteSketchRun(folder / "run");
+  render::WriteImage(folder / "blank.png", Image(30, 30, 1));
+  ExpectError([&] { PredictSketches(folder / "run", {folder / "blank.png"}, folder / "out"); }, "blank.png");
+  ExpectError([&] { PredictSketches(folder / "run", {folder / "none.png"}, folder / "out"); }, "none.png");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace daumier::sketch
