@@ -73,7 +73,8 @@ bool AblationRuns::Finished(const fs::path& run, const Json& config) const {
   without_paths.erase("data");
   for (const auto& [database, folder] : config.at("data").items())
     hashes[database] = DataHash(folder.get<std::string>());
-  train::OpenRunFolder(run, /*resume=*/true, without_paths, hashes);
+  const Json defaults = system_.system.resolve_config({{"data", config.at("data")}}, run.string());
+  train::OpenRunFolder(run, /*resume=*/true, without_paths, hashes, defaults);
   return ReadManifest(run, "run").counts.contains("best_epoch");
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "tensor/autocast.h"
+#include "tensor/torch_version.h"
 
 #include <torch/nn/modules/activation.h>
 #include <torch/nn/modules/batchnorm.h>
@@ -22,6 +23,11 @@ nn::Conv2dOptions Shape(int from, int to, int kernel, int stride, int padding, b
   return nn::Conv2dOptions(from, to, kernel).stride(stride).padding(padding).bias(bias);
 }
 
+/// No layer before it needs its own output for the gradient.
+nn::ReLU ReluInPlace() {
+  return nn::ReLU(nn::ReLUOptions(/*inplace=*/true));
+}
+
 /// A convolution; of one channel it is that of the sketch.
 void PushConvolution(nn::Sequential& layers, const nn::Conv2dOptions& shape) {
   if (shape.in_channels() == 1) {
@@ -34,11 +40,11 @@ void PushConvolution(nn::Sequential& layers, const nn::Conv2dOptions& shape) {
 void PushNormalised(nn::Sequential& layers, int from, int to, int kernel, int stride, int padding) {
   PushConvolution(layers, Shape(from, to, kernel, stride, padding));
   layers->push_back(nn::BatchNorm2d(to));
-  layers->push_back(nn::ReLU());
+  layers->push_back(ReluInPlace());
 }
 
 nn::Sequential Features(int from, int hidden) {
-  return nn::Sequential(nn::Flatten(), nn::Linear(from, hidden), nn::ReLU());
+  return nn::Sequential(nn::Flatten(), nn::Linear(from, hidden), ReluInPlace());
 }
 
 SketchTrunk Compact(const TrunkOptions& options) {
@@ -66,7 +72,7 @@ SketchTrunk AlexNet(const TrunkOptions& options) {
     const int to = std::max(1, layer.channels * options.width / kLayers[0].channels);
     PushConvolution(layers, Shape(from, to, layer.kernel, layer.stride, layer.padding, !options.batch_norm));
     if (options.batch_norm) layers->push_back(nn::BatchNorm2d(to));
-    layers->push_back(nn::ReLU());
+    layers->push_back(ReluInPlace());
     side = (side + 2 * layer.padding - layer.kernel) / layer.stride + 1;
     if (layer.pooled) {
       DAUMIER_CHECK(side >= 3, "network.resolution={} is too small for network.trunk=\"alexnet\": 64 is the least",
@@ -102,7 +108,7 @@ SketchTrunk Points(const TrunkOptions& options) {
     const int to = widening * options.width;
     layers->push_back(nn::Conv1d(nn::Conv1dOptions(from, to, 1).bias(false)));
     layers->push_back(nn::BatchNorm1d(to));
-    layers->push_back(nn::ReLU());
+    layers->push_back(ReluInPlace());
     from = to;
   }
   layers->push_back(Greatest());
@@ -123,6 +129,12 @@ torch::Tensor InPlainLayout(const torch::Tensor& sketches) {
   return sketches.squeeze(1).unsqueeze(1);
 }
 
+void StoreChannelsLast(nn::Module& module) {
+  const at::NoGradGuard no_grad;
+  for (torch::Tensor& parameter : module.parameters())
+    if (parameter.dim() == 4) parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
+}
+
 torch::Tensor SketchConvolutionImpl::forward(const torch::Tensor& sketches) {
   const bool reduced = tensor::Autocast::IsOn(sketches.device());
   const tensor::Autocast full(sketches.device(), false);
@@ -131,16 +143,16 @@ torch::Tensor SketchConvolutionImpl::forward(const torch::Tensor& sketches) {
 }
 
 ResidualBlockImpl::ResidualBlockImpl(int from, int to, int stride) {
-  residual_ =
-      register_module("residual", nn::Sequential(nn::Conv2d(Shape(from, to, 3, stride, 1)), nn::BatchNorm2d(to),
-                                                 nn::ReLU(), nn::Conv2d(Shape(to, to, 3, 1, 1)), nn::BatchNorm2d(to)));
+  residual_ = register_module(
+      "residual", nn::Sequential(nn::Conv2d(Shape(from, to, 3, stride, 1)), nn::BatchNorm2d(to), ReluInPlace(),
+                                 nn::Conv2d(Shape(to, to, 3, 1, 1)), nn::BatchNorm2d(to)));
   if (from != to || stride != 1)
     short_cut_ =
         register_module("short_cut", nn::Sequential(nn::Conv2d(Shape(from, to, 1, stride, 0)), nn::BatchNorm2d(to)));
 }
 
 torch::Tensor ResidualBlockImpl::forward(const torch::Tensor& input) {
-  return torch::relu(residual_->forward(input) + (short_cut_ ? short_cut_->forward(input) : input));
+  return residual_->forward(input).add_(short_cut_ ? short_cut_->forward(input) : input).relu_();
 }
 
 }  // namespace daumier::models

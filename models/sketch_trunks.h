@@ -43,6 +43,10 @@ SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size);
 /// the same bytes, and the mark decides in which of them LibTorch runs the convolutions.
 torch::Tensor InPlainLayout(const torch::Tensor& sketches);
 
+/// Stores the weights of a module's 2-D convolutions in the layout of channels-last convolutions, which otherwise copy
+/// them in every pass; the numbers are the same. These convolutions then compute channels-last whatever their input is.
+void StoreChannelsLast(torch::nn::Module& module);
+
 /// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
 /// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.
 class SketchConvolutionImpl : public torch::nn::Conv2dImpl {

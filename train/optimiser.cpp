@@ -4,6 +4,7 @@
 #include "tensor/shape.h"
 #include "tensor/torch_version.h"
 #include "train/adamw.h"
+#include "train/gradient_norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +49,10 @@ void Optimiser::ZeroGradients() {
 }
 
 torch::Tensor Optimiser::GradientNorm() const {
-  const at::NoGradGuard no_grad;
-  torch::Tensor sum = torch::zeros({}, slots_.front().parameter.options().dtype(torch::kFloat64));
+  std::vector<torch::Tensor> gradients;
   for (const Slot& slot : slots_)
-    if (slot.parameter.grad().defined()) sum += slot.parameter.grad().norm().to(torch::kFloat64).square();
-  return sum.sqrt();
+    if (slot.parameter.grad().defined()) gradients.push_back(slot.parameter.grad());
+  return train::GradientNorm(gradients);
 }
 
 void Optimiser::ClipGradients(const torch::Tensor& norm, double clip_norm) {

@@ -6,6 +6,9 @@
 #include <torch/nn/modules/conv.h>
 #include <torch/utils.h>
 
+#include <string>
+#include <vector>
+
 namespace daumier::models {
 namespace {
 
@@ -64,6 +67,30 @@ TEST(InPlainLayout, MarksTheSameMemoryAndTheConvolutionsKeepIt) {
     SketchTrunk trunk = MakeSketchTrunk({.kind = "residual", .resolution = 32, .width = 8}, 6);
     EXPECT_EQ(trunk.convolutions->forward(plain).suggest_memory_format(), torch::MemoryFormat::Contiguous);
     EXPECT_EQ(trunk.convolutions->forward(last).suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
+  }
+}
+
+TEST(StoreChannelsLast, ChangesNoNumberOfOutputsAndGradients) {
+  for (const char* kind : {"compact", "alexnet", "residual"}) {
+    const TrunkOptions options{.kind = kind, .resolution = 64, .width = kind == std::string("alexnet") ? 24 : 8};
+    std::vector<SketchTrunk> trunks;
+    std::vector<torch::Tensor> outputs;
+    for (int i = 0; i < 2; ++i) {
+      torch::manual_seed(5);
+      trunks.push_back(MakeSketchTrunk(options, 6));
+      if (i == 1) StoreChannelsLast(*trunks[1].convolutions);
+      torch::Tensor images = torch::rand({8, 1, 64, 64});
+      images = images.as_strided(images.sizes(), {64 * 64, 1, 64, 1});
+      outputs.push_back(trunks.back().convolutions->forward(images));
+      outputs.back().square().sum().backward();
+    }
+    EXPECT_TRUE(torch::equal(outputs[0], outputs[1])) << kind;
+    const auto plain = trunks[0].convolutions->parameters(), last = trunks[1].convolutions->parameters();
+    for (size_t k = 0; k < plain.size(); ++k) {
+      EXPECT_TRUE(torch::equal(plain[k], last[k])) << kind;
+      EXPECT_TRUE(torch::equal(plain[k].grad(), last[k].grad())) << kind << " " << k;
+      if (last[k].dim() == 4) EXPECT_TRUE(last[k].is_contiguous(torch::MemoryFormat::ChannelsLast));
+    }
   }
 }
 

@@ -71,6 +71,7 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
   const int shape_size = models.curves.num_identity + models.curves.num_expression;
   const bool early = options.shape_input == "early", late = options.shape_input == "late";
   trunk_ = models::MakeSketchTrunk(TrunkOf(options), shape_size);
+  if (options.has_whole_blocks()) models::StoreChannelsLast(*trunk_.convolutions);
   register_module("convolutions", trunk_.convolutions);
   register_module("features", trunk_.features);
 
