@@ -13,11 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Place = AblationRuns::Place;
-
 /// The rows `order`, seed by seed and split by split.
-std::vector<Place> Places(const Ablation& ablation, const std::vector<int>& order) {
-  std::vector<Place> places;
+std::vector<AblationRuns::Place> Places(const Ablation& ablation, const std::vector<int>& order) {
+  std::vector<AblationRuns::Place> places;
   for (const uint64_t seed : ablation.options.seeds)
     for (const std::string& split : ablation.options.splits)
       for (const int row : order) places.push_back({ablation.rows[size_t(row)], split, seed});
@@ -32,12 +30,13 @@ void ThrowIfCancelled(const Task& task, const fs::path& directory) {
 /// Failed rows, and the rows that need one.
 class Failures {
  public:
-  void Add(const Place& place, const std::string& why) {
+  void Add(const AblationRuns::Place& place, const std::string& why) {
     messages_.push_back(fmt::format("{}: {}", place.Describe(), why));
     failed_.insert({Where(place), place.row.name()});
   }
   /// The first row that `place` needs and that failed.
-  std::optional<std::string> NeededBy(const Place& place, const std::vector<std::string>& references) const {
+  std::optional<std::string> NeededBy(const AblationRuns::Place& place,
+                                      const std::vector<std::string>& references) const {
     for (const std::string& name : NeededRows(place.row, references))
       if (failed_.count({Where(place), name}) == 1) return name;
     return std::nullopt;
@@ -45,7 +44,9 @@ class Failures {
   const std::vector<std::string>& messages() const { return messages_; }
 
  private:
-  static std::string Where(const Place& place) { return fmt::format("{} seed {}", place.split, place.seed); }
+  static std::string Where(const AblationRuns::Place& place) {
+    return fmt::format("{} seed {}", place.split, place.seed);
+  }
 
   std::vector<std::string> messages_;
   std::set<std::pair<std::string, std::string>> failed_;  ///< Split and seed, row.
@@ -57,7 +58,7 @@ std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationS
                                        const fs::path& directory, const std::vector<std::string>& only) {
   const AblationRuns runs(ablation, system, directory);
   std::vector<AblationStep> steps;
-  for (const Place& place : Places(ablation, WorkingOrder(ablation, system.system.run_options, only)))
+  for (const AblationRuns::Place& place : Places(ablation, WorkingOrder(ablation, system.system.run_options, only)))
     steps.push_back({place.row.name(), place.split, place.seed, runs.State(place)});
   return steps;
 }
@@ -72,7 +73,7 @@ Json RunAblation(const Ablation& ablation, const AblationSystem& system, const f
   Failures failures;
   size_t number = 0;
   Json table;
-  for (const Place& place : Places(ablation, WorkingOrder(ablation, references, only))) {
+  for (const AblationRuns::Place& place : Places(ablation, WorkingOrder(ablation, references, only))) {
     ++number;
     if (runs.State(place) == RowState::kDone) continue;
     if (const auto needed = failures.NeededBy(place, references)) {

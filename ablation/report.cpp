@@ -16,20 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Place = AblationRuns::Place;
-
 /// The rows of one split and seed that are done, as the table shows them.
-std::vector<Place> DonePlaces(const Ablation& ablation, const AblationRuns& runs, const std::string& split,
-                              uint64_t seed) {
-  std::vector<Place> done;
+std::vector<AblationRuns::Place> DonePlaces(const Ablation& ablation, const AblationRuns& runs,
+                                            const std::string& split, uint64_t seed) {
+  std::vector<AblationRuns::Place> done;
   for (const AblationRow& row : ablation.rows)
-    if (const Place place{row, split, seed}; runs.State(place) == RowState::kDone) done.push_back(place);
+    if (const AblationRuns::Place place{row, split, seed}; runs.State(place) == RowState::kDone) done.push_back(place);
   return done;
 }
 
-void CheckSameTest(const std::vector<Place>& places, const AblationRuns& runs) {
+void CheckSameTest(const std::vector<AblationRuns::Place>& places, const AblationRuns& runs) {
   const std::string first = TestSetId(runs.Metrics(places.front()));
-  for (const Place& place : places) {
+  for (const AblationRuns::Place& place : places) {
     const std::string here = TestSetId(runs.Metrics(place));
     DAUMIER_CHECK(here == first, "{} and {} were measured on different test faces: {} and {}",
                   places.front().Describe(), place.Describe(), first, here);
@@ -44,7 +42,7 @@ std::vector<double> Minutes(const std::vector<double>& seconds) {
 
 /// curves.svg over steps and curves_by_time.svg over minutes: a panel a split with a curve a run, of validation and,
 /// if the system logs it, of training.
-bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, const AblationRuns& runs,
+bool WriteCurves(const std::vector<AblationRuns::Place>& trained, const Ablation& ablation, const AblationRuns& runs,
                  const systems::SystemTraining& training, const fs::path& directory) {
   std::vector<reports::CurvePanel> by_steps, by_time;
   bool any = false;
@@ -54,7 +52,7 @@ bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, co
       if (metric.empty()) continue;
       const std::string faces = phase == "train" ? ", training faces" : "";
       reports::CurvePanel steps{fmt::format("Split: {}{}", split, faces), {}}, time = steps;
-      for (const Place& place : trained) {
+      for (const AblationRuns::Place& place : trained) {
         if (place.split != split) continue;
         const RunCurve curve = ReadCurve(runs.Run(place), phase, metric);
         any = any || !curve.steps.empty();
@@ -77,17 +75,17 @@ bool WriteCurves(const std::vector<Place>& trained, const Ablation& ablation, co
 
 /// Adds validation_at_equal_time and equal_seconds to each result of a training: the least validation error within the
 /// time of the split's shortest one. A run without steps has no curve and sets no time.
-void CompareAtEqualTime(const std::vector<Place>& trained, const AblationRuns& runs, const std::string& metric,
-                        std::vector<AblationResult>& results) {
+void CompareAtEqualTime(const std::vector<AblationRuns::Place>& trained, const AblationRuns& runs,
+                        const std::string& metric, std::vector<AblationResult>& results) {
   std::map<std::string, double> shortest;
-  for (const Place& place : trained) {
+  for (const AblationRuns::Place& place : trained) {
     const RunCurve curve = ReadCurve(runs.Run(place), "validation", metric);
     if (curve.steps.empty() || curve.steps.back() == 0) continue;
     const auto [entry, is_new] = shortest.try_emplace(place.split, curve.seconds.back());
     entry->second = std::min(entry->second, curve.seconds.back());
   }
   for (AblationResult& result : results) {
-    const auto place = std::find_if(trained.begin(), trained.end(), [&](const Place& one) {
+    const auto place = std::find_if(trained.begin(), trained.end(), [&](const AblationRuns::Place& one) {
       return one.row.name() == result.name && one.split == result.split && one.seed == result.seed;
     });
     if (result.baseline || place == trained.end() || shortest.count(result.split) == 0) continue;
@@ -116,11 +114,11 @@ std::vector<reports::ChosenFace> FacesOfSheet(const std::vector<reports::Predict
   return reports::ChooseFaces(faces, errors);
 }
 
-void WriteSheet(const std::vector<Place>& places, const AblationRuns& runs, const fs::path& file) {
+void WriteSheet(const std::vector<AblationRuns::Place>& places, const AblationRuns& runs, const fs::path& file) {
   std::vector<std::string> names;
   std::vector<reports::Predictions> rows;
   std::optional<reports::MetricTable> first;
-  for (const Place& place : places) {
+  for (const AblationRuns::Place& place : places) {
     if (!runs.Result(place).measure.is_result) continue;
     std::optional<reports::Predictions> predictions = runs.Predictions(place);
     if (!predictions) continue;
@@ -163,20 +161,20 @@ std::string Page(const Json& table, const std::vector<reports::Metric>& columns,
 Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, const AblationSystem& system,
                          const fs::path& directory, bool with_sheet) {
   std::vector<AblationResult> results;
-  std::vector<Place> trained;
+  std::vector<AblationRuns::Place> trained;
   for (const std::string& split : ablation.options.splits) {
     for (const uint64_t seed : ablation.options.seeds) {
-      const std::vector<Place> places = DonePlaces(ablation, runs, split, seed);
+      const std::vector<AblationRuns::Place> places = DonePlaces(ablation, runs, split, seed);
       if (places.empty()) continue;
       if (ablation.options.evaluate) CheckSameTest(places, runs);
-      for (const Place& place : places)
+      for (const AblationRuns::Place& place : places)
         if (place.row.trains()) trained.push_back(place);
-      for (const Place& place : places) {
+      for (const AblationRuns::Place& place : places) {
         const std::vector<AblationResult> baselines = runs.Baselines(place);
         results.insert(results.end(), baselines.begin(), baselines.end());
         if (!baselines.empty()) break;  // They are the same for all rows.
       }
-      for (const Place& place : places) results.push_back(runs.Result(place));
+      for (const AblationRuns::Place& place : places) results.push_back(runs.Result(place));
     }
   }
   CompareAtEqualTime(trained, runs, std::string(system.training.validation_metric), results);

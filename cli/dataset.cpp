@@ -1,6 +1,7 @@
 #include "cli/verb.h"
 #include "core/files.h"
 #include "core/options.h"
+#include "core/process_task.h"
 #include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
 #include "datasets/build/points.h"
@@ -23,14 +24,15 @@ struct BuildArguments {
 /// A builder of datasets: a config of type Options becomes the folder --out.
 template <class Options>
 std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, const std::string& summary,
-                                 void (*build)(const Options&, const std::filesystem::path&)) {
+                                 void (*build)(const Options&, const std::filesystem::path&, const Task&)) {
   auto arguments = std::make_shared<BuildArguments>();
   CLI::App* command = parent.add_subcommand(name, summary);
   AddConfigArguments(*command, arguments->config);
   command->add_option("--out", arguments->out, "Folder to write; a build that was stopped goes on there")->required();
   command->footer("Options:\n" + HelpText<Options>());
   return [arguments, build] {
-    build(ParseOptions<Options>(arguments->config.Load(), arguments->config.file.string()), arguments->out);
+    build(ParseOptions<Options>(arguments->config.Load(), arguments->config.file.string()), arguments->out,
+          TaskOfProcess());
   };
 }
 

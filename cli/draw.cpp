@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct DrawArguments {
   fs::path mesh, out;
   double yaw = 0, pitch = 0, distance = 0;
   int size = 1024;
   ConfigArguments config;
 };
 
-void Draw(const Arguments& arguments) {
+void Draw(const DrawArguments& arguments) {
   const auto options = ParseOptions<render::ContourOptions>(arguments.config.Load(), "options of draw");
   const std::string suffix = arguments.out.extension().string();
   if (suffix != ".svg" && suffix != ".png")
@@ -43,7 +43,7 @@ void Draw(const Arguments& arguments) {
 
 Verb DrawVerb() {
   return {"draw", "A line drawing of a mesh: occluding and suggestive contours, borders", [](CLI::App& command) {
-            auto arguments = std::make_shared<Arguments>();
+            auto arguments = std::make_shared<DrawArguments>();
             command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, y up, facing +z")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");
             command.add_option("--out", arguments->out, "FILE.svg or FILE.png")->required();

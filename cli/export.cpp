@@ -1,6 +1,6 @@
+#include "cli/system_table.h"
 #include "cli/verb.h"
 #include "core/process_task.h"
-#include "core/run_manifest.h"
 #include "systems/training_library.h"
 
 #include <memory>
@@ -18,7 +18,7 @@ Verb ExportVerb() {
             command.add_option("--out", arguments->out, "Folder to write")->required();
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             return [arguments] {
-              ReadFinishedRun(arguments->run);  // What is no run is refused before the library is loaded.
+              SystemOfRun(arguments->run);  // What is no run of a known task is refused before the library is loaded.
               const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
               PrintResult(library.export_run(arguments->run, arguments->out, TaskOfProcess()), arguments->as_json);
             };

@@ -4,6 +4,8 @@
 #include "core/process_task.h"
 #include "systems/predict_files.h"
 
+#include <fmt/ranges.h>
+
 #include <memory>
 
 namespace daumier::cli {
@@ -29,11 +31,13 @@ void Predict(const PredictArguments& arguments) {
   if (arguments.no_refine) overrides.push_back("refine=false");
   if (arguments.deform) overrides.push_back("deform=true");
   const systems::System& system = SystemOfRun(arguments.run);
-  DAUMIER_CHECK(
-      system.open != nullptr,
-      "{}: a run of the task '{}' has no predictions (expected a run of a task that reads drawings or images). "
-      "Name a run of 'sketch'",
-      arguments.run.string(), system.name);
+  if (system.open == nullptr) {
+    std::vector<std::string_view> names;
+    for (const systems::System& other : Systems())
+      if (other.open != nullptr) names.push_back(other.name);
+    throw Error(fmt::format("{}: this is a run of the task '{}', which predicts nothing (expected a run of '{}')",
+                            arguments.run.string(), system.name, fmt::join(names, "' or '")));
+  }
   const Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
   const auto predictor = system.open(arguments.run, ParseDevice(arguments.device), options);
   systems::PredictFiles(system, *predictor, arguments.run, files, arguments.out, options, TaskOfProcess());

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/options.h"
+#include "core/process_task.h"
 #include "datasets/build/registered_faces.h"
 #include "datasets/gallery/registration_pictures.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RegisterArguments {
   datasets::MeshInputs inputs;
   ConfigArguments config;
   std::string template_name = "makehuman";
@@ -21,14 +22,14 @@ struct Arguments {
   bool write_meshes = false, write_pictures = true, as_json = false;
 };
 
-void Register(const Arguments& arguments) {
+void Register(const RegisterArguments& arguments) {
   Json config = arguments.config.Load();
   const bool is_folder = fs::is_directory(arguments.template_name);
   if (!is_folder) config["source"]["name"] = arguments.template_name;
   if (!arguments.licence.empty()) config["licence"] = arguments.licence;
   const auto options = ParseOptions<datasets::RegisterOptions>(config, arguments.config.file.string());
   const auto face_template = datasets::RegistrationTemplateOf(options, is_folder ? arguments.template_name : "");
-  datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out);
+  datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out, TaskOfProcess());
   const faces::FaceDatabase database(arguments.out);
   if (arguments.write_meshes) {
     MakeDirectory(arguments.out / "meshes");
@@ -46,7 +47,7 @@ void Register(const Arguments& arguments) {
 Verb RegisterVerb() {
   return {
       "register", "Bring a template onto head meshes with 68 landmarks: a database of faces", [](CLI::App& command) {
-        auto arguments = std::make_shared<Arguments>();
+        auto arguments = std::make_shared<RegisterArguments>();
         command.add_option("inputs", arguments->inputs.meshes, "OBJ or PLY meshes, or key=value options")->required();
         command
             .add_option("--landmarks", arguments->inputs.landmarks,

@@ -32,7 +32,12 @@ const systems::System& SystemOfConfig(const Json& config) {
 }
 
 const systems::System& SystemOfRun(const std::filesystem::path& run) {
-  return SystemNamed(SystemOf(ReadFinishedRun(run)));
+  const std::string name = SystemOf(ReadFinishedRun(run));
+  try {
+    return SystemNamed(name);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", run.string(), error.what()));
+  }
 }
 
 }  // namespace daumier::cli

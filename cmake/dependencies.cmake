@@ -80,6 +80,4 @@ add_library(cli_libraries INTERFACE)
 target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)
 
 find_package(GTest REQUIRED)
-if(DAUMIER_BENCH)
-  find_package(benchmark REQUIRED)
-endif()
+find_package(benchmark)

@@ -24,6 +24,9 @@ struct FeatureCurve {
 /// silhouette, brow, upper_eye, lower_eye, upper_mouth, lower_mouth, lips, ear, nose, side_silhouette, in this order.
 const std::vector<std::string>& CurveKinds();
 
+/// The chin among Annotation::landmarks.
+inline constexpr int kChinLandmark = 8;
+
 /// What is known about a topology. All indices are vertices of the FaceTemplate that holds the annotation.
 struct Annotation {
   /// The 68 landmarks of Multi-PIE / iBUG, 0-based: 8 is the chin, 36..41 and 42..47 the eyes, 48..67 the mouth.

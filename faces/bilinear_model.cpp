@@ -13,7 +13,7 @@
 namespace daumier::faces {
 namespace {
 
-using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using FaceRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr size_t kBlockBytes = 64 << 20;
 
@@ -36,7 +36,7 @@ class AdditiveFit {
   bool present(Eigen::Index i, Eigen::Index e) const { return present_(i, e) > 0; }
 
   /// Fills the rows (i * E + e) of `faces` that are not present.
-  void Impute(Rows& faces) const {
+  void Impute(FaceRows& faces) const {
     const Eigen::Index num_identities = present_.rows(), num_expressions = present_.cols();
     Eigen::MatrixXd identity_sums = Eigen::MatrixXd::Zero(num_identities, faces.cols());
     Eigen::MatrixXd expression_sums = Eigen::MatrixXd::Zero(num_expressions, faces.cols());
@@ -67,7 +67,7 @@ class AdditiveFit {
 /// components.
 struct Block {
   int begin = 0;
-  Rows faces;
+  FaceRows faces;
   Eigen::VectorXd mean;
 };
 
@@ -88,7 +88,7 @@ class BlockReader {
 
   Block Read(int block) const {
     const int begin = block * block_size_, size = std::min(block_size_, num_coordinates_ - begin);
-    Block result{begin, Rows(num_identities_ * num_expressions_, size), {}};
+    Block result{begin, FaceRows(num_identities_ * num_expressions_, size), {}};
     for (int i = 0; i < num_identities_; ++i) {
       for (int e = 0; e < num_expressions_; ++e) {
         if (!additive_.present(i, e)) continue;
@@ -149,7 +149,8 @@ struct GramSums {
   void Add(const Block& block) {
     const int num_identities = static_cast<int>(identity.rows()), num_expressions = static_cast<int>(expression.rows());
     const int size = static_cast<int>(block.faces.cols());
-    const Eigen::Map<const Rows> by_identity(block.faces.data(), num_identities, Eigen::Index(num_expressions) * size);
+    const Eigen::Map<const FaceRows> by_identity(block.faces.data(), num_identities,
+                                                 Eigen::Index(num_expressions) * size);
     constexpr Eigen::Index kChunk = 4096;  // Summed in float32; chunks are summed in double.
     Eigen::MatrixXf sum(num_identities, num_identities);
     for (Eigen::Index begin = 0; begin < by_identity.cols(); begin += kChunk) {
@@ -192,17 +193,17 @@ Eigen::MatrixXf Factors(Eigen::MatrixXd gram, const Eigen::VectorXd& dots, doubl
 }
 
 /// The columns of the core that belong to a block: U^T x V^T applied to its faces, Ku x (Kv * size).
-Rows CoreColumns(const Block& block, const Eigen::MatrixXf& u, const Eigen::MatrixXf& v) {
+FaceRows CoreColumns(const Block& block, const Eigen::MatrixXf& u, const Eigen::MatrixXf& v) {
   const Eigen::Index size = block.faces.cols(), num_expressions = v.rows(), kv = v.cols();
-  Rows by_expression(u.rows(), kv * size);
+  FaceRows by_expression(u.rows(), kv * size);
   for (Eigen::Index i = 0; i < u.rows(); ++i) {
-    Eigen::Map<Rows>(by_expression.row(i).data(), kv, size).noalias() =
+    Eigen::Map<FaceRows>(by_expression.row(i).data(), kv, size).noalias() =
         v.transpose() * block.faces.middleRows(i * num_expressions, num_expressions);
   }
-  Rows core = u.transpose() * by_expression;
+  FaceRows core = u.transpose() * by_expression;
   const Eigen::MatrixXf mean_weights = u.colwise().sum().transpose() * v.colwise().sum();
   for (Eigen::Index k = 0; k < u.cols(); ++k) {
-    Eigen::Map<Rows>(core.row(k).data(), kv, size) +=
+    Eigen::Map<FaceRows>(core.row(k).data(), kv, size) +=
         mean_weights.row(k).transpose() * block.mean.cast<float>().transpose();
   }
   return core;
@@ -238,7 +239,7 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
 
   struct Columns {
     int begin;
-    Rows core;
+    FaceRows core;
   };
   model.core.resize(options.num_identity * options.num_expression, num_coordinates);
   ForEachInOrder(
@@ -249,7 +250,7 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
       },
       [&](Columns part) {
         const Eigen::Index size = part.core.cols() / options.num_expression;
-        model.core.middleCols(part.begin, size) = Eigen::Map<const Rows>(part.core.data(), model.core.rows(), size);
+        model.core.middleCols(part.begin, size) = Eigen::Map<const FaceRows>(part.core.data(), model.core.rows(), size);
       });
   return model;
 }
@@ -266,10 +267,10 @@ Eigen::VectorXf Reconstruct(const BilinearModel& model, const Eigen::VectorXf& u
 }
 
 std::string WriteBilinearModel(const std::filesystem::path& file, const BilinearModel& model) {
-  const Rows identities = model.identity_factors, expressions = model.expression_factors;
+  const FaceRows identities = model.identity_factors, expressions = model.expression_factors;
   SafetensorsWriter writer;
   writer.SetMetadata("kind", "bilinear");
-  const auto add = [&writer](const std::string& name, const Rows& matrix) {
+  const auto add = [&writer](const std::string& name, const FaceRows& matrix) {
     writer.Add<float>(name, {matrix.rows(), matrix.cols()}, {matrix.data(), static_cast<size_t>(matrix.size())});
   };
   add("core", model.core);
@@ -284,7 +285,7 @@ BilinearModel ReadBilinearModel(const std::filesystem::path& file) {
     const ArrayView& array = arrays.at(name);
     DAUMIER_CHECK(array.shape.size() == 2, "{}: array {} has {} dimensions, expected 2", file.string(), name,
                   array.shape.size());
-    return Eigen::Map<const Rows>(array.As<float>().data(), array.shape[0], array.shape[1]);
+    return Eigen::Map<const FaceRows>(array.As<float>().data(), array.shape[0], array.shape[1]);
   };
   BilinearModel model;
   model.core = read("core");

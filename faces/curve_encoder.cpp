@@ -10,14 +10,14 @@
 namespace daumier::faces {
 namespace {
 
-using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using CurveRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Neighbouring points of a curve say about the same: where twice as many are there, some are left out.
 constexpr int kEnoughPoints = 150;
 
 /// argmin_x |W (A^T x - points)|^2 / deviation_px^2 + |(x - mean) / deviation|^2; rows of `basis` are those of A,
 /// already multiplied by the square roots W / deviation_px, as are the points.
-Eigen::VectorXf SolveWithPrior(const Rows& basis, const Eigen::VectorXf& points, const Eigen::VectorXf& mean,
+Eigen::VectorXf SolveWithPrior(const CurveRows& basis, const Eigen::VectorXf& points, const Eigen::VectorXf& mean,
                                const Eigen::VectorXf& deviation) {
   // A rank update stays on its thread, where Eigen would share out a product; every core encodes a sketch of its own.
   Eigen::MatrixXf gram = Eigen::MatrixXf::Zero(basis.rows(), basis.rows());
@@ -67,12 +67,12 @@ CurveCode CurveEncoder::Encode(std::span<const float> points, std::span<const fl
     scale[i] = std::sqrt(weights[coordinate / 2] * float(every)) / float(options_.deviation_px);
     target[i] = scale[i] * points[coordinate];
   }
-  const Rows core = model_->core(Eigen::all, kept).array().rowwise() * scale.transpose().array();
+  const CurveRows core = model_->core(Eigen::all, kept).array().rowwise() * scale.transpose().array();
 
   CurveCode code;
   code.u = start ? start->u : prior_.u_mean;
   code.v = start ? start->v : prior_.v_mean;
-  Rows basis;
+  CurveRows basis;
   for (int round = 0; round < options_.rounds; ++round) {
     basis.setZero(num_identity, core.cols());
     for (int k = 0; k < num_identity; ++k)

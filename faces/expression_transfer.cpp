@@ -6,10 +6,10 @@
 namespace daumier::faces {
 namespace {
 
-constexpr double kStillCm = 1e-3;
+constexpr double kPinnedCm = 1e-3;
 constexpr double kUnchanged = 1e-5;  // Of a deformation gradient: what a rounding of the source's files leaves.
 
-geometry::Points PoseOf(const FaceModel& model, const Expression& expression) {
+geometry::Points VerticesOf(const FaceModel& model, const Expression& expression) {
   const Eigen::VectorXf offset = ExpressionOffset(model, expression.weights);
   geometry::Points pose = model.face_template.neutral;
   Eigen::Map<Eigen::VectorXd>(pose.data(), pose.size()) += offset.cast<double>();
@@ -23,10 +23,10 @@ ExpressionTransfer::ExpressionTransfer(const FaceModel& model, const std::vector
   const geometry::TriangleMesh rest{model.face_template.neutral, triangles_};
   std::vector<geometry::Points> poses;
   for (const Expression& expression : expressions) {
-    poses.push_back(PoseOf(model, expression));
+    poses.push_back(VerticesOf(model, expression));
     gradients_.push_back(geometry::ComputeDeformationGradients(rest, poses.back(), kUnchanged));
   }
-  pinned_ = geometry::StillVertices(rest.vertices, poses, kStillCm);
+  pinned_ = geometry::StillVertices(rest.vertices, poses, kPinnedCm);
   if (!pinned_.empty()) return;
   linear_offsets_.resize(model.expression_shapes.rows(), expressions.size());
   for (size_t e = 0; e < expressions.size(); ++e)

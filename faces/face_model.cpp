@@ -11,8 +11,6 @@ namespace daumier::faces {
 
 namespace {
 
-constexpr int kChin = 8;
-
 void DrawControl(const IdentityControl& control, double sigma, Rng& rng, Eigen::VectorXf& weights) {
   switch (control.kind) {
     case IdentityControl::Kind::kGaussian:
@@ -46,7 +44,7 @@ geometry::TriangleMesh SurfaceMesh(const FaceTemplate& face_template, const geom
 
 double MillimetresPerCm(const FaceTemplate& face_template) {
   const double height = face_template.neutral(face_template.annotation.hairline_vertex, 1) -
-                        face_template.neutral(face_template.annotation.landmarks[kChin], 1);
+                        face_template.neutral(face_template.annotation.landmarks[kChinLandmark], 1);
   DAUMIER_CHECK(height > 0, "the hairline of {} is not above its chin", face_template.source);
   return 200.0 / height;
 }

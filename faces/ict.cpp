@@ -15,7 +15,7 @@ namespace daumier::faces {
 
 namespace {
 
-constexpr int kNumVertices = 26719, kNumHeadVertices = 11248, kNumHeadPolygons = 11144, kNumIdentities = 100;
+constexpr int kNumIctVertices = 26719, kNumHeadVertices = 11248, kNumHeadPolygons = 11144, kNumIdentities = 100;
 constexpr double kStillCm = 1e-4;  // a shape that moves no kept vertex farther than this is dropped
 
 /// "FaceXModel/identity007.obj" -> "identity007"; empty for files that are no mesh of the model.
@@ -28,11 +28,11 @@ std::string ShapeName(const std::string& path) {
 
 /// The head's vertices and polygons; the rest is bust, teeth, eyes and the like.
 geometry::PolygonMesh HeadOf(const geometry::PolygonMesh& mesh, const std::string& name) {
-  DAUMIER_CHECK(mesh.vertices.rows() == kNumVertices, "{} has {} vertices, ICT-FaceKit Light has {}", name,
-                mesh.vertices.rows(), kNumVertices);
+  DAUMIER_CHECK(mesh.vertices.rows() == kNumIctVertices, "{} has {} vertices, ICT-FaceKit Light has {}", name,
+                mesh.vertices.rows(), kNumIctVertices);
   std::vector<int> head(kNumHeadVertices);
   std::iota(head.begin(), head.end(), 0);
-  geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(head, kNumVertices));
+  geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(head, kNumIctVertices));
   DAUMIER_CHECK(result.num_polygons() == kNumHeadPolygons, "{}: the head has {} polygons, ICT-FaceKit Light's has {}",
                 name, result.num_polygons(), kNumHeadPolygons);
   return result;
@@ -52,7 +52,7 @@ IctMeshes ReadMeshes(const std::filesystem::path& folder_or_archive) {
         if (shape == "generic_neutral_mesh") {
           meshes.head = HeadOf(geometry::ParseObj(text, name), name);
         } else {
-          meshes.shapes[shape] = geometry::ParseObjVertices(text, name, kNumVertices).topRows(kNumHeadVertices);
+          meshes.shapes[shape] = geometry::ParseObjVertices(text, name, kNumIctVertices).topRows(kNumHeadVertices);
         }
       });
   DAUMIER_CHECK(meshes.head.has_value(), "{} holds no FaceXModel/generic_neutral_mesh.obj; is it ICT-FaceKit?",

@@ -17,22 +17,22 @@ namespace daumier::faces {
 
 namespace {
 
-constexpr int kNumVertices = 19158, kNumBodyVertices = 13380, kNumBodyPolygons = 13378;
+constexpr int kNumMeshVertices = 19158, kNumBodyVertices = 13380, kNumBodyPolygons = 13378;
 constexpr double kTargetUnit = 1e-3;  // of the package's 16-bit integers, in decimetres
 
 geometry::PolygonMesh BodyOf(const geometry::PolygonMesh& mesh, const std::string& name) {
-  DAUMIER_CHECK(mesh.vertices.rows() == kNumVertices, "{} has {} vertices, MakeHuman's base mesh has {}", name,
-                mesh.vertices.rows(), kNumVertices);
+  DAUMIER_CHECK(mesh.vertices.rows() == kNumMeshVertices, "{} has {} vertices, MakeHuman's base mesh has {}", name,
+                mesh.vertices.rows(), kNumMeshVertices);
   std::vector<int> body(kNumBodyVertices);
   std::iota(body.begin(), body.end(), 0);
-  geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(body, kNumVertices));
+  geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(body, kNumMeshVertices));
   DAUMIER_CHECK(result.num_polygons() == kNumBodyPolygons, "{}: the body has {} polygons, MakeHuman's has {}", name,
                 result.num_polygons(), kNumBodyPolygons);
   return result;
 }
 
 /// The first layer of UV of three.js JSON, flat; empty if there is none.
-geometry::TextureCoordinates ReadUv(const Json& json, const std::filesystem::path& file) {
+geometry::TextureCoordinates UvOfJson(const Json& json, const std::filesystem::path& file) {
   if (!json.contains("uvs") || json.at("uvs").empty()) return {};
   const auto values = json.at("uvs").at(0).get<std::vector<double>>();
   DAUMIER_CHECK(values.size() % 2 == 0, "{}: unexpected number of UV", file.string());
@@ -52,7 +52,7 @@ geometry::PolygonMesh ParseThreeJson(const std::filesystem::path& file) {
                   "{}: unexpected number of vertices or faces", file.string());
     geometry::PolygonMesh mesh;
     mesh.vertices = Eigen::Map<const geometry::Points>(coordinates.data(), coordinates.size() / 3, 3);
-    mesh.uv = ReadUv(json, file);
+    mesh.uv = UvOfJson(json, file);
     for (size_t face = 0; face < faces.size(); face += kRecord) {
       for (int corner = 1; corner <= 4; ++corner) {
         const int vertex = faces[face + corner];
@@ -107,7 +107,7 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
   std::sort(files.target_names.begin(), files.target_names.end());  // "a" before "a-b", though "a-b.x" before "a.x"
 
   const auto binary = std::make_shared<const MappedFile>(binary_file);
-  const size_t expected = paths.size() * kNumVertices * 3 * sizeof(int16_t);
+  const size_t expected = paths.size() * kNumMeshVertices * 3 * sizeof(int16_t);
   DAUMIER_CHECK(binary->bytes().size() == expected,
                 "{} has {} bytes, expected {}: it is truncated or of another version; install it again",
                 binary_file.string(), binary->bytes().size(), expected);
@@ -115,7 +115,7 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
     const auto found = rows.find(name);
     DAUMIER_CHECK(found != rows.end(), "MakeHuman has no target '{}'", name);
     std::vector<int16_t> numbers(3 * kNumBodyVertices);
-    const size_t row_bytes = sizeof(int16_t) * 3 * kNumVertices;
+    const size_t row_bytes = sizeof(int16_t) * 3 * kNumMeshVertices;
     std::memcpy(numbers.data(), binary->bytes().data() + found->second * row_bytes, sizeof(int16_t) * numbers.size());
     using Row = Eigen::Matrix<int16_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
     return geometry::Points(kTargetUnit * Eigen::Map<const Row>(numbers.data(), kNumBodyVertices, 3).cast<double>());
@@ -152,7 +152,7 @@ geometry::Points ParseTarget(const std::filesystem::path& file) {
       read(d.x());
       read(d.y());
       read(d.z());
-      DAUMIER_CHECK(vertex >= 0 && vertex < kNumVertices && d.allFinite(),
+      DAUMIER_CHECK(vertex >= 0 && vertex < kNumMeshVertices && d.allFinite(),
                     "{}:{}: vertex {} is out of range or moves nowhere finite", file.string(), line, vertex);
       if (vertex < kNumBodyVertices) displacement.row(vertex) = d.transpose();
     }

@@ -7,7 +7,6 @@
 namespace daumier::faces {
 namespace {
 
-constexpr int kChin = 8;
 // The template of [Jung et al. 2022] in its own units.
 constexpr double kHeadHeight = 2.1, kChinY = -0.71, kFrontZ = 0.63;
 
@@ -24,7 +23,7 @@ geometry::Points ModelFrame::ToCm(const geometry::Points& points) const {
 ModelFrame HeadFrame(const FaceTemplate& face_template, double head_height) {
   const geometry::Points& neutral = face_template.neutral;
   const Eigen::RowVector3d low = neutral.colwise().minCoeff(), high = neutral.colwise().maxCoeff();
-  const double chin = neutral(face_template.annotation.landmarks[kChin], 1);
+  const double chin = neutral(face_template.annotation.landmarks[kChinLandmark], 1);
   DAUMIER_CHECK(high.y() > chin, "the chin of {} is its highest vertex", face_template.source);
   DAUMIER_CHECK(head_height > 0, "a head that is {} units high", head_height);
   ModelFrame frame;

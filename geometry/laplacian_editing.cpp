@@ -13,7 +13,7 @@ namespace {
 
 /// The least pivot, as a share of the largest, of a system whose handles hold the mesh; without handles there are
 /// pivots of rounding size.
-constexpr double kLeastPivot = 1e-11;
+constexpr double kLeastHandlePivot = 1e-11;
 
 /// A vertex with fewer neighbours than this, on a border, turns and scales with two rings: a similarity of so few
 /// points could follow almost any move of theirs, and the border would be loose.
@@ -98,8 +98,8 @@ LaplacianEditor::LaplacianEditor(const TriangleMesh& mesh, const std::vector<int
   SparseMatrix system = detail.transpose() * detail;
   system += SparseMatrix(diagonal.asDiagonal());
   factor_ = std::make_unique<Eigen::SimplicialLDLT<SparseMatrix>>(system);
-  const bool is_regular =
-      factor_->info() == Eigen::Success && factor_->vectorD().minCoeff() > kLeastPivot * factor_->vectorD().maxCoeff();
+  const bool is_regular = factor_->info() == Eigen::Success &&
+                          factor_->vectorD().minCoeff() > kLeastHandlePivot * factor_->vectorD().maxCoeff();
   DAUMIER_CHECK(is_regular, "{} handles do not hold the mesh: each part of it needs three that are not in one line",
                 handles_.size());
 }

@@ -160,15 +160,15 @@ class PlyParser {
   template <class Use>
   void ForEachPolygon(const PlyElement& element, const Use& use) {
     const size_t index_list = IndexList(element);
-    auto uv_list = element.Find("texcoord");
-    if (uv_list && !element.properties[*uv_list].count_type) uv_list.reset();
+    const auto uv_property = element.Find("texcoord");
+    const bool has_uv = uv_property && element.properties[*uv_property].count_type;
     std::vector<double> indices, uv;
     for (uint64_t row = 0; row < element.count; ++row) {
       rows_.NextRow();
       for (size_t i = 0; i < element.properties.size(); ++i) {
         if (i == index_list) {
           rows_.ReadList(element.properties[i], indices);
-        } else if (i == uv_list) {
+        } else if (has_uv && i == *uv_property) {
           rows_.ReadList(element.properties[i], uv);
         } else {
           rows_.Skip(element.properties[i]);

@@ -7,7 +7,7 @@ namespace {
 
 /// The least pivot, as a share of the largest, of a matrix that is not singular. One fixed vertex on a mesh of 20,000
 /// vertices leaves pivots above 1e-4; a surface without any leaves one of rounding size.
-constexpr double kLeastPivot = 1e-11;
+constexpr double kLeastFreePivot = 1e-11;
 
 }  // namespace
 
@@ -45,8 +45,8 @@ PoissonSolver::PoissonSolver(const SparseMatrix& laplacian, const std::vector<in
   SparseMatrix free_from_free(num_free, num_free);
   free_from_free.setFromTriplets(free_block.begin(), free_block.end());
   factor_ = std::make_unique<Eigen::SimplicialLDLT<SparseMatrix>>(free_from_free);
-  const bool is_regular =
-      factor_->info() == Eigen::Success && factor_->vectorD().minCoeff() > kLeastPivot * factor_->vectorD().maxCoeff();
+  const bool is_regular = factor_->info() == Eigen::Success &&
+                          factor_->vectorD().minCoeff() > kLeastFreePivot * factor_->vectorD().maxCoeff();
   DAUMIER_CHECK(is_regular,
                 "the Poisson system of {} free vertices is singular: a part of the surface has no fixed vertex",
                 num_free);

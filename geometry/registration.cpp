@@ -16,7 +16,7 @@ namespace {
 /// What the trust in a match is multiplied by, at each iteration, at a corner of a flipped triangle and beside one.
 constexpr double kCornerTrust = 0.5, kNeighbourTrust = 0.8;
 /// The least pivot, as a share of the largest, of a system that is not singular.
-constexpr double kLeastPivot = 1e-12;
+constexpr double kLeastMatchPivot = 1e-12;
 
 /// From start (share 0) to end (share 1) in equal ratios.
 double Between(double start, double end, double share) {
@@ -56,8 +56,8 @@ class Solver {
     SparseMatrix system = stiffness * energy_.matrix();
     system.diagonal() += springs.weights;
     factor_.factorize(system);
-    const bool is_regular =
-        factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > kLeastPivot * factor_.vectorD().maxCoeff();
+    const bool is_regular = factor_.info() == Eigen::Success &&
+                            factor_.vectorD().minCoeff() > kLeastMatchPivot * factor_.vectorD().maxCoeff();
     DAUMIER_CHECK(is_regular, "the registration is singular: a part of the template has no landmark");
     const Points rhs = stiffness * energy_.Pull(now) + springs.pull;
     return factor_.solve(rhs);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTouch = 1e-12;
 
-Eigen::Matrix3d Corners(const TriangleMesh& mesh, int triangle) {
+Eigen::Matrix3d CornerPoints(const TriangleMesh& mesh, int triangle) {
   Eigen::Matrix3d corners;
   for (int k = 0; k < 3; ++k) corners.row(k) = mesh.vertices.row(mesh.triangles(triangle, k));
   return corners;
@@ -56,9 +56,9 @@ std::vector<TrianglePair> SelfIntersections(const TriangleMesh& mesh) {
   const TriangleTree tree(mesh);
   std::vector<TrianglePair> pairs;
   for (int f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Matrix3d corners = Corners(mesh, f);
+    const Eigen::Matrix3d corners = CornerPoints(mesh, f);
     for (const int g : tree.Overlapping(TriangleBox(mesh, f))) {
-      if (g > f && !ShareVertex(mesh.triangles, f, g) && TrianglesIntersect(corners, Corners(mesh, g)))
+      if (g > f && !ShareVertex(mesh.triangles, f, g) && TrianglesIntersect(corners, CornerPoints(mesh, g)))
         pairs.push_back({f, g});
     }
   }

@@ -12,7 +12,7 @@
 namespace daumier::geometry {
 namespace {
 
-std::span<const int> Corners(const PolygonMesh& mesh, int polygon) {
+std::span<const int> CornersOf(const PolygonMesh& mesh, int polygon) {
   return std::span(mesh.corners).subspan(mesh.offsets[polygon], mesh.offsets[polygon + 1] - mesh.offsets[polygon]);
 }
 
@@ -38,7 +38,7 @@ double CentreX(const Points& points, std::span<const int> corners) {
 std::map<std::vector<int>, int> PolygonsByCorners(const PolygonMesh& mesh) {
   std::map<std::vector<int>, int> polygons;
   for (int p = 0; p < mesh.num_polygons(); ++p) {
-    const auto corners = Corners(mesh, p);
+    const auto corners = CornersOf(mesh, p);
     std::vector<int> key(corners.begin(), corners.end());
     std::sort(key.begin(), key.end());
     polygons[key] = p;
@@ -53,14 +53,14 @@ std::vector<int> MirroredApexes(const PolygonMesh& mesh, const std::vector<int>&
   const auto polygons = PolygonsByCorners(mesh);
   std::vector<int> apexes(mesh.num_polygons());
   for (int p = 0; p < mesh.num_polygons(); ++p) {
-    const auto corners = Corners(mesh, p);
+    const auto corners = CornersOf(mesh, p);
     std::vector<int> image;
     for (const int v : corners) image.push_back(mirror[v]);
     std::sort(image.begin(), image.end());
     const auto found = polygons.find(image);
     DAUMIER_CHECK(found != polygons.end(), "polygon {} has no mirror image", p);
     const bool decides = found->second == p || CentreX(mesh.vertices, corners) > 0;
-    apexes[p] = decides ? Apex(mesh.vertices, corners) : mirror[Apex(mesh.vertices, Corners(mesh, found->second))];
+    apexes[p] = decides ? Apex(mesh.vertices, corners) : mirror[Apex(mesh.vertices, CornersOf(mesh, found->second))];
   }
   return apexes;
 }
@@ -69,14 +69,14 @@ std::vector<int> MirroredApexes(const PolygonMesh& mesh, const std::vector<int>&
 Triangles CornersOfTriangles(const PolygonMesh& mesh, const std::vector<int>& mirror) {
   std::vector<int> apexes(mesh.num_polygons());
   if (mirror.empty()) {
-    for (int p = 0; p < mesh.num_polygons(); ++p) apexes[p] = Apex(mesh.vertices, Corners(mesh, p));
+    for (int p = 0; p < mesh.num_polygons(); ++p) apexes[p] = Apex(mesh.vertices, CornersOf(mesh, p));
   } else {
     apexes = MirroredApexes(mesh, mirror);
   }
   Triangles triangles(static_cast<int>(mesh.corners.size()) - 2 * mesh.num_polygons(), 3);
   int row = 0;
   for (int p = 0; p < mesh.num_polygons(); ++p) {
-    const auto corners = Corners(mesh, p);
+    const auto corners = CornersOf(mesh, p);
     const int begin = mesh.offsets[p], n = static_cast<int>(corners.size());
     const int apex = static_cast<int>(std::find(corners.begin(), corners.end(), apexes[p]) - corners.begin());
     for (int k = 1; k + 1 < n; ++k) {

@@ -15,21 +15,21 @@ constexpr int kSmoothingPasses = 3;
 constexpr double kDepthToleranceInFeatures = 0.5;
 
 /// A visible piece of a chain: projected points and the greatest strength among them.
-struct Piece {
+struct VisiblePiece {
   std::vector<Eigen::RowVector3d> points;
   double strength = 0;
 };
 
-double LengthInPixels(const Piece& piece) {
+double LengthInPixels(const VisiblePiece& piece) {
   double length = 0;
   for (size_t i = 1; i < piece.points.size(); ++i) length += (piece.points[i] - piece.points[i - 1]).head<2>().norm();
   return length;
 }
 
 /// A step between two points is visible if its middle is.
-std::vector<Piece> VisiblePieces(const ContourChain& chain, const Visibility& visibility) {
+std::vector<VisiblePiece> VisiblePieces(const ContourChain& chain, const Visibility& visibility) {
   const geometry::Points projected = Project(visibility.camera(), chain.points);
-  std::vector<Piece> pieces;
+  std::vector<VisiblePiece> pieces;
   bool goes_on = false;
   for (Eigen::Index i = 1; i < projected.rows(); ++i) {
     if (!visibility.Sees(0.5 * (projected.row(i - 1) + projected.row(i)))) {
@@ -62,7 +62,7 @@ std::vector<Stroke> StrokesOf(const std::vector<ContourSegment>& segments, const
                               double min_strength, double min_length, int kind) {
   std::vector<Stroke> strokes;
   for (const ContourChain& chain : ChainContours(segments)) {
-    for (Piece& piece : VisiblePieces(chain, visibility)) {
+    for (VisiblePiece& piece : VisiblePieces(chain, visibility)) {
       if (piece.strength < min_strength || LengthInPixels(piece) < min_length) continue;
       strokes.push_back(SmoothStroke(std::move(piece.points), kind));
     }

@@ -24,7 +24,7 @@ struct TextLayout {
   int baseline;
 };
 
-TextLayout LayOut(const std::string& text, const TextStyle& style) {
+TextLayout LayOutText(const std::string& text, const TextStyle& style) {
   TextLayout layout{};
   // The font's capitals are 22 units high at scale 1; they take 0.55 of the line.
   layout.scale = 0.55 * style.height * kOversampling / 22.0;
@@ -43,7 +43,7 @@ uint8_t ChannelOf(const Rgb& colour, int channel, int num_channels) {
 }  // namespace
 
 double TextWidth(std::string_view text, const TextStyle& style) {
-  return text.empty() ? 0.0 : LayOut(std::string(text), style).size.width / static_cast<double>(kOversampling);
+  return text.empty() ? 0.0 : LayOutText(std::string(text), style).size.width / static_cast<double>(kOversampling);
 }
 
 TextStyle FittedTextStyle(std::string_view text, TextStyle style, double max_width) {
@@ -60,7 +60,7 @@ void DrawText(Image& image, std::string_view text, double x, double top, const T
   std::replace_if(
       ascii.begin(), ascii.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
 
-  const TextLayout layout = LayOut(ascii, style);
+  const TextLayout layout = LayOutText(ascii, style);
   const int margin = 2;
   const int mask_width = layout.size.width / kOversampling + 2 * margin + 1;
   const int mask_height = static_cast<int>(std::ceil(style.height)) + 2 * margin;

@@ -23,7 +23,7 @@ struct Sample {
 };
 
 /// The coordinate below which `share` of the length lies.
-double Quantile(std::vector<Sample> samples, double share) {
+double WeightedQuantile(std::vector<Sample> samples, double share) {
   std::sort(samples.begin(), samples.end(),
             [](const Sample& a, const Sample& b) { return a.coordinate < b.coordinate; });
   double total = 0.0, sum = 0.0;
@@ -62,7 +62,7 @@ AlignedBox2d CoreBox(const std::vector<Stroke>& strokes, double step) {
   AlignedBox2d box;
   if (samples[0].empty()) return box;
   for (const double share : {kShareOutside, 1.0 - kShareOutside}) {
-    box.extend(Vector2d(Quantile(samples[0], share), Quantile(samples[1], share)));
+    box.extend(Vector2d(WeightedQuantile(samples[0], share), WeightedQuantile(samples[1], share)));
   }
   return box;
 }

@@ -15,8 +15,8 @@ struct Grid {
   int total_width = 0, total_height = 0;
 };
 
-Grid LayOut(const std::vector<SheetCell>& cells, int columns, int caption_height, int first_left, int first_top,
-            int gap) {
+Grid LayOutGrid(const std::vector<SheetCell>& cells, int columns, int caption_height, int first_left, int first_top,
+                int gap) {
   const int rows = (static_cast<int>(cells.size()) + columns - 1) / columns;
   Grid grid;
   grid.width.assign(columns, 0);
@@ -64,8 +64,8 @@ Image MakeSheet(const std::vector<SheetCell>& cells, int columns, const SheetSty
   }
   const int heading_height = style.title.empty() ? 0 : lines(heading);
   const int column_title_height = style.column_titles.empty() ? 0 : lines(bold);
-  const Grid grid = LayOut(cells, columns, lines(plain), style.gap + row_title_width,
-                           style.gap + heading_height + column_title_height, style.gap);
+  const Grid grid = LayOutGrid(cells, columns, lines(plain), style.gap + row_title_width,
+                               style.gap + heading_height + column_title_height, style.gap);
 
   Image sheet(grid.total_height, grid.total_width, 3);
   FillRectangle(sheet, 0, 0, sheet.height, sheet.width, style.background);

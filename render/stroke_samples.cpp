@@ -8,13 +8,13 @@
 namespace daumier::render {
 namespace {
 
-struct Piece {
+struct StraightPiece {
   std::array<float, 2> from, to;
   double length;
 };
 
-std::vector<Piece> PiecesOf(const std::vector<Stroke>& strokes) {
-  std::vector<Piece> pieces;
+std::vector<StraightPiece> PiecesOf(const std::vector<Stroke>& strokes) {
+  std::vector<StraightPiece> pieces;
   for (const Stroke& stroke : strokes) {
     for (size_t i = 1; i < stroke.points.size(); ++i) {
       const auto& from = stroke.points[i - 1];
@@ -30,10 +30,10 @@ std::vector<Piece> PiecesOf(const std::vector<Stroke>& strokes) {
 
 std::vector<StrokeSample> SampleStrokes(const std::vector<Stroke>& strokes, int count) {
   DAUMIER_CHECK(count > 0, "{} points cannot be sampled on strokes", count);
-  const std::vector<Piece> pieces = PiecesOf(strokes);
+  const std::vector<StraightPiece> pieces = PiecesOf(strokes);
   DAUMIER_CHECK(!pieces.empty(), "there is no stroke to sample points on");
   double total = 0;
-  for (const Piece& piece : pieces) total += piece.length;
+  for (const StraightPiece& piece : pieces) total += piece.length;
 
   std::vector<StrokeSample> samples;
   size_t current = 0;

@@ -7,7 +7,7 @@
 namespace daumier::reports {
 namespace {
 
-constexpr const char* kStyle = R"(
+constexpr const char* kAxisStyle = R"(
 .paper { fill: #fff; } .grid { stroke: #e4e4e8; } .axis { stroke: #88888f; }
 text { fill: #45454c; font: 13px system-ui, sans-serif; }
 @media (prefers-color-scheme: dark) {
@@ -49,7 +49,7 @@ std::string ChartSvg(double width, double height, std::string_view title, std::s
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\">\n"
       "<title>{2}</title>\n<style>{3}{4}</style>\n<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{5}</svg>\n",
-      width, height, EscapeHtml(title), kStyle, style, content);
+      width, height, EscapeHtml(title), kAxisStyle, style, content);
 }
 
 }  // namespace daumier::reports

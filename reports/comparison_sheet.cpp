@@ -14,7 +14,7 @@
 namespace daumier::reports {
 namespace {
 
-constexpr double kMargin = 1.1;
+constexpr double kSheetMargin = 1.1;
 
 double RangeOf(const std::vector<ComparedFace>& faces, double range_mm) {
   if (range_mm > 0) return range_mm;
@@ -50,7 +50,7 @@ render::Image ComparisonSheet(const ReportSurface& surface, const std::vector<st
   const render::ValueRange range{0.0, RangeOf(faces, range_mm)};
   std::vector<geometry::Points> shown;
   for (const ComparedFace& face : faces) shown.push_back(face.truth);
-  const render::Frame frame = FrameOfFaces(shown, kMargin);
+  const render::Frame frame = FrameOfFaces(shown, kSheetMargin);
   const bool has_sketch =
       std::any_of(faces.begin(), faces.end(), [](const ComparedFace& face) { return face.sketch.height > 0; });
   const auto camera = render::FrontalCamera(frame.centre, frame.half_height, kCell);

@@ -14,7 +14,7 @@ namespace {
 
 // The chart's own pixels.
 constexpr double kMinWidth = 900.0, kPanelHeight = 300.0, kTop = 36.0, kGap = 84.0;
-constexpr double kLeft = 58.0, kRight = 620.0, kLegend = 644.0, kLegendLine = 19.0, kLetter = 7.5;
+constexpr double kCurvesLeft = 58.0, kCurvesRight = 620.0, kLegend = 644.0, kLegendLine = 19.0, kLetter = 7.5;
 /// How far the axis goes on above the largest of the least values.
 constexpr double kHeadroom = 1.6;
 
@@ -22,7 +22,7 @@ constexpr double kHeadroom = 1.6;
 constexpr std::array<const char*, 7> kColours = {"#4477aa", "#ee6677", "#228833", "#ccbb44",
                                                  "#66ccee", "#aa3377", "#888888"};
 
-constexpr const char* kStyle = R"(
+constexpr const char* kCurveStyle = R"(
 .curve { fill: none; stroke-width: 1.8; stroke-linejoin: round; } .title { font-weight: 600; }
 )";
 
@@ -117,20 +117,20 @@ std::string CurveChartSvg(const std::vector<CurvePanel>& panels, std::string_vie
   std::string svg;
   double top = kTop;
   for (size_t i = 0; i < panels.size(); ++i) {
-    const ChartPanel panel{kLeft, kRight, top, top + kPanelHeight, x_max > 0.0 ? x_max : 1.0, y_max};
-    svg += fmt::format("<text class=\"title\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kLeft, top - 14.0,
+    const ChartPanel panel{kCurvesLeft, kCurvesRight, top, top + kPanelHeight, x_max > 0.0 ? x_max : 1.0, y_max};
+    svg += fmt::format("<text class=\"title\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kCurvesLeft, top - 14.0,
                        EscapeHtml(panels[i].title));
     svg += panel.Axes(render::NiceTicks(0.0, y_max, 6), x_label, y_label) + panel.Baseline();
     svg += fmt::format(
         "<clipPath id=\"panel{0}\"><rect x=\"{1:.1f}\" y=\"{2:.1f}\" width=\"{3:.1f}\" "
         "height=\"{4:.1f}\"/></clipPath>\n"
         "<g clip-path=\"url(#panel{0})\">\n",
-        i, kLeft, top, kRight - kLeft + 4.0, kPanelHeight + 4.0);
+        i, kCurvesLeft, top, kCurvesRight - kCurvesLeft + 4.0, kPanelHeight + 4.0);
     for (const ChartCurve& curve : panels[i].curves) svg += CurveSvg(panel, curve, strokes.at(curve.name));
     svg += "</g>\n" + Legend(panels[i], top, strokes);
     top += kPanelHeight + kGap;
   }
-  return ChartSvg(Width(strokes), top - kGap + 50.0, title, kStyle, svg);
+  return ChartSvg(Width(strokes), top - kGap + 50.0, title, kCurveStyle, svg);
 }
 
 }  // namespace daumier::reports

@@ -5,7 +5,7 @@
 namespace daumier::reports {
 namespace {
 
-constexpr const char* kStyle = R"(
+constexpr const char* kPageStyle = R"(
 :root { color-scheme: light dark; --ink: #24242a; --soft: #66666e; --line: #dcdce0; --paper: #fff; --card: #f6f5f2; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e8e8ea; --soft: #a2a2aa; --line: #3a3a42; --paper: #17171a; --card: #212126; }
@@ -93,7 +93,7 @@ std::string PageHtml(const HtmlPage& page) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"summary\">{}</p>\n",
-      title, kStyle, title, EscapeHtml(page.summary));
+      title, kPageStyle, title, EscapeHtml(page.summary));
   for (const ReportTable& table : page.tables) html += TableHtml(table);
   for (const HtmlFigure& figure : page.figures) html += FigureHtml(figure);
   if (!page.facts.empty()) html += FactsHtml(page.facts);

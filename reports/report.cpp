@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kReportCell = 260;  // Pixels a side of a picture in the sheet.
 constexpr int kMeanCell = 360;    // The same in the picture of the mean error.
-constexpr double kMargin = 1.15;
+constexpr double kPageMargin = 1.15;
 
 /// Where the colours of the heat maps end.
 double ErrorRange(const ReportData& data) {
@@ -58,7 +58,7 @@ void CheckData(const ReportData& data) {
 class ReportPainter {
  public:
   explicit ReportPainter(const ReportData& data)
-      : data_(data), frame_(FrameOfFaces(TrueFaces(data), kMargin)), range_{0.0, ErrorRange(data)} {
+      : data_(data), frame_(FrameOfFaces(TrueFaces(data), kPageMargin)), range_{0.0, ErrorRange(data)} {
     has_sketch_ = std::any_of(data.samples.begin(), data.samples.end(),
                               [](const ReportSample& sample) { return sample.sketch.height > 0; });
   }

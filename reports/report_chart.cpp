@@ -11,9 +11,9 @@ namespace {
 
 // The chart's own pixels. Two panels above each other share the axis of errors.
 constexpr double kWidth = 480.0, kHeight = 420.0;
-constexpr double kLeft = 58.0, kRight = kWidth - 18.0;
+constexpr double kChartLeft = 58.0, kChartRight = kWidth - 18.0;
 
-constexpr const char* kStyle = R"(
+constexpr const char* kChartStyle = R"(
 .bar { fill: #31688e; } .line { fill: none; stroke: #31688e; stroke-width: 2; }
 @media (prefers-color-scheme: dark) { .bar { fill: #6aa9d0; } .line { stroke: #6aa9d0; } }
 )";
@@ -41,7 +41,7 @@ std::string Stairs(const ChartPanel& panel, std::vector<double> errors_mm) {
     const double percent = 100.0 * static_cast<double>(i + 1) / static_cast<double>(errors_mm.size());
     path += fmt::format("H{:.1f}V{:.1f}", column(i), panel.y(percent));
   }
-  return fmt::format("<path class=\"line\" d=\"{}H{:.1f}\"/>\n", path, kRight);
+  return fmt::format("<path class=\"line\" d=\"{}H{:.1f}\"/>\n", path, kChartRight);
 }
 
 }  // namespace
@@ -64,14 +64,14 @@ std::string ErrorCurveSvg(const std::vector<double>& errors_mm) {
   const ErrorHistogram histogram = MakeErrorHistogram(errors_mm);
   const double x_max = histogram.bin_width * static_cast<double>(histogram.counts.size());
   const int most = *std::max_element(histogram.counts.begin(), histogram.counts.end());
-  const ChartPanel bars{kLeft, kRight, 14.0, 164.0, x_max, static_cast<double>(most)};
-  const ChartPanel share{kLeft, kRight, 224.0, 374.0, x_max, 100.0};
+  const ChartPanel bars{kChartLeft, kChartRight, 14.0, 164.0, x_max, static_cast<double>(most)};
+  const ChartPanel share{kChartLeft, kChartRight, 224.0, 374.0, x_max, 100.0};
   std::string svg;
   svg += bars.Axes(render::NiceTicks(0.0, most, std::min(4, most)), "mean vertex error (mm)", "faces");
   svg += Bars(bars, histogram) + bars.Baseline();
   svg += share.Axes(render::NiceTicks(0.0, 100.0, 5), "mean vertex error (mm)", "share of faces (%)");
   svg += share.Baseline() + Stairs(share, errors_mm);
-  return ChartSvg(kWidth, kHeight, fmt::format("Errors of {} faces", errors_mm.size()), kStyle, svg);
+  return ChartSvg(kWidth, kHeight, fmt::format("Errors of {} faces", errors_mm.size()), kChartStyle, svg);
 }
 
 }  // namespace daumier::reports

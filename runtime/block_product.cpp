@@ -1,6 +1,6 @@
 #include "runtime/block_product.h"
 
-#define DAUMIER_INLINE inline __attribute__((always_inline))
+#include "core/kernels.h"
 
 namespace daumier::runtime {
 namespace {

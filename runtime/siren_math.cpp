@@ -1,13 +1,8 @@
 #include "runtime/siren_math.h"
 
-#include <cstring>
+#include "core/kernels.h"
 
-#if defined(__x86_64__)
-#define DAUMIER_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define DAUMIER_FOR_EACH_PROCESSOR
-#endif
-#define DAUMIER_INLINE inline __attribute__((always_inline))
+#include <cstring>
 
 namespace daumier::runtime {
 namespace {

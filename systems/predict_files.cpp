@@ -45,17 +45,18 @@ render::Image SheetOf(const FaceResult& face) {
   const render::RenderInput surface = reports::SurfaceOf(*face.face_template, face.vertices);
   const auto frame = render::FrameOf(face.vertices);
   std::vector<render::SheetCell> cells;
+  const auto add = [&](const char* caption, render::Image picture) { cells.push_back({std::move(picture), caption}); };
   if (!face.drawn.empty())
-    cells.push_back({render::DrawnWithCurves(face.drawn, face.curves, kPictureSide), "sketch, and the face's curves"});
-  cells.push_back({RenderMesh(surface, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)), "front"});
-  cells.push_back({RenderMesh(surface, render::SideCamera(frame.centre, frame.half_height, kPictureSide)), "side"});
+    add("sketch, and the face's curves", render::DrawnWithCurves(face.drawn, face.curves, kPictureSide));
+  add("front", RenderMesh(surface, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)));
+  add("side", RenderMesh(surface, render::SideCamera(frame.centre, frame.half_height, kPictureSide)));
   return render::MakeSheet(cells, int(cells.size()));
 }
 
 /// Writes the files of one result and returns their names.
 std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const FaceResult& face) {
   std::vector<std::string> written{name + ".obj", name + ".png"};
-  geometry::WriteObj(folder / written[0], {face.vertices, face.face_template->triangles});
+  geometry::WriteObj(folder / written[0], faces::SurfaceMesh(*face.face_template, face.vertices));
   render::WriteImage(folder / written[1], SheetOf(face));
   if (!face.drawn.empty()) {
     written.push_back(name + ".svg");

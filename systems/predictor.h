@@ -33,12 +33,16 @@ struct FaceResult {
   Json record = Json::object();  ///< Numbers of the prediction, by system.
 };
 
-/// A trained run, ready to predict, in memory. The same object may be used by several threads.
+/// A trained run, ready to predict, in memory. The same object may be used by several threads; its parts refer to each
+/// other, so that it is neither copied nor moved.
 class Predictor {
  public:
+  Predictor() = default;
+  Predictor(const Predictor&) = delete;
+  Predictor& operator=(const Predictor&) = delete;
   virtual ~Predictor() = default;
-  /// One face an input, in order. @throws Error if the system does not take an input's kind, or finds no face in it, with
-  /// its position in the list; Cancelled if the task is.
+  /// One face an input, in order. @throws Error if the system does not take an input's kind, or finds no face in it, of
+  /// several inputs with the position in the list ("input 2 of 5: ..."); Cancelled if the task is.
   virtual std::vector<FaceResult> Predict(std::span<const Input> inputs, const Task& task = {}) const = 0;
 };
 

@@ -22,4 +22,8 @@ void CheckShape(const torch::Tensor& tensor, at::IntArrayRef expected, std::stri
   DAUMIER_CHECK(equal, "{} has shape {}, expected {}", name, ShapeText(sizes), ShapeText(expected));
 }
 
+bool IsDenseFloat(const torch::Tensor& tensor) {
+  return tensor.is_cpu() && tensor.scalar_type() == torch::kFloat32 && tensor.is_non_overlapping_and_dense();
+}
+
 }  // namespace daumier::tensor

@@ -1,5 +1,6 @@
 #include "train/adamw.h"
 
+#include "tensor/shape.h"
 #include "tensor/torch_version.h"
 #include "train/adamw_kernel.h"
 
@@ -12,7 +13,7 @@ namespace daumier::train {
 namespace {
 
 /// What a processor's nearest cache holds four times.
-constexpr int64_t kPart = 8192;
+constexpr int64_t kPartSize = 8192;
 
 /// A part of one parameter, for one thread.
 struct Part {
@@ -21,14 +22,10 @@ struct Part {
   int64_t begin, end;
 };
 
-bool IsPlain(const torch::Tensor& tensor) {
-  return tensor.is_cpu() && tensor.scalar_type() == torch::kFloat32 && tensor.is_non_overlapping_and_dense();
-}
-
 bool HasKernel(const AdamWUpdate& update) {
   const auto strides = update.parameter.strides();
-  return HasAdamWKernel() && IsPlain(update.parameter) && IsPlain(update.mean) && IsPlain(update.square) &&
-         update.mean.strides() == strides && update.square.strides() == strides;
+  return HasAdamWKernel() && tensor::IsDenseFloat(update.parameter) && tensor::IsDenseFloat(update.mean) &&
+         tensor::IsDenseFloat(update.square) && update.mean.strides() == strides && update.square.strides() == strides;
 }
 
 }  // namespace
@@ -53,13 +50,14 @@ void UpdateAdamW(const std::vector<AdamWUpdate>& updates) {
       UpdateAdamWByTensors(update);
       continue;
     }
-    const bool is_alike = IsPlain(update.gradient) && update.gradient.strides() == update.parameter.strides();
+    const bool is_alike =
+        tensor::IsDenseFloat(update.gradient) && update.gradient.strides() == update.parameter.strides();
     gradients.push_back(is_alike ? update.gradient : torch::empty_like(update.parameter).copy_(update.gradient));
     const AdamWNumbers numbers{gradients.back().data_ptr<float>(), update.mean.data_ptr<float>(),
                                update.square.data_ptr<float>(), update.parameter.data_ptr<float>()};
     const int64_t count = update.parameter.numel();
-    for (int64_t begin = 0; begin < count; begin += kPart)
-      parts.push_back({&update.factors, numbers, begin, std::min(count, begin + kPart)});
+    for (int64_t begin = 0; begin < count; begin += kPartSize)
+      parts.push_back({&update.factors, numbers, begin, std::min(count, begin + kPartSize)});
   }
   at::parallel_for(0, int64_t(parts.size()), 1, [&](int64_t first, int64_t last) {
     for (int64_t i = first; i < last; ++i) {

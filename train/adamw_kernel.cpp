@@ -13,8 +13,8 @@ namespace daumier::train {
 namespace {
 
 /// The factors in the precision of the numbers.
-struct Floats {
-  explicit Floats(const AdamWFactors& f)
+struct KernelFactors {
+  explicit KernelFactors(const AdamWFactors& f)
       : beta1(float(f.beta1)),
         beta2(float(f.beta2)),
         rest1(float(1 - f.beta1)),
@@ -29,18 +29,17 @@ struct Floats {
 // LibTorch fuses the product with the sum for the mean and for the square of the gradient, and rounds all else one by one.
 // The last sum is written as a fused 1 * x + y, which rounds as x + y does and which no compiler fuses with the decay.
 
-__attribute__((target("avx512f"))) int64_t Avx512(const Floats& f, const AdamWNumbers& n, int64_t i, int64_t end) {
-  const auto all = [](float number) __attribute__((target("avx512f"))) {
-    return _mm512_set1_ps(number);
-  };
-  const __m512 beta1 = all(f.beta1), beta2 = all(f.beta2), rest1 = all(f.rest1), rest2 = all(f.rest2),
-               decay = all(f.decay), correction = all(f.root_correction), step = all(f.negative_step),
-               epsilon = all(1e-8f), one = all(1);
+__attribute__((target("avx512f"))) int64_t Avx512(const KernelFactors& f, const AdamWNumbers& n, int64_t i,
+                                                  int64_t end) {
+  const __m512 beta1 = _mm512_set1_ps(f.beta1), beta2 = _mm512_set1_ps(f.beta2), rest1 = _mm512_set1_ps(f.rest1),
+               rest2 = _mm512_set1_ps(f.rest2), decay = _mm512_set1_ps(f.decay),
+               correction = _mm512_set1_ps(f.root_correction), step = _mm512_set1_ps(f.negative_step),
+               epsilon = _mm512_set1_ps(1e-8f), one = _mm512_set1_ps(1);
   for (; i + 16 <= end; i += 16) {
     const __m512 g = _mm512_loadu_ps(n.gradient + i);
     const __m512 m = _mm512_fmadd_ps(g, rest1, _mm512_mul_ps(_mm512_loadu_ps(n.mean + i), beta1));
     const __m512 v = _mm512_fmadd_ps(_mm512_mul_ps(rest2, g), g, _mm512_mul_ps(_mm512_loadu_ps(n.square + i), beta2));
-    const __m512 denominator = _mm512_add_ps(_mm512_div_ps(_mm512_sqrt_ps(v), correction), epsilon);
+    const __m512 denominator = _mm512_add_ps(_mm512_div_ps(_mm512_maskz_sqrt_ps(0xffff, v), correction), epsilon);
     const __m512 p = _mm512_mul_ps(_mm512_loadu_ps(n.parameter + i), decay);
     _mm512_storeu_ps(n.mean + i, m);
     _mm512_storeu_ps(n.square + i, v);
@@ -49,13 +48,12 @@ __attribute__((target("avx512f"))) int64_t Avx512(const Floats& f, const AdamWNu
   return i;
 }
 
-__attribute__((target("avx2,fma"))) int64_t Avx2(const Floats& f, const AdamWNumbers& n, int64_t i, int64_t end) {
-  const auto all = [](float number) __attribute__((target("avx2,fma"))) {
-    return _mm256_set1_ps(number);
-  };
-  const __m256 beta1 = all(f.beta1), beta2 = all(f.beta2), rest1 = all(f.rest1), rest2 = all(f.rest2),
-               decay = all(f.decay), correction = all(f.root_correction), step = all(f.negative_step),
-               epsilon = all(1e-8f), one = all(1);
+__attribute__((target("avx2,fma"))) int64_t Avx2(const KernelFactors& f, const AdamWNumbers& n, int64_t i,
+                                                 int64_t end) {
+  const __m256 beta1 = _mm256_set1_ps(f.beta1), beta2 = _mm256_set1_ps(f.beta2), rest1 = _mm256_set1_ps(f.rest1),
+               rest2 = _mm256_set1_ps(f.rest2), decay = _mm256_set1_ps(f.decay),
+               correction = _mm256_set1_ps(f.root_correction), step = _mm256_set1_ps(f.negative_step),
+               epsilon = _mm256_set1_ps(1e-8f), one = _mm256_set1_ps(1);
   for (; i + 8 <= end; i += 8) {
     const __m256 g = _mm256_loadu_ps(n.gradient + i);
     const __m256 m = _mm256_fmadd_ps(g, rest1, _mm256_mul_ps(_mm256_loadu_ps(n.mean + i), beta1));
@@ -69,7 +67,7 @@ __attribute__((target("avx2,fma"))) int64_t Avx2(const Floats& f, const AdamWNum
   return i;
 }
 
-int64_t WholeRegisters(const Floats& f, const AdamWNumbers& n, int64_t begin, int64_t end) {
+int64_t WholeRegisters(const KernelFactors& f, const AdamWNumbers& n, int64_t begin, int64_t end) {
   static const bool has_avx512 = __builtin_cpu_supports("avx512f");
   return has_avx512 ? Avx512(f, n, begin, end) : Avx2(f, n, begin, end);
 }
@@ -82,7 +80,7 @@ bool HasAdamWKernel() {
 }
 
 void AdamWKernel(const AdamWFactors& factors, const AdamWNumbers& numbers, int64_t begin, int64_t end) {
-  const Floats floats(factors);
+  const KernelFactors floats(factors);
   const int64_t rest = WholeRegisters(floats, numbers, begin, end);
   if (rest == end) return;
   // The last ones in a register of their own.

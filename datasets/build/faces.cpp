@@ -51,7 +51,8 @@ void PlanInterpolation(const FacesOptions& options, const std::filesystem::path&
 
 }  // namespace
 
-void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, const std::filesystem::path& directory) {
+void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, const std::filesystem::path& directory,
+                const Task& task) {
   const std::vector<faces::Expression> expressions = ChosenExpressions(model, options.expressions);
   std::vector<std::string> names;
   for (const faces::Expression& expression : expressions) names.push_back(expression.name);
@@ -63,13 +64,14 @@ void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, cons
     return WritePersonShard(file, build.manifest, maker.Make(person));
   };
   if (options.num_interpolated > 0) PlanInterpolation(options, directory, build);
-  BuildShards(directory, build);
+  BuildShards(directory, build, task);
 }
 
-void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory) {
+void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory, const Task& task) {
   const auto source = faces::LoadSource(options.source);
-  if (const auto* given = std::get_if<faces::GivenFaces>(&source)) return BuildGivenFaces(*given, options, directory);
-  BuildFaces(std::get<faces::FaceModel>(source), options, directory);
+  if (const auto* given = std::get_if<faces::GivenFaces>(&source))
+    return BuildGivenFaces(*given, options, directory, task);
+  BuildFaces(std::get<faces::FaceModel>(source), options, directory, task);
 }
 
 }  // namespace daumier::datasets

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "core/task.h"
 #include "faces/exaggeration.h"
 #include "faces/face_model.h"
 #include "faces/part_exaggeration.h"
@@ -58,8 +59,9 @@ struct FacesOptions {
 /// same options ended.
 /// @throws Error as BuildShards; UsageError on an unknown expression, if neutral or gamma 0 is not first, or if there
 /// is nobody to interpolate with.
-void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory);
+void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory, const Task& task = {});
 /// The same from a model at hand; `options.source` is only recorded.
-void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, const std::filesystem::path& directory);
+void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, const std::filesystem::path& directory,
+                const Task& task = {});
 
 }  // namespace daumier::datasets

@@ -25,7 +25,7 @@ PersonArrays MakePerson(const faces::GivenFaces& given, const faces::FaceParts& 
 }  // namespace
 
 void BuildGivenFaces(const faces::GivenFaces& given, const FacesOptions& options,
-                     const std::filesystem::path& directory) {
+                     const std::filesystem::path& directory, const Task& task) {
   if (options.num_interpolated > 0) {
     throw UsageError(fmt::format("faces of source {} are taken as they are; num_interpolated has to be 0",
                                  given.face_template.source));
@@ -45,7 +45,7 @@ void BuildGivenFaces(const faces::GivenFaces& given, const FacesOptions& options
   build.write_shard = [&](int person, const std::filesystem::path& file) {
     return WritePersonShard(file, build.manifest, MakePerson(given, parts, person, chosen, options));
   };
-  BuildShards(directory, build);
+  BuildShards(directory, build, task);
 }
 
 }  // namespace daumier::datasets

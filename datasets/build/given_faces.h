@@ -15,6 +15,6 @@ namespace daumier::datasets {
 /// @throws Error as BuildShards and given.face, and naming the region that exaggeration lacks; UsageError on an unknown
 /// expression, if neutral or gamma 0 is not first, or if faces are to be interpolated.
 void BuildGivenFaces(const faces::GivenFaces& given, const FacesOptions& options,
-                     const std::filesystem::path& directory);
+                     const std::filesystem::path& directory, const Task& task = {});
 
 }  // namespace daumier::datasets

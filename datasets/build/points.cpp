@@ -54,7 +54,7 @@ std::string WriteAttributes(const std::filesystem::path& file, const AttributeTa
 
 }  // namespace
 
-void BuildPoints(const PointsOptions& options, const std::filesystem::path& directory) {
+void BuildPoints(const PointsOptions& options, const std::filesystem::path& directory, const Task& task) {
   const faces::FaceDatabase database(options.faces);
   const faces::FaceTemplate& face_template = database.face_template();
   const faces::ModelFrame frame = faces::HeadFrame(face_template, options.head_height);
@@ -93,7 +93,7 @@ void BuildPoints(const PointsOptions& options, const std::filesystem::path& dire
     checksums["attributes.safetensors"] = WriteAttributes(folder / "attributes.safetensors", FaceAttributes(database));
     return checksums;
   };
-  BuildShards(directory, build);
+  BuildShards(directory, build, task);
 }
 
 }  // namespace daumier::datasets

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "core/task.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,6 +34,6 @@ struct PointsOptions {
 /// - the attributes of all faces (FaceAttributes).
 /// Goes on where an earlier, stopped build of the same options ended. @throws Error as these, FaceDatabase and
 /// BuildShards.
-void BuildPoints(const PointsOptions& options, const std::filesystem::path& directory);
+void BuildPoints(const PointsOptions& options, const std::filesystem::path& directory, const Task& task = {});
 
 }  // namespace daumier::datasets

@@ -170,7 +170,7 @@ faces::FaceTemplate RegistrationTemplateOf(const RegisterOptions& options, const
 }
 
 void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
-                          const RegisterOptions& options, const fs::path& directory) {
+                          const RegisterOptions& options, const fs::path& directory, const Task& task) {
   if (inputs.meshes.empty()) throw UsageError("there is no mesh to register");
   const int num_meshes = static_cast<int>(inputs.meshes.size());
   std::vector<LandmarkedMesh> targets;
@@ -212,7 +212,7 @@ void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshIn
     const LandmarkedMesh& target = targets[person];
     return WriteShard(registrars.at(Present(target.landmarks)), face_template, target, file);
   };
-  BuildShards(directory, build);
+  BuildShards(directory, build, task);
   WriteQuality(directory, num_meshes);
 }
 

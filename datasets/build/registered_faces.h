@@ -1,6 +1,7 @@
 #pragma once
 #include "core/json.h"
 #include "core/options.h"
+#include "core/task.h"
 #include "datasets/build/landmark_file.h"
 #include "faces/face_model.h"
 #include "faces/source.h"
@@ -58,7 +59,8 @@ faces::FaceTemplate RegistrationTemplateOf(const RegisterOptions& options,
 /// inputs ended.
 /// @throws Error as ReadLandmarkedMesh, Registrar and BuildShards; UsageError if there is no mesh or two of a name.
 void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
-                          const RegisterOptions& options, const std::filesystem::path& directory);
+                          const RegisterOptions& options, const std::filesystem::path& directory,
+                          const Task& task = {});
 
 /// The row of quality.json of a person: `name`, `template_to_target_mm` and `target_to_template_mm` {mean, median,
 /// p95}, `landmarks_mm` (mean), `coverage`, `target_reached`, `flipped_face`, `flipped_matched`, `self_intersections`,

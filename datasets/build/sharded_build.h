@@ -1,6 +1,6 @@
 #pragma once
 #include "core/manifest.h"
-#include "core/process_task.h"
+#include "core/task.h"
 
 #include <filesystem>
 #include <functional>
@@ -31,6 +31,6 @@ struct ShardedBuild {
 /// @throws Error if the folder holds another build (saying what differs) or something else; Cancelled if the task is
 /// cancelled, saying how to resume; whatever the writers throw. What is finished stays. Reports units of all shards,
 /// those of an earlier build included.
-void BuildShards(const std::filesystem::path& directory, const ShardedBuild& build, const Task& task = TaskOfProcess());
+void BuildShards(const std::filesystem::path& directory, const ShardedBuild& build, const Task& task = {});
 
 }  // namespace daumier::datasets

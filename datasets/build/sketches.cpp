@@ -54,7 +54,7 @@ std::string WriteSketchShard(const std::filesystem::path& file, const SketchPlan
 
 }  // namespace
 
-void BuildSketches(const SketchesOptions& options, const std::filesystem::path& directory) {
+void BuildSketches(const SketchesOptions& options, const std::filesystem::path& directory, const Task& task) {
   const faces::FaceDatabase database(options.faces);
   const faces::FaceTemplate& face_template = database.face_template();
   const faces::View view = options.view == "side" ? faces::View::kSide : faces::View::kFrontal;
@@ -91,7 +91,7 @@ void BuildSketches(const SketchesOptions& options, const std::filesystem::path& 
     const int first = shard * per_shard;
     return WriteSketchShard(file, plan, first, std::min(per_shard, database.num_faces() - first));
   };
-  BuildShards(directory, build);
+  BuildShards(directory, build, task);
 }
 
 }  // namespace daumier::datasets

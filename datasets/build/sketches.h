@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "core/task.h"
 #include "datasets/build/sketch_lines.h"
 #include "datasets/build/sketch_views.h"
 
@@ -29,6 +30,6 @@ struct SketchesOptions {
 
 /// Writes a SketchDatabase of every face of a database. Goes on where an earlier, stopped build of the same options
 /// ended. @throws Error as faces::FaceDatabase, SketchCamera, SketchLines and BuildShards.
-void BuildSketches(const SketchesOptions& options, const std::filesystem::path& directory);
+void BuildSketches(const SketchesOptions& options, const std::filesystem::path& directory, const Task& task = {});
 
 }  // namespace daumier::datasets

@@ -81,7 +81,7 @@ void WriteRegisteredMeshes(const faces::FaceDatabase& database, const std::files
   const std::vector<std::string> names = MeshNames(database);
   for (int person = 0; person < database.num_persons(); ++person) {
     geometry::WriteObj(folder / (names[person] + ".obj"),
-                       {database.points(database.index({person, 0, 0})), database.face_template().triangles});
+                       faces::SurfaceMesh(database.face_template(), database.points(database.index({person, 0, 0}))));
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kNumPoses = 20;
-constexpr size_t kHeaderBytes = 12;
+constexpr size_t kShapeHeaderBytes = 12;
 constexpr int kMaxShapes = 1000;
 constexpr double kCmPerUnit = 10;
 
@@ -52,22 +52,22 @@ fs::path ShapeFileOf(const fs::path& tester) {
   return tester / "Blendshape/shape.bs";
 }
 
-fs::path PoseOf(const fs::path& tester, int pose) {
+fs::path PoseFile(const fs::path& tester, int pose) {
   return tester / fmt::format("TrainingPose/pose_{}.obj", pose);
 }
 
 }  // namespace
 
 int CountShapes(std::string_view bytes, int num_vertices, const std::string& name) {
-  DAUMIER_CHECK(bytes.size() >= kHeaderBytes, "{}: truncated: {} bytes", name, bytes.size());
+  DAUMIER_CHECK(bytes.size() >= kShapeHeaderBytes, "{}: truncated: {} bytes", name, bytes.size());
   int32_t header[3];
-  std::memcpy(header, bytes.data(), kHeaderBytes);
+  std::memcpy(header, bytes.data(), kShapeHeaderBytes);
   DAUMIER_CHECK(header[0] >= 1 && header[0] <= kMaxShapes && header[1] > 0,
                 "{}: its header tells {} shapes of {} vertices; it is no shape.bs", name, header[0], header[1]);
   DAUMIER_CHECK(header[1] == num_vertices, "{}: shapes of {} vertices, the template has {}", name, header[1],
                 num_vertices);
   const int num_shapes = header[0] + 1;
-  const size_t needed = kHeaderBytes + size_t(num_shapes) * num_vertices * 3 * sizeof(float);
+  const size_t needed = kShapeHeaderBytes + size_t(num_shapes) * num_vertices * 3 * sizeof(float);
   DAUMIER_CHECK(bytes.size() >= needed, "{}: truncated: {} bytes, {} shapes of {} vertices need {}", name, bytes.size(),
                 num_shapes, num_vertices, needed);
   return num_shapes;
@@ -78,7 +78,7 @@ geometry::Points ReadShape(std::string_view bytes, int shape, int num_vertices, 
   DAUMIER_CHECK(shape >= 0 && shape < num_shapes, "{}: shape {} of {}", name, shape, num_shapes);
   Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> points(num_vertices, 3);
   const size_t size = sizeof(float) * static_cast<size_t>(points.size());
-  std::memcpy(points.data(), bytes.data() + kHeaderBytes + shape * size, size);
+  std::memcpy(points.data(), bytes.data() + kShapeHeaderBytes + shape * size, size);
   DAUMIER_CHECK(points.allFinite(), "{}: a position of shape {} is not finite", name, shape);
   return points.cast<double>();
 }
@@ -118,7 +118,7 @@ GivenFaces LoadFaceWarehouse(const fs::path& folder, const fs::path& template_me
       const MappedFile file(ShapeFileOf(tester));
       return ReadShape(file.bytes(), expression, num_vertices, ShapeFileOf(tester).string());
     }
-    const fs::path path = PoseOf(tester, expression);
+    const fs::path path = PoseFile(tester, expression);
     const geometry::PolygonMesh pose = ReadMesh(path);
     CheckSameTopology(pose, *mesh, path.string());
     return pose.vertices;

@@ -13,7 +13,7 @@ namespace daumier::faces {
 
 namespace {
 
-constexpr size_t kHeaderBytes = 128, kTagBytes = 8;
+constexpr size_t kMatHeaderBytes = 128, kTagBytes = 8;
 constexpr uint32_t kMatrix = 14, kCompressed = 15;
 constexpr uint32_t kComplexFlag = 0x800;
 constexpr uint32_t kFirstNumericClass = 6, kLastNumericClass = 15;
@@ -125,11 +125,11 @@ NumberArrays ReadMatFile(const std::filesystem::path& path, const std::set<std::
   const std::string file = path.string();
   DAUMIER_CHECK(!bytes.starts_with("MATLAB 7.3"),
                 "{} is a MATLAB 7.3 file, which is not read; save it again in MATLAB with -v7", file);
-  DAUMIER_CHECK(bytes.size() >= kHeaderBytes && bytes.starts_with("MATLAB 5.0 MAT-file"),
+  DAUMIER_CHECK(bytes.size() >= kMatHeaderBytes && bytes.starts_with("MATLAB 5.0 MAT-file"),
                 "{} is no MATLAB 5 file (-v6 or -v7)", file);
   DAUMIER_CHECK(bytes.substr(126, 2) == "IM", "{} was written on a big-endian machine, which is not read", file);
   NumberArrays arrays;
-  ElementReader reader(bytes.substr(kHeaderBytes), file);
+  ElementReader reader(bytes.substr(kMatHeaderBytes), file);
   while (!reader.AtEnd()) {
     const Element element = reader.Next();
     if (element.type == kMatrix) ReadMatrix(element.data, wanted, file, arrays);

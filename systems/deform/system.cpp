@@ -1,5 +1,6 @@
 #include "systems/deform/system.h"
 
+#include "core/error.h"
 #include "core/training.h"
 #include "systems/deform/evaluation_options.h"
 #include "systems/deform/metrics.h"
@@ -20,7 +21,10 @@ systems::System DeformSystem() {
           },
       .resolve_evaluation =
           [](const Json& options, const std::string& where) {
-            return ToJson(ParseOptions<DeformEvalOptions>(options, where));
+            const auto parsed = ParseOptions<DeformEvalOptions>(options, where);
+            if (!parsed.faces.empty() && parsed.split != DeformEvalOptions().split)
+              throw UsageError(fmt::format("{}: faces excludes split (all of these faces are measured)", where));
+            return ToJson(parsed);
           },
       .read_metrics = ReadDeformMetrics,
       .summary_columns = DeformSummaryColumns,

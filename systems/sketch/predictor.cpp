@@ -68,7 +68,12 @@ std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const system
   std::vector<systems::FaceResult> results;
   for (size_t i = 0; i < inputs.size(); ++i) {
     task.ThrowIfCancelled("stopped after {} of {} drawings", i, inputs.size());
-    results.push_back(PredictOne(DrawingOf(inputs[i])));
+    try {
+      results.push_back(PredictOne(DrawingOf(inputs[i])));
+    } catch (const Error& error) {
+      if (inputs.size() == 1) throw;
+      throw Error(fmt::format("input {} of {}: {}", i + 1, inputs.size(), error.what()));
+    }
     task.Report(int64_t(i + 1), int64_t(inputs.size()), "drawings");
   }
   return results;

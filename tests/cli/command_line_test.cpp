@@ -1,6 +1,7 @@
 #include "core/files.h"
 #include "core/json.h"
 #include "core/manifest.h"
+#include "core/run_manifest.h"
 #include "geometry/obj.h"
 #include "tests/cli/pipeline.h"
 #include "tests/geometry/shapes.h"
@@ -16,6 +17,7 @@ namespace daumier::testing {
 
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(CommandLine, HelpNamesEveryVerb) {
@@ -90,34 +92,53 @@ TEST(CommandLine, AbsentInputFailsAndNamesIt) {
   }
 }
 
-TEST(CommandLine, EvalRefusesOptionsOfAnotherProduct) {
-  const TempDir folder;
+/// A run folder of a task, as far as verbs look before they open its network.
+std::filesystem::path WriteFinishedRun(const std::filesystem::path& run, const std::string& system) {
+  MakeDirectory(run / "best");
+  WriteFileAtomically(run / kBestFile, "weights");
   Manifest manifest;
   manifest.kind = "run";
   manifest.verb = "train";
-  WriteManifest(folder.path(), manifest);
-  const ProcessResult sketch = Daumier({"eval", folder.path(), "--max-faces", "3"});
-  EXPECT_EQ(sketch.exit_code, 2);
-  EXPECT_THAT(sketch.err, HasSubstr("--max-faces is no option of a run of kind 'sketch'"));
-  manifest.details["product"] = "deform";
-  WriteManifest(folder.path(), manifest);
-  const ProcessResult deform = Daumier({"eval", folder.path(), "--refine"});
-  EXPECT_EQ(deform.exit_code, 2);
-  EXPECT_THAT(deform.err, HasSubstr("--refine is no option of a run of kind 'deform'"));
+  manifest.details["system"] = system;
+  manifest.checksums[kBestFile] = Sha256OfFile(run / kBestFile);
+  WriteManifest(run, manifest);
+  return run;
 }
 
-TEST(CommandLine, EvalRefusesWhatOtherFacesDoNotUse) {
-  for (const std::vector<std::string>& of_own_faces : {std::vector<std::string>{"--split", "validation"},
-                                                       {"--recover-with", "run"},
-                                                       {"--refine"},
-                                                       {"--deform"},
-                                                       {"--fit"}}) {
-    std::vector<std::string> arguments{"eval", "run", "--faces", "others", "--sketches", "sketches"};
-    arguments.insert(arguments.end(), of_own_faces.begin(), of_own_faces.end());
+TEST(CommandLine, EvalRefusesOptionsOfAnotherTask) {
+  const TempDir folder;
+  const ProcessResult sketch = Daumier({"eval", WriteFinishedRun(folder / "a", "sketch"), "--max-faces", "3"});
+  EXPECT_EQ(sketch.exit_code, 2);
+  EXPECT_THAT(sketch.err, HasSubstr("eval of a run of the task 'sketch': unknown key 'max_faces'"));
+  const ProcessResult deform = Daumier({"eval", WriteFinishedRun(folder / "b", "deform"), "--refine"});
+  EXPECT_EQ(deform.exit_code, 2);
+  EXPECT_THAT(deform.err, HasSubstr("eval of a run of the task 'deform': unknown key 'refine'"));
+  const ProcessResult others = Daumier({"eval", folder / "a", "--faces", "b", "--sketches", "c", "--fit"});
+  EXPECT_EQ(others.exit_code, 2);
+  EXPECT_THAT(others.err, HasSubstr("faces excludes fit"));
+}
+
+TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
+  const TempDir folder;
+  const std::string deform = WriteFinishedRun(folder / "deform", "deform"),
+                    sketch = WriteFinishedRun(folder / "sketch", "sketch"),
+                    portrait = WriteFinishedRun(folder / "portrait", "portrait"), out = folder / "out";
+  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& found,
+                          const std::string& expected) {
     const ProcessResult result = Daumier(arguments);
-    EXPECT_EQ(result.exit_code, 2) << of_own_faces[0];
-    EXPECT_THAT(result.err, HasSubstr("--faces excludes " + of_own_faces[0]));
+    EXPECT_NE(result.exit_code, 0) << arguments[0];
+    EXPECT_THAT(result.err, AllOf(HasSubstr(found), HasSubstr(expected))) << arguments[0];
+    EXPECT_FALSE(std::filesystem::exists(out)) << arguments[0];
+  };
+  expect({"predict", deform, folder / "drawing.svg", "--out", out}, "task 'deform'", "'sketch'");
+  expect({"eval", sketch, "--recover-with", deform, "--out", out}, "task 'deform'", "'sketch'");
+  for (const char* verb : {"eval", "export", "predict"}) {
+    std::vector<std::string> arguments{verb, portrait, "--out", out};
+    if (verb == std::string("predict")) arguments.push_back(folder / "drawing.svg");
+    expect(arguments, "'portrait'", "expected sketch, deform");
   }
+  WriteFileAtomically(folder / "portrait.toml", "system = \"portrait\"\n");
+  expect({"train", folder / "portrait.toml", "--out", out}, "'portrait'", "expected sketch, deform");
 }
 
 /// Content of every file below a folder, by name.

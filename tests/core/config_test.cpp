@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TempDir;
 
-std::string FailureOf(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}) {
+std::string LoadFailure(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}) {
   try {
     LoadConfig(path, overrides);
   } catch (const UsageError& error) {
@@ -61,43 +61,43 @@ TEST(Config, OverrideValuesAreTomlElseText) {
 }
 
 TEST(Config, BadOverridesAreNamed) {
-  EXPECT_EQ(FailureOf("", {"word"}), "override 'word' is not of the form key=value");
-  EXPECT_EQ(FailureOf("", {"=1"}), "override '=1': '' is no key");
-  EXPECT_EQ(FailureOf("", {"a..b=1"}), "override 'a..b=1': '' is no key");
-  EXPECT_EQ(FailureOf("", {"a=1", "a.b=2"}), "override 'a.b=2': 'a' is no table");
-  EXPECT_THAT(FailureOf("", {"a=[1, 2"}), HasSubstr("override 'a=[1, 2': "));
+  EXPECT_EQ(LoadFailure("", {"word"}), "override 'word' is not of the form key=value");
+  EXPECT_EQ(LoadFailure("", {"=1"}), "override '=1': '' is no key");
+  EXPECT_EQ(LoadFailure("", {"a..b=1"}), "override 'a..b=1': '' is no key");
+  EXPECT_EQ(LoadFailure("", {"a=1", "a.b=2"}), "override 'a.b=2': 'a' is no table");
+  EXPECT_THAT(LoadFailure("", {"a=[1, 2"}), HasSubstr("override 'a=[1, 2': "));
 }
 
 TEST(Config, MissingFileIsNamed) {
   const TempDir dir;
-  EXPECT_EQ(FailureOf(dir / "absent.toml"),
+  EXPECT_EQ(LoadFailure(dir / "absent.toml"),
             "cannot read " + (dir / "absent.toml").string() + ": No such file or directory");
 }
 
 TEST(Config, SyntaxErrorsTellFileLineAndCause) {
   const TempDir dir;
   WriteFileAtomically(dir / "a.toml", "a = 1\nb = = 2\n");
-  EXPECT_THAT(FailureOf(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: "));
+  EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: "));
   WriteFileAtomically(dir / "a.toml", "a = 1\n\na = 2\n");
-  EXPECT_THAT(FailureOf(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":3: "));
+  EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":3: "));
   WriteFileAtomically(dir / "a.toml", "\nwhen = 2026-01-02\n");
-  EXPECT_THAT(FailureOf(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: dates and times are not used"));
+  EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: dates and times are not used"));
 }
 
 TEST(Config, BadParentsTellFileAndLine) {
   const TempDir dir;
   const std::string path = (dir / "a.toml").string();
   WriteFileAtomically(path, "x = 1\nparent = 'absent.toml'\n");
-  EXPECT_EQ(FailureOf(path), path + ":2: parent " + (dir / "absent.toml").string() + " does not exist");
+  EXPECT_EQ(LoadFailure(path), path + ":2: parent " + (dir / "absent.toml").string() + " does not exist");
   WriteFileAtomically(path, "parent = 3\n");
-  EXPECT_EQ(FailureOf(path), path + ":1: 'parent' has to be a file name in quotes");
+  EXPECT_EQ(LoadFailure(path), path + ":1: 'parent' has to be a file name in quotes");
 }
 
 TEST(Config, CyclicParentsAreRefused) {
   const TempDir dir;
   WriteFileAtomically(dir / "a.toml", "parent = 'b.toml'\n");
   WriteFileAtomically(dir / "b.toml", "parent = './a.toml'\n");
-  EXPECT_THAT(FailureOf(dir / "a.toml"), HasSubstr("is its own parent"));
+  EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr("is its own parent"));
 }
 
 TEST(Config, SurvivesTruncationAndFlippedBytes) {

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::TempDir;
 
-std::string FailureOf(const auto& call) {
+std::string FailureOfCall(const auto& call) {
   try {
     call();
   } catch (const Error& error) {
@@ -49,9 +49,9 @@ TEST(Files, ReadOfManyPiecesIsWhole) {
 TEST(Files, ReadNamesFileAndCause) {
   const TempDir dir;
   const std::string path = (dir / "absent").string();
-  EXPECT_EQ(FailureOf([&] { ReadFile(path); }), "cannot read " + path + ": No such file or directory");
-  EXPECT_EQ(FailureOf([&] { Sha256OfFile(path); }), "cannot read " + path + ": No such file or directory");
-  EXPECT_EQ(FailureOf([&] { ReadFile(dir.path()); }), "cannot read " + dir.path().string() + ": not a file");
+  EXPECT_EQ(FailureOfCall([&] { ReadFile(path); }), "cannot read " + path + ": No such file or directory");
+  EXPECT_EQ(FailureOfCall([&] { Sha256OfFile(path); }), "cannot read " + path + ": No such file or directory");
+  EXPECT_EQ(FailureOfCall([&] { ReadFile(dir.path()); }), "cannot read " + dir.path().string() + ": not a file");
 }
 
 TEST(Files, WriteReplacesTheOldFileAndLeavesNothingElse) {
@@ -73,7 +73,8 @@ TEST(Files, OpenReaderKeepsTheOldFile) {
 TEST(Files, WriteIntoAnAbsentFolderNamesFileAndCause) {
   const TempDir dir;
   const std::string path = (dir / "absent/file").string();
-  EXPECT_EQ(FailureOf([&] { WriteFileAtomically(path, "x"); }), "cannot write " + path + ": No such file or directory");
+  EXPECT_EQ(FailureOfCall([&] { WriteFileAtomically(path, "x"); }),
+            "cannot write " + path + ": No such file or directory");
 }
 
 TEST(Files, WriteOntoAFolderLeavesNothingBehind) {
@@ -88,7 +89,7 @@ TEST(Files, FullDiskIsToldAndLeavesTheOldFile) {
   const TempDir dir;
   WriteFileAtomically(dir / "file", "old");
   fs::create_symlink("/dev/full", dir / "file.tmp");
-  const std::string message = FailureOf([&] { WriteFileAtomically(dir / "file", "new"); });
+  const std::string message = FailureOfCall([&] { WriteFileAtomically(dir / "file", "new"); });
   EXPECT_EQ(message, "cannot write " + (dir / "file").string() +
                          ": no space left on the disk; free some or choose another folder");
   EXPECT_EQ(ReadFile(dir / "file"), "old");
@@ -99,7 +100,7 @@ TEST(Files, FullTmpfsIsToldAndLeavesTheOldFile) {
   const TempDir dir;
   if (mount("tmpfs", dir.path().c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "mounting a tmpfs needs root";
   WriteFileAtomically(dir / "file", "old");
-  const std::string message = FailureOf([&] { WriteFileAtomically(dir / "file", std::string(200'000, 'x')); });
+  const std::string message = FailureOfCall([&] { WriteFileAtomically(dir / "file", std::string(200'000, 'x')); });
   const size_t num_entries = NumEntries(dir.path());
   const std::string content = ReadFile(dir / "file");
   umount(dir.path().c_str());
@@ -124,8 +125,8 @@ TEST(Files, MakeDirectoryMakesParentsAndMayRepeat) {
 TEST(Files, MakeDirectoryNamesPathAndCause) {
   const TempDir dir;
   WriteFileAtomically(dir / "file", "x");
-  EXPECT_THAT(FailureOf([&] { MakeDirectory(dir / "file"); }), ::testing::HasSubstr((dir / "file").string()));
-  EXPECT_EQ(FailureOf([&] { MakeDirectory(dir / "file/sub"); }),
+  EXPECT_THAT(FailureOfCall([&] { MakeDirectory(dir / "file"); }), ::testing::HasSubstr((dir / "file").string()));
+  EXPECT_EQ(FailureOfCall([&] { MakeDirectory(dir / "file/sub"); }),
             "cannot create folder " + (dir / "file/sub").string() + ": Not a directory");
 }
 

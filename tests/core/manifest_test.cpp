@@ -28,7 +28,7 @@ Manifest Example() {
   return manifest;
 }
 
-std::string FailureOf(const std::filesystem::path& directory, const std::string& kind = "") {
+std::string ReadFailure(const std::filesystem::path& directory, const std::string& kind = "") {
   try {
     ReadManifest(directory, kind);
   } catch (const Error& error) {
@@ -70,32 +70,32 @@ TEST(Manifest, EqualWorkGivesEqualBytes) {
 
 TEST(Manifest, MissingFileIsNamed) {
   const TempDir dir;
-  EXPECT_THAT(FailureOf(dir.path()), HasSubstr("No such file"));
+  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("No such file"));
 }
 
 TEST(Manifest, AnotherKindIsRefused) {
   const TempDir dir;
   WriteManifest(dir.path(), Example());
-  EXPECT_THAT(FailureOf(dir.path(), "sketches"), HasSubstr("this is a folder of faces, expected one of sketches"));
-  EXPECT_EQ(FailureOf(dir.path(), ""), "no error");
+  EXPECT_THAT(ReadFailure(dir.path(), "sketches"), HasSubstr("this is a folder of faces, expected one of sketches"));
+  EXPECT_EQ(ReadFailure(dir.path(), ""), "no error");
 }
 
 TEST(Manifest, NewerVersionIsRefusedAndSaysSo) {
   const TempDir dir;
   WriteManifest(dir.path(), Example());
   Replace(dir.path(), "\"format_version\": 1", "\"format_version\": 2");
-  EXPECT_THAT(FailureOf(dir.path()), HasSubstr("format version 2 is newer than this program, which reads version 1"));
+  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("format version 2 is newer than this program, which reads version 1"));
   Replace(dir.path(), "\"format_version\": 2", "\"format_version\": 0");
-  EXPECT_THAT(FailureOf(dir.path()), HasSubstr("format version 0 is unknown"));
+  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("format version 0 is unknown"));
 }
 
 TEST(Manifest, MissingAndMistypedFieldsAreNamed) {
   const TempDir dir;
   WriteManifest(dir.path(), Example());
   Replace(dir.path(), "\"kind\"", "\"kinds\"");
-  EXPECT_THAT(FailureOf(dir.path()), HasSubstr("'kind' is missing"));
+  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("'kind' is missing"));
   Replace(dir.path(), "\"kinds\": \"faces\"", "\"kind\": 3");
-  EXPECT_THAT(FailureOf(dir.path()), HasSubstr("'kind' has the wrong type"));
+  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("'kind' has the wrong type"));
 }
 
 TEST(Manifest, EveryTruncationIsRefused) {
@@ -120,7 +120,7 @@ TEST(Manifest, FilesOutsideOfTheFolderAreRefused) {
   const TempDir dir;
   WriteManifest(dir.path(), Example());
   Replace(dir.path(), "\"b.safetensors\"", "\"a/../../b\"");
-  EXPECT_THAT(FailureOf(dir.path()), HasSubstr("lies outside of the folder"));
+  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("lies outside of the folder"));
 }
 
 TEST(Manifest, VerifyAcceptsWhatIsAsItWas) {

@@ -47,7 +47,7 @@ OuterOptions Parse(const char* json) {
   return ParseOptions<OuterOptions>(Json::parse(json), "test.toml");
 }
 
-std::string FailureOf(const char* json) {
+std::string ParseFailure(const char* json) {
   try {
     Parse(json);
   } catch (const UsageError& error) {
@@ -90,41 +90,41 @@ TEST(Options, ParseUndoesToJson) {
 }
 
 TEST(Options, UnknownKeySuggestsTheNearest) {
-  EXPECT_EQ(FailureOf(R"({"cuont": 3})"), "test.toml: unknown key 'cuont'; did you mean 'count'?");
-  EXPECT_EQ(FailureOf(R"({"exaggeration": {"gama": 3}})"),
+  EXPECT_EQ(ParseFailure(R"({"cuont": 3})"), "test.toml: unknown key 'cuont'; did you mean 'count'?");
+  EXPECT_EQ(ParseFailure(R"({"exaggeration": {"gama": 3}})"),
             "test.toml: unknown key 'exaggeration.gama'; did you mean 'exaggeration.gamma'?");
 }
 
 TEST(Options, KeyOfAnotherTableIsSuggested) {
-  EXPECT_EQ(FailureOf(R"({"gamma": 0.3})"), "test.toml: unknown key 'gamma'; did you mean 'exaggeration.gamma'?");
-  EXPECT_EQ(FailureOf(R"({"gammma": 0.3})"), "test.toml: unknown key 'gammma'; did you mean 'exaggeration.gamma'?");
+  EXPECT_EQ(ParseFailure(R"({"gamma": 0.3})"), "test.toml: unknown key 'gamma'; did you mean 'exaggeration.gamma'?");
+  EXPECT_EQ(ParseFailure(R"({"gammma": 0.3})"), "test.toml: unknown key 'gammma'; did you mean 'exaggeration.gamma'?");
 }
 
 TEST(Options, UnknownKeyFarFromAllListsThemAll) {
-  const std::string message = FailureOf(R"({"zzzzzzzz": 3})");
+  const std::string message = ParseFailure(R"({"zzzzzzzz": 3})");
   EXPECT_NE(message.find("known are: count, exaggeration.gamma"), std::string::npos) << message;
 }
 
 TEST(Options, WrongTypeIsRefused) {
-  EXPECT_EQ(FailureOf(R"({"count": 2.5})"), "test.toml: 'count' is 2.5, expected an integer");
-  EXPECT_EQ(FailureOf(R"({"count": "3"})"), "test.toml: 'count' is \"3\", expected an integer");
-  EXPECT_EQ(FailureOf(R"({"seed": -1})"), "test.toml: 'seed' is -1, expected an integer");
-  EXPECT_EQ(FailureOf(R"({"count": 5000000000})"), "test.toml: 'count' is 5000000000, expected an integer");
-  EXPECT_EQ(FailureOf(R"({"fast": 1})"), "test.toml: 'fast' is 1, expected true or false");
-  EXPECT_EQ(FailureOf(R"({"levels": 0.5})"), "test.toml: 'levels' is 0.5, expected a list");
-  EXPECT_EQ(FailureOf(R"({"levels": [0.5, "x"]})"), "test.toml: 'levels[1]' is \"x\", expected a number");
-  EXPECT_EQ(FailureOf(R"({"name": 4})"), "test.toml: 'name' is 4, expected a text");
-  EXPECT_EQ(FailureOf(R"({"exaggeration": 4})"), "test.toml: 'exaggeration' is 4, expected a table");
-  EXPECT_EQ(FailureOf("[]"), "test.toml: '(top level)' is [], expected a table");
+  EXPECT_EQ(ParseFailure(R"({"count": 2.5})"), "test.toml: 'count' is 2.5, expected an integer");
+  EXPECT_EQ(ParseFailure(R"({"count": "3"})"), "test.toml: 'count' is \"3\", expected an integer");
+  EXPECT_EQ(ParseFailure(R"({"seed": -1})"), "test.toml: 'seed' is -1, expected an integer");
+  EXPECT_EQ(ParseFailure(R"({"count": 5000000000})"), "test.toml: 'count' is 5000000000, expected an integer");
+  EXPECT_EQ(ParseFailure(R"({"fast": 1})"), "test.toml: 'fast' is 1, expected true or false");
+  EXPECT_EQ(ParseFailure(R"({"levels": 0.5})"), "test.toml: 'levels' is 0.5, expected a list");
+  EXPECT_EQ(ParseFailure(R"({"levels": [0.5, "x"]})"), "test.toml: 'levels[1]' is \"x\", expected a number");
+  EXPECT_EQ(ParseFailure(R"({"name": 4})"), "test.toml: 'name' is 4, expected a text");
+  EXPECT_EQ(ParseFailure(R"({"exaggeration": 4})"), "test.toml: 'exaggeration' is 4, expected a table");
+  EXPECT_EQ(ParseFailure("[]"), "test.toml: '(top level)' is [], expected a table");
 }
 
 TEST(Options, ValueOutOfRangeIsRefused) {
-  EXPECT_EQ(FailureOf(R"({"count": 101})"), "test.toml: 'count' is 101, expected 1 to 100");
-  EXPECT_EQ(FailureOf(R"({"exaggeration": {"gamma": -0.1}})"),
+  EXPECT_EQ(ParseFailure(R"({"count": 101})"), "test.toml: 'count' is 101, expected 1 to 100");
+  EXPECT_EQ(ParseFailure(R"({"exaggeration": {"gamma": -0.1}})"),
             "test.toml: 'exaggeration.gamma' is -0.1, expected 0 to 0.8");
-  EXPECT_EQ(FailureOf(R"({"exaggeration": {"sizes": [1, 10]}})"),
+  EXPECT_EQ(ParseFailure(R"({"exaggeration": {"sizes": [1, 10]}})"),
             "test.toml: 'exaggeration.sizes[1]' is 10, expected 1 to 9");
-  EXPECT_EQ(FailureOf(R"({"view": "frnt"})"),
+  EXPECT_EQ(ParseFailure(R"({"view": "frnt"})"),
             "test.toml: 'view' is 'frnt', expected one of: front, side; did you mean 'front'?");
 }
 

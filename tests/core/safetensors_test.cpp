@@ -43,7 +43,7 @@ void WriteRaw(const std::filesystem::path& path, std::string header, size_t num_
   WriteFileAtomically(path, bytes + header + std::string(num_data_bytes, '\1'));
 }
 
-std::string FailureOf(const std::filesystem::path& path) {
+std::string OpenFailure(const std::filesystem::path& path) {
   try {
     SafetensorsFile file(path);
   } catch (const Error& error) {
@@ -175,7 +175,7 @@ TEST(Safetensors, WriterRefusesWhatDoesNotFit) {
 
 TEST(Safetensors, MissingFileIsNamed) {
   const TempDir dir;
-  EXPECT_THAT(FailureOf(dir / "absent"), HasSubstr("No such file"));
+  EXPECT_THAT(OpenFailure(dir / "absent"), HasSubstr("No such file"));
 }
 
 TEST(Safetensors, EveryTruncationIsRefused) {
@@ -203,7 +203,7 @@ TEST(Safetensors, CorruptHeadersAreRefused) {
   const TempDir dir;
   const auto failure = [&](const std::string& header, size_t num_data_bytes) {
     WriteRaw(dir / "a", header, num_data_bytes);
-    return FailureOf(dir / "a");
+    return OpenFailure(dir / "a");
   };
   EXPECT_EQ(failure(R"({"x": {"dtype": "F32", "shape": [2], "data_offsets": [0, 8]}})", 8), "no error");
   EXPECT_THAT(failure("[]", 0), HasSubstr("malformed header"));
@@ -230,7 +230,7 @@ TEST(Safetensors, OverlappingArraysAreRefused) {
            R"({"x": {"dtype": "U8", "shape": [4], "data_offsets": [0, 4]},)"
            R"( "y": {"dtype": "U8", "shape": [4], "data_offsets": [2, 6]}})",
            6);
-  EXPECT_THAT(FailureOf(dir / "a"), HasSubstr("array 'y' overlaps another"));
+  EXPECT_THAT(OpenFailure(dir / "a"), HasSubstr("array 'y' overlaps another"));
 }
 
 TEST(Safetensors, UnalignedArraysAreRefused) {
@@ -239,7 +239,7 @@ TEST(Safetensors, UnalignedArraysAreRefused) {
            R"({"x": {"dtype": "U8", "shape": [1], "data_offsets": [0, 1]},)"
            R"( "y": {"dtype": "F32", "shape": [1], "data_offsets": [1, 5]}})",
            5);
-  EXPECT_THAT(FailureOf(dir / "a"), HasSubstr("array 'y': not aligned"));
+  EXPECT_THAT(OpenFailure(dir / "a"), HasSubstr("array 'y': not aligned"));
 }
 
 TEST(Safetensors, UnsupportedVersionIsRefused) {
@@ -247,7 +247,7 @@ TEST(Safetensors, UnsupportedVersionIsRefused) {
   SafetensorsWriter writer;
   writer.SetMetadata("format_version", "2");
   writer.Write(dir / "a");
-  EXPECT_THAT(FailureOf(dir / "a"), HasSubstr("format_version is '2', this program reads 1; a newer one"));
+  EXPECT_THAT(OpenFailure(dir / "a"), HasSubstr("format_version is '2', this program reads 1; a newer one"));
 }
 
 TEST(Safetensors, FilesOfOtherProgramsNeedNoVersion) {

@@ -21,7 +21,7 @@ void WriteExport(const fs::path& directory, const std::string& text, const std::
   WriteManifest(directory, manifest);
 }
 
-int NumEntries(const fs::path& directory) {
+int NumFiles(const fs::path& directory) {
   return static_cast<int>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
 }
 
@@ -34,7 +34,7 @@ TEST(StagedDirectory, TakesItsPlaceWholeAndOnlyByCommit) {
     staged.Commit();
   }
   EXPECT_EQ(ReadFile(folder / "out/text"), "new");
-  EXPECT_EQ(NumEntries(folder.path()), 1);
+  EXPECT_EQ(NumFiles(folder.path()), 1);
 }
 
 TEST(StagedDirectory, WithoutCommitLeavesWhatWasThere) {
@@ -42,7 +42,7 @@ TEST(StagedDirectory, WithoutCommitLeavesWhatWasThere) {
   WriteExport(folder / "out", "old");
   { StagedDirectory staged(folder / "out", "export"); }
   EXPECT_EQ(ReadFile(folder / "out/text"), "old");
-  EXPECT_EQ(NumEntries(folder.path()), 1);
+  EXPECT_EQ(NumFiles(folder.path()), 1);
 }
 
 TEST(StagedDirectory, ReplacesAnEarlierOneAndWhatAKillLeft) {
@@ -50,11 +50,11 @@ TEST(StagedDirectory, ReplacesAnEarlierOneAndWhatAKillLeft) {
   WriteExport(folder / "out", "old");
   WriteExport(folder / ".out.partial", "half");
   StagedDirectory staged(folder / "out", "export");
-  EXPECT_EQ(NumEntries(staged.path()), 0);
+  EXPECT_EQ(NumFiles(staged.path()), 0);
   WriteExport(staged.path(), "new");
   staged.Commit();
   EXPECT_EQ(ReadFile(folder / "out/text"), "new");
-  EXPECT_EQ(NumEntries(folder.path()), 1);
+  EXPECT_EQ(NumFiles(folder.path()), 1);
 }
 
 TEST(StagedDirectory, RefusesForeignFoldersAndFiles) {
@@ -67,7 +67,7 @@ TEST(StagedDirectory, RefusesForeignFoldersAndFiles) {
     testing::ExpectError([&] { StagedDirectory(folder / name, "export"); }, "is not empty and holds no earlier export");
   }
   testing::ExpectError([&] { StagedDirectory(folder / "file", "export"); }, "is a file");
-  EXPECT_EQ(NumEntries(folder.path()), 3);
+  EXPECT_EQ(NumFiles(folder.path()), 3);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 namespace daumier::eval {
 namespace {
 
-/// Faces of 20 vertices in a space of three directions and, with noise, near it.
-FaceRows Faces(Eigen::Index count, uint64_t seed, double noise = 0) {
+/// MakeFaces of 20 vertices in a space of three directions and, with noise, near it.
+FaceRows MakeFaces(Eigen::Index count, uint64_t seed, double noise = 0) {
   Rng axes_rng(9), rng(seed);
   FaceRows axes(3, 60), scores(count, 3);
   Eigen::RowVectorXf mean(60);
@@ -27,17 +27,17 @@ FaceRows Faces(Eigen::Index count, uint64_t seed, double noise = 0) {
 }
 
 TEST(LinearModel, ReconstructsFacesOfItsSpace) {
-  const LinearModel model = FitLinearModel(Centre(Faces(30, 1)), Faces(4, 2), 3, 1);
+  const LinearModel model = FitLinearModel(Centre(MakeFaces(30, 1)), MakeFaces(4, 2), 3, 1);
   EXPECT_EQ(model.ridge, 0) << "without noise nothing is gained by a prior";
-  EXPECT_LT(MeanVertexDistance(model.Predict(Faces(5, 3)), Faces(5, 3)), 1e-4);
-  const LinearModel smaller = FitLinearModel(Centre(Faces(30, 1)), Faces(4, 2), 2, 1);
-  EXPECT_GT(MeanVertexDistance(smaller.Predict(Faces(5, 3)), Faces(5, 3)), 0.05);
+  EXPECT_LT(MeanVertexDistance(model.Predict(MakeFaces(5, 3)), MakeFaces(5, 3)), 1e-4);
+  const LinearModel smaller = FitLinearModel(Centre(MakeFaces(30, 1)), MakeFaces(4, 2), 2, 1);
+  EXPECT_GT(MeanVertexDistance(smaller.Predict(MakeFaces(5, 3)), MakeFaces(5, 3)), 0.05);
 }
 
 TEST(LinearModel, IsTheLeastSquaresOneThatIsDrawnToTheMean) {
-  const LinearModel model = FitLinearModel(Centre(Faces(12, 1, 0.3)), Faces(20, 2, 0.3), 11, 1);
+  const LinearModel model = FitLinearModel(Centre(MakeFaces(12, 1, 0.3)), MakeFaces(20, 2, 0.3), 11, 1);
   EXPECT_GT(model.ridge, 0);
-  const FaceRows faces = Faces(3, 3, 0.3);
+  const FaceRows faces = MakeFaces(3, 3, 0.3);
   const Eigen::MatrixXd d = model.components.rows.cast<double>();
   const Eigen::RowVectorXd mean = model.components.mean.cast<double>();
   const Eigen::ArrayXd variances = model.components.deviations.cast<double>().array().square();
@@ -55,27 +55,27 @@ TEST(LinearModel, UsesNoDirectionWithoutVariance) {
 }
 
 TEST(LinearModel, HasAtMostOneComponentLessThanTrainingFaces) {
-  EXPECT_EQ(FitLinearModel(Centre(Faces(6, 1, 0.3)), Faces(4, 2), 128, 1).components.rows.rows(), 5);
+  EXPECT_EQ(FitLinearModel(Centre(MakeFaces(6, 1, 0.3)), MakeFaces(4, 2), 128, 1).components.rows.rows(), 5);
 }
 
 TEST(LinearModel, CountsTheComponentsThatExplainAShare) {
-  const CentredRows training = Centre(Faces(30, 1));
+  const CentredRows training = Centre(MakeFaces(30, 1));
   const Eigen::ArrayXd variances =
       Eigen::JacobiSVD<Eigen::MatrixXd>(training.rows.cast<double>()).singularValues().array().square();
   const double first = variances[0] / variances.sum();
-  const LinearModel model = FitLinearModel(training, Faces(4, 2), 2, 1);
+  const LinearModel model = FitLinearModel(training, MakeFaces(4, 2), 2, 1);
   EXPECT_EQ(model.ComponentsFor(first - 0.01), 1);
   EXPECT_EQ(model.ComponentsFor(first + 0.01), 2);
   EXPECT_EQ(model.ComponentsFor(0.9999), std::nullopt) << "there are three directions";
 }
 
 TEST(LinearModel, RefusesTooFewFacesOtherLengthsAndNumbersThatAreNotFinite) {
-  testing::ExpectError([] { FitLinearModel(Centre(Faces(1, 1)), Faces(4, 2), 3, 1); }, "not 1");
-  testing::ExpectError([] { FitLinearModel(Centre(Faces(9, 1)), Faces(0, 2), 3, 1); }, "none");
-  FaceRows validation = Faces(4, 2);
+  testing::ExpectError([] { FitLinearModel(Centre(MakeFaces(1, 1)), MakeFaces(4, 2), 3, 1); }, "not 1");
+  testing::ExpectError([] { FitLinearModel(Centre(MakeFaces(9, 1)), MakeFaces(0, 2), 3, 1); }, "none");
+  FaceRows validation = MakeFaces(4, 2);
   validation(1, 7) = std::numeric_limits<float>::quiet_NaN();
-  testing::ExpectError([&] { FitLinearModel(Centre(Faces(9, 1)), validation, 3, 1); }, "finite");
-  const LinearModel model = FitLinearModel(Centre(Faces(9, 1)), Faces(4, 2), 3, 1);
+  testing::ExpectError([&] { FitLinearModel(Centre(MakeFaces(9, 1)), validation, 3, 1); }, "finite");
+  const LinearModel model = FitLinearModel(Centre(MakeFaces(9, 1)), MakeFaces(4, 2), 3, 1);
   testing::ExpectError([&] { model.Predict(FaceRows::Zero(1, 57)); }, "57 coordinates, expected 60");
 }
 

@@ -32,13 +32,13 @@ struct SmallNetwork : torch::nn::Module {
   torch::Tensor unused;
 };
 
-ExportedFunction FunctionOf(SmallNetwork& network) {
+ExportedFunction SmallFunction(SmallNetwork& network) {
   return TestFunction({1, 5, 5}, [&](const torch::Tensor& x) { return network.forward(x); });
 }
 
 TEST(OnnxExport, InitializersAreTheUsedWeightsValueByValue) {
   SmallNetwork network;
-  const auto model = ExportToOnnx(network, FunctionOf(network));
+  const auto model = ExportToOnnx(network, SmallFunction(network));
   const auto state = tensor::StateOf(network);
   std::vector<std::string> names;
   for (const auto& stored : model.graph().initializer()) {
@@ -55,7 +55,7 @@ TEST(OnnxExport, InitializersAreTheUsedWeightsValueByValue) {
 
 TEST(OnnxExport, GraphFollowsTheNetwork) {
   SmallNetwork network;
-  const auto model = ExportToOnnx(network, FunctionOf(network));
+  const auto model = ExportToOnnx(network, SmallFunction(network));
   std::vector<std::string> operators;
   for (const auto& node : model.graph().node()) operators.push_back(node.op_type());
   EXPECT_EQ(operators, (std::vector<std::string>{"Conv", "BatchNormalization", "Relu", "Flatten", "Gemm", "Identity"}));
@@ -63,8 +63,8 @@ TEST(OnnxExport, GraphFollowsTheNetwork) {
 
 TEST(OnnxExport, ExportTwiceGivesEqualBytes) {
   SmallNetwork network;
-  EXPECT_EQ(ExportToOnnx(network, FunctionOf(network)).SerializeAsString(),
-            ExportToOnnx(network, FunctionOf(network)).SerializeAsString());
+  EXPECT_EQ(ExportToOnnx(network, SmallFunction(network)).SerializeAsString(),
+            ExportToOnnx(network, SmallFunction(network)).SerializeAsString());
 }
 
 TEST(OnnxExport, BatchSizeThatIsBakedInIsAnError) {
@@ -74,16 +74,16 @@ TEST(OnnxExport, BatchSizeThatIsBakedInIsAnError) {
 
 TEST(OnnxExport, TrainingModeAndUnnamedOutputsAreErrors) {
   SmallNetwork network;
-  auto function = FunctionOf(network);
+  auto function = SmallFunction(network);
   function.output_names = {"y", "z"};
   ExpectError([&] { ExportToOnnx(network, function); }, "1 outputs, but 2 have names");
   network.train();
-  ExpectError([&] { ExportToOnnx(network, FunctionOf(network)); }, "call eval()");
+  ExpectError([&] { ExportToOnnx(network, SmallFunction(network)); }, "call eval()");
 }
 
 TEST(OnnxExport, StrictInferenceFindsWhatTheCheckerLetsPass) {
   SmallNetwork network;
-  auto model = ExportToOnnx(network, FunctionOf(network));
+  auto model = ExportToOnnx(network, SmallFunction(network));
   EXPECT_NO_THROW(CheckOnnx(model));
   auto wrong_strides = model;
   for (auto& attribute : *wrong_strides.mutable_graph()->mutable_node(0)->mutable_attribute()) {

@@ -12,7 +12,7 @@ namespace {
 
 using geometry::Points;
 
-struct Subject {
+struct PartsOfSubject {
   FaceTemplate face = testing::SyntheticFace();
   FaceParts parts = MakeFaceParts(face, 2);
 
@@ -29,12 +29,12 @@ struct Subject {
 };
 
 TEST(PartExaggeration, NoStrengthReturnsTheInput) {
-  const Subject subject;
+  const PartsOfSubject subject;
   EXPECT_LT((subject.Apply(subject.None()) - subject.face.neutral).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(PartExaggeration, AStretchedPartGrowsInThatDirection) {
-  const Subject subject;
+  const PartsOfSubject subject;
   PartStrengths strengths = subject.None();
   strengths.log_stretches(subject.part("nose"), 2) = std::log(1.8);
   const Points result = subject.Apply(strengths);
@@ -46,7 +46,7 @@ TEST(PartExaggeration, AStretchedPartGrowsInThatDirection) {
 }
 
 TEST(PartExaggeration, ALumpMovesWhatStandsThere) {
-  const Subject subject;
+  const PartsOfSubject subject;
   PartStrengths strengths = subject.None();
   const int top = subject.face.annotation.hairline_vertex, chin = subject.face.annotation.landmarks[8];
   strengths.lumps.push_back({.vertex = top, .radius = 1.5, .offset = {0, 0, 1}});
@@ -56,7 +56,7 @@ TEST(PartExaggeration, ALumpMovesWhatStandsThere) {
 }
 
 TEST(PartExaggeration, TheResultLiesOnTheFaceItCameFrom) {
-  const Subject subject;
+  const PartsOfSubject subject;
   Rng rng = Stream(4, "parts");
   const Points result = subject.Apply(DrawPartStrengths(subject.face, subject.parts, 0.2, {}, rng));
   Eigen::VectorXd in_face = Eigen::VectorXd::Zero(result.rows());
@@ -67,7 +67,7 @@ TEST(PartExaggeration, TheResultLiesOnTheFaceItCameFrom) {
 }
 
 TEST(PartExaggeration, CurvatureOfOnePartLeavesTheOthersAlone) {
-  const Subject subject;
+  const PartsOfSubject subject;
   PartStrengths strengths = subject.None();
   strengths.gammas[subject.part("chin")] = 0.4;
   const Points result = subject.Apply(strengths);
@@ -78,7 +78,7 @@ TEST(PartExaggeration, CurvatureOfOnePartLeavesTheOthersAlone) {
 }
 
 TEST(PartExaggeration, EqualStrengthsOnBothSidesKeepSymmetry) {
-  const Subject subject;
+  const PartsOfSubject subject;
   Rng rng = Stream(3, "parts");
   const PartStrengths strengths =
       DrawPartStrengths(subject.face, subject.parts, 0.2, {.asymmetry = 0, .num_lumps = 0}, rng);
@@ -93,7 +93,7 @@ TEST(PartExaggeration, EqualStrengthsOnBothSidesKeepSymmetry) {
 }
 
 TEST(PartExaggeration, DrawsAreZeroWithoutGammaAndBoundedWithIt) {
-  const Subject subject;
+  const PartsOfSubject subject;
   Rng rng = Stream(3, "parts");
   const PartStrengths none = DrawPartStrengths(subject.face, subject.parts, 0.0, {}, rng);
   EXPECT_EQ(none.gammas.cwiseAbs().maxCoeff(), 0);
@@ -113,7 +113,7 @@ TEST(PartExaggeration, DrawsAreZeroWithoutGammaAndBoundedWithIt) {
 }
 
 TEST(PartExaggeration, NoTriangleFlips) {
-  const Subject subject;
+  const PartsOfSubject subject;
   for (int draw = 0; draw < 10; ++draw) {
     Rng rng = Stream(5, "parts", draw);
     const Points result = subject.Apply(DrawPartStrengths(subject.face, subject.parts, 0.24, {}, rng));
@@ -122,7 +122,7 @@ TEST(PartExaggeration, NoTriangleFlips) {
 }
 
 TEST(PartExaggeration, RefusesStrengthsOfOtherParts) {
-  const Subject subject;
+  const PartsOfSubject subject;
   const PartStrengths few{Eigen::VectorXd::Zero(2), Points::Zero(2, 3), {}};
   testing::ExpectError([&] { subject.Apply(few); }, "strengths of 2 and 2 parts, the face has 14");
 }

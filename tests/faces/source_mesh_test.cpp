@@ -11,27 +11,29 @@ namespace {
 using testing::ExpectError;
 using testing::SyntheticGrid;
 
-const SyntheticGrid& Grid() {
+const SyntheticGrid& SourceGrid() {
   static const SyntheticGrid grid;
   return grid;
 }
 
 std::vector<int> Square() {
-  return {Grid().at(-1, 15), Grid().at(1, 15), Grid().at(1, 17), Grid().at(-1, 17)};
+  return {SourceGrid().at(-1, 15), SourceGrid().at(1, 15), SourceGrid().at(1, 17), SourceGrid().at(-1, 17)};
 }
 
 TEST(SourceMesh, FloodStopsAtTheLoop) {
-  const SourceMesh mesh(Grid().mesh(), "grid");
+  const SourceMesh mesh(SourceGrid().mesh(), "grid");
   const auto loop = mesh.Trace(Square(), true, "loop");
   EXPECT_EQ(loop.size(), 8u);
-  EXPECT_EQ(mesh.Flood(Grid().at(0, 16), {loop}, "inside"), Grid().Block(0, 1, 15, 17));
-  EXPECT_EQ(static_cast<Eigen::Index>(mesh.Flood(Grid().at(0, 16), {}, "all").size()), Grid().mesh().vertices.rows());
+  EXPECT_EQ(mesh.Flood(SourceGrid().at(0, 16), {loop}, "inside"), SourceGrid().Block(0, 1, 15, 17));
+  EXPECT_EQ(static_cast<Eigen::Index>(mesh.Flood(SourceGrid().at(0, 16), {}, "all").size()),
+            SourceGrid().mesh().vertices.rows());
 }
 
 TEST(SourceMesh, MirrorIsThereOnlyForSymmetricMeshes) {
-  EXPECT_EQ(SourceMesh(Grid().mesh(), "grid").Mirrored({Grid().at(3, 15)}, "x"), std::vector<int>{Grid().at(-3, 15)});
-  geometry::PolygonMesh bent = Grid().mesh();
-  bent.vertices(Grid().at(3, 15), 2) += 1;
+  EXPECT_EQ(SourceMesh(SourceGrid().mesh(), "grid").Mirrored({SourceGrid().at(3, 15)}, "x"),
+            std::vector<int>{SourceGrid().at(-3, 15)});
+  geometry::PolygonMesh bent = SourceGrid().mesh();
+  bent.vertices(SourceGrid().at(3, 15), 2) += 1;
   const SourceMesh mesh(bent, "bent");
   EXPECT_FALSE(mesh.mirror().has_value());
   ExpectError([&] { mesh.Mirrored({0}, "cut eye"); },
@@ -39,7 +41,7 @@ TEST(SourceMesh, MirrorIsThereOnlyForSymmetricMeshes) {
 }
 
 TEST(SourceMesh, MessagesNameSourceAndEntry) {
-  geometry::PolygonMesh lonely = Grid().mesh();
+  geometry::PolygonMesh lonely = SourceGrid().mesh();
   lonely.vertices.conservativeResize(lonely.vertices.rows() + 1, 3);
   lonely.vertices.bottomRows<1>() << 0, 0, 50;
   const SourceMesh mesh(lonely, "grid");

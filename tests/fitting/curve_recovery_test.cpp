@@ -30,14 +30,14 @@ faces::BilinearModel WaveAndLine() {
   return model;
 }
 
-const CurveOffsets kOffsets = {0, 20, 40};
+const CurveOffsets kCurveOffsets = {0, 20, 40};
 
 std::vector<float> CurvesAt(const faces::BilinearModel& model, float dx, float dy) {
   const Eigen::VectorXf points = faces::Reconstruct(model, Eigen::Vector2f(1, dy), Eigen::Vector2f(1, dx));
   return {points.data(), points.data() + points.size()};
 }
 
-std::vector<render::Stroke> Strokes(const std::vector<float>& points) {
+std::vector<render::Stroke> StrokesAt(const std::vector<float>& points) {
   std::vector<render::Stroke> strokes(2);
   for (int k = 0; k < kPoints; ++k)
     strokes[size_t(k / 20)].points.push_back({points[2 * size_t(k)], points[2 * size_t(k) + 1]});
@@ -56,9 +56,10 @@ TEST(RecoverCurves, SnapsAPredictionOntoTheStrokes) {
   const faces::BilinearModel model = WaveAndLine();
   const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
   const auto truth = CurvesAt(model, 3, -4), predicted = CurvesAt(model, 1, 1);
-  const double before = MeanError(RecoverCurves(encoder, kOffsets, predicted, Strokes(truth), {.snaps = 0}), truth);
-  const double after =
-      MeanError(RecoverCurves(encoder, kOffsets, predicted, Strokes(truth), {.snaps = 4, .reach_px = 16}), truth);
+  const double before =
+      MeanError(RecoverCurves(encoder, kCurveOffsets, predicted, StrokesAt(truth), {.snaps = 0}), truth);
+  const double after = MeanError(
+      RecoverCurves(encoder, kCurveOffsets, predicted, StrokesAt(truth), {.snaps = 4, .reach_px = 16}), truth);
   EXPECT_NEAR(before, std::hypot(2, 5), 0.1) << "without a snap the prediction itself is encoded";
   EXPECT_LT(after, 1.5) << "along themselves curves move little";
 }
@@ -70,7 +71,8 @@ TEST(RecoverCurves, StrokesOutOfReachOrAcrossChangeNothing) {
   // Below the line, out of reach; and a ladder of verticals that cross both curves.
   std::vector<render::Stroke> strokes = {{0, {{60, 200}, {200, 200}}}};
   for (int i = 0; i < 8; ++i) strokes.push_back({0, {{75.0f + 15 * i, 135}, {75.0f + 15 * i, 190}}});
-  const auto code = RecoverCurves(encoder, kOffsets, predicted, strokes, {.snaps = 2, .reach_px = 8, .max_angle = 40});
+  const auto code =
+      RecoverCurves(encoder, kCurveOffsets, predicted, strokes, {.snaps = 2, .reach_px = 8, .max_angle = 40});
   EXPECT_LT(MeanError(code, predicted), 0.1);
 }
 
@@ -78,17 +80,18 @@ TEST(RecoverCurves, AMissingStrokeIsFilledInByTheOthers) {
   const faces::BilinearModel model = WaveAndLine();
   const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
   const auto truth = CurvesAt(model, 0, -5), predicted = CurvesAt(model, 0, 0);
-  auto strokes = Strokes(truth);
+  auto strokes = StrokesAt(truth);
   strokes.pop_back();
-  EXPECT_LT(MeanError(RecoverCurves(encoder, kOffsets, predicted, strokes, {.snaps = 4, .reach_px = 16}), truth), 1.5);
+  EXPECT_LT(MeanError(RecoverCurves(encoder, kCurveOffsets, predicted, strokes, {.snaps = 4, .reach_px = 16}), truth),
+            1.5);
 }
 
 TEST(RecoverCurves, WithoutAnyStrokeThePredictionItselfIsEncoded) {
   const faces::BilinearModel model = WaveAndLine();
   const faces::CurveEncoder encoder(model, {.deviation_px = 1, .rounds = 6});
   const auto predicted = CurvesAt(model, 2, -3);
-  const auto code = RecoverCurves(encoder, kOffsets, predicted, {});
-  EXPECT_EQ(code.numbers(), RecoverCurves(encoder, kOffsets, predicted, {}, {.snaps = 0}).numbers());
+  const auto code = RecoverCurves(encoder, kCurveOffsets, predicted, {});
+  EXPECT_EQ(code.numbers(), RecoverCurves(encoder, kCurveOffsets, predicted, {}, {.snaps = 0}).numbers());
   EXPECT_EQ(code.points, faces::Reconstruct(model, code.u, code.v));
 }
 
@@ -98,12 +101,12 @@ TEST(FollowStrokes, WhatTheModelLeavesOutOfItsPointsMovesThemOnTheCanvas) {
   faces::CurveCode start{Eigen::Vector2f(1, 0), Eigen::Vector2f(1, 0), {}};
   start.points = faces::Reconstruct(model, start.u, start.v);
   auto drawn = CurvesAt(model, 0, -4);
-  const auto expected = FollowStrokes(encoder, kOffsets, start, Strokes(drawn));
+  const auto expected = FollowStrokes(encoder, kCurveOffsets, start, StrokesAt(drawn));
   for (float& coordinate : drawn) coordinate += 8;
   const auto moved =
-      FollowStrokes(encoder, kOffsets, start, Strokes(drawn), {}, Eigen::VectorXf::Constant(2 * kPoints, 8));
+      FollowStrokes(encoder, kCurveOffsets, start, StrokesAt(drawn), {}, Eigen::VectorXf::Constant(2 * kPoints, 8));
   EXPECT_LT((moved.points - expected.points).cwiseAbs().maxCoeff(), 1e-2);
-  testing::ExpectError([&] { FollowStrokes(encoder, kOffsets, start, {}, {}, Eigen::VectorXf::Zero(3)); },
+  testing::ExpectError([&] { FollowStrokes(encoder, kCurveOffsets, start, {}, {}, Eigen::VectorXf::Zero(3)); },
                        "moved by 3");
 }
 
@@ -112,7 +115,7 @@ TEST(FollowStrokes, TheStartStandsWhereNoStrokeIsWithinReach) {
   const faces::CurveEncoder encoder(model);
   faces::CurveCode start{Eigen::Vector2f(1, 3), Eigen::Vector2f(1, -2), {}};
   start.points = faces::Reconstruct(model, start.u, start.v);
-  const auto code = FollowStrokes(encoder, kOffsets, start, {{0, {{60, 240}, {200, 240}}}});
+  const auto code = FollowStrokes(encoder, kCurveOffsets, start, {{0, {{60, 240}, {200, 240}}}});
   EXPECT_EQ(code.numbers(), start.numbers());
   EXPECT_EQ(code.points, start.points);
 }
@@ -122,7 +125,7 @@ TEST(RecoverCurves, StrokesOutsideOfTheCanvasAreNoTrouble) {
   const faces::CurveEncoder encoder(model);
   const auto predicted = CurvesAt(model, 0, 0);
   const std::vector<render::Stroke> strokes = {{0, {{-300, -20}, {900, 700}}}, {0, {{5, 5}}}, {0, {}}};
-  EXPECT_TRUE(RecoverCurves(encoder, kOffsets, predicted, strokes).points.allFinite());
+  EXPECT_TRUE(RecoverCurves(encoder, kCurveOffsets, predicted, strokes).points.allFinite());
 }
 
 TEST(RecoverCurves, CurvesOfAnotherModelAreRefused) {

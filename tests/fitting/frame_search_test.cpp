@@ -9,7 +9,7 @@
 namespace daumier::fitting {
 namespace {
 
-using Strokes = std::vector<render::Stroke>;
+using Sketch = std::vector<render::Stroke>;
 
 /// A network that knows one face alone.
 class FrameSearchTest : public ::testing::Test {
@@ -17,14 +17,14 @@ class FrameSearchTest : public ::testing::Test {
   FrameSearchTest() : curves_(CurveStrokes(seen_.curves.offsets, seen_.Points(seen_.Face(1, 1)))) {}
 
   CurvesOfSketches Always() {
-    return [this](const std::vector<Strokes>& sketches) {
+    return [this](const std::vector<Sketch>& sketches) {
       num_tried_ += int(sketches.size());
-      return std::vector<Strokes>(sketches.size(), curves_);
+      return std::vector<Sketch>(sketches.size(), curves_);
     };
   }
   /// The face on another sheet, with lines around it that belong to no face.
-  render::Drawing OnASheet(const Strokes& more) const {
-    Strokes strokes = curves_;
+  render::Drawing OnASheet(const Sketch& more) const {
+    Sketch strokes = curves_;
     strokes.insert(strokes.end(), more.begin(), more.end());
     return {1000, 1000, render::Place(strokes, {2.0, {70, -30}})};
   }
@@ -36,7 +36,7 @@ class FrameSearchTest : public ::testing::Test {
   }
 
   SeenFace seen_;
-  Strokes curves_;
+  Sketch curves_;
   int num_tried_ = 0;
 };
 
@@ -50,9 +50,9 @@ TEST_F(FrameSearchTest, BringsTheDrawingOntoTheFacesCurves) {
 
 TEST_F(FrameSearchTest, IsNotMisledByHairAndShoulders) {
   // Hair above, and shoulders that make the drawing half as high again.
-  const Strokes more = {{0, {{60, 100}, {70, 30}, {128, 5}, {186, 30}, {196, 100}}},
-                        {0, {{100, 235}, {95, 260}, {20, 290}}},
-                        {0, {{156, 235}, {161, 260}, {236, 290}}}};
+  const Sketch more = {{0, {{60, 100}, {70, 30}, {128, 5}, {186, 30}, {196, 100}}},
+                       {0, {{100, 235}, {95, 260}, {20, 290}}},
+                       {0, {{156, 235}, {161, 260}, {236, 290}}}};
   const auto framed = render::FrameDrawing(OnASheet(more));
   const FoundFrame found = FindFrame(framed, Always());
   EXPECT_LT(Error(found), 8);

@@ -7,9 +7,9 @@
 namespace daumier::fitting {
 namespace {
 
-using Strokes = std::vector<render::Stroke>;
+using StrokeList = std::vector<render::Stroke>;
 
-const Strokes kLine = {{0, {{10, 50}, {110, 50}}}};
+const StrokeList kLine = {{0, {{10, 50}, {110, 50}}}};
 
 TEST(StrokeDistance, ParallelLinesAreTheirGapApart) {
   const StrokeDistance distance = DistanceBetween(kLine, {{0, {{10, 53}, {110, 53}}}});
@@ -32,21 +32,21 @@ TEST(StrokeDistance, EachWayIsItsOwnMean) {
 
 TEST(StrokeDistance, LengthCountsNotTheNumberOfPoints) {
   // 100 px at distance 0 in many pieces, 100 px at distance 10 in one.
-  Strokes drawn = {{0, {}}, {0, {{10, 60}, {110, 60}}}};
+  StrokeList drawn = {{0, {}}, {0, {{10, 60}, {110, 60}}}};
   for (int i = 0; i <= 1000; ++i) drawn[0].points.push_back({10 + 0.1f * float(i), 50});
   EXPECT_NEAR(DistanceBetween(drawn, kLine).drawn_to_projected, 5, 1e-2);
 }
 
 TEST(StrokeDistance, TrimmingLeavesOutTheFarthestShare) {
   // A tenth of the drawn length is hair.
-  const Strokes drawn = {{0, {{10, 52}, {100, 52}}}, {0, {{300, 10}, {300, 20}}}};
+  const StrokeList drawn = {{0, {{10, 52}, {100, 52}}}, {0, {{300, 10}, {300, 20}}}};
   EXPECT_GT(DistanceBetween(drawn, kLine).drawn_to_projected, 15);
   EXPECT_NEAR(DistanceBetween(drawn, kLine, 0.1).drawn_to_projected, 2, 1e-4);
   EXPECT_NEAR(DistanceBetween(kLine, drawn, 0, 0.1).projected_to_drawn, 2, 1e-4);
 }
 
 TEST(StrokeDistance, DotsAreReachedButHaveNoLength) {
-  const Strokes with_dot = {{0, {{10, 50}, {60, 50}}}, {0, {{110, 50}}}};
+  const StrokeList with_dot = {{0, {{10, 50}, {60, 50}}}, {0, {{110, 50}}}};
   EXPECT_NEAR(DistanceBetween(with_dot, kLine).drawn_to_projected, 0, 1e-5);
   // From 60 to 110 a point is at most 25 away from the line's end or from the dot: 12.5 in the mean of that half.
   EXPECT_NEAR(DistanceBetween(with_dot, kLine).projected_to_drawn, 6.25, 1e-3);

@@ -1,6 +1,7 @@
 #include "render/heat_map.h"
 
 #include "core/error.h"
+#include "tests/render/pixels.h"
 #include "tests/render/shapes.h"
 
 #include <gtest/gtest.h>
@@ -15,15 +16,9 @@ using testing::Square;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Rgb kWhite = {255, 255, 255};
-
 /// Sees all of Square() in 20 x 20 pixels.
 Camera SquareCamera() {
   return FrontalCamera({0.0, 0.0, 0.0}, 1.0, 20);
-}
-
-Rgb Pixel(const Image& image, int row, int column) {
-  return {image.at(row, column, 0), image.at(row, column, 1), image.at(row, column, 2)};
 }
 
 double Lightness(const Rgb& colour) {

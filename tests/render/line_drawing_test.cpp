@@ -18,7 +18,7 @@ using testing::ExpectError;
 using Point = std::array<float, 2>;
 
 /// Distance in pixels of the 256 canvas within which drawn strokes are found again.
-constexpr double kTolerance = 1.0;
+constexpr double kTolerancePx = 1.0;
 
 Stroke Ellipse(double cx, double cy, double rx, double ry, double from_degree = 0, double to_degree = 360) {
   Stroke stroke;
@@ -84,7 +84,7 @@ std::vector<Stroke> OnCanvas(const Drawing& drawing) {
   return strokes;
 }
 
-void ExpectFoundAgain(const Image& picture, double tolerance = kTolerance) {
+void ExpectFoundAgain(const Image& picture, double tolerance = kTolerancePx) {
   const auto expected = Dense(Curves()), found = Dense(OnCanvas(TraceLineDrawing(picture).drawing));
   EXPECT_LE(Distance(found, expected), tolerance) << "something was made up";
   EXPECT_LE(Distance(expected, found), tolerance) << "something was lost";
@@ -154,8 +154,8 @@ TEST(TraceLineDrawing, PictureMayBeOblong) {
       y *= 0.5F;
     }
   }
-  EXPECT_LE(Distance(Dense(drawing.strokes), Dense(Curves())), kTolerance);
-  EXPECT_LE(Distance(Dense(Curves()), Dense(drawing.strokes)), kTolerance);
+  EXPECT_LE(Distance(Dense(drawing.strokes), Dense(Curves())), kTolerancePx);
+  EXPECT_LE(Distance(Dense(Curves()), Dense(drawing.strokes)), kTolerancePx);
 }
 
 TEST(TraceLineDrawing, CrossingLinesStayTwoStrokes) {

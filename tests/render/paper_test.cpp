@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "render/strokes.h"
+#include "tests/render/pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +31,6 @@ Image Lit(const Image& image, Light light) {
     }
   }
   return lit;
-}
-
-int LargestDifference(const Image& a, const Image& b) {
-  int largest = 0;
-  for (size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
-  return largest;
 }
 
 TEST(FlattenPaper, WhitePaperBecomes255AndBlackStaysBlack) {

@@ -12,7 +12,7 @@ namespace daumier::render {
 namespace {
 
 using testing::ExpectError;
-using Points = std::vector<std::array<float, 2>>;
+using PointList = std::vector<std::array<float, 2>>;
 
 class QuickDraw : public ::testing::Test {
  protected:
@@ -30,16 +30,16 @@ TEST_F(QuickDraw, ReadsADrawingALine) {
       Read("{\"word\":\"cup\",\"drawing\":[[[0,10],[20,255]],[[5],[6]]]}\n\n \r\n{\"drawing\":[[[1.5,2],[3,4]]]}");
   ASSERT_EQ(drawings.size(), 2U);
   ASSERT_EQ(drawings[0].strokes.size(), 2U);
-  EXPECT_EQ(drawings[0].strokes[0].points, (Points{{0, 20}, {10, 255}}));
-  EXPECT_EQ(drawings[0].strokes[1].points, (Points{{5, 6}}));
-  EXPECT_EQ(drawings[1].strokes[0].points, (Points{{1.5F, 3}, {2, 4}}));
+  EXPECT_EQ(drawings[0].strokes[0].points, (PointList{{0, 20}, {10, 255}}));
+  EXPECT_EQ(drawings[0].strokes[1].points, (PointList{{5, 6}}));
+  EXPECT_EQ(drawings[1].strokes[0].points, (PointList{{1.5F, 3}, {2, 4}}));
   EXPECT_EQ(drawings[0].width, 256.0);
   EXPECT_EQ(drawings[0].height, 256.0);
 }
 
 TEST_F(QuickDraw, IgnoresTheTimesOfRawDrawings) {
   const auto drawings = Read("{\"drawing\":[[[100,800.5],[20,1255],[0,17]]]}\n");
-  EXPECT_EQ(drawings[0].strokes[0].points, (Points{{100, 20}, {800.5F, 1255}}));
+  EXPECT_EQ(drawings[0].strokes[0].points, (PointList{{100, 20}, {800.5F, 1255}}));
   EXPECT_EQ(drawings[0].width, 800.5);
   EXPECT_EQ(drawings[0].height, 1255.0);
 }

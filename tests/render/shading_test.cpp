@@ -1,6 +1,7 @@
 #include "render/shading.h"
 
 #include "core/error.h"
+#include "tests/render/pixels.h"
 #include "tests/render/shapes.h"
 
 #include <gtest/gtest.h>
@@ -14,26 +15,15 @@ namespace {
 using testing::Sphere;
 using testing::Square;
 
-constexpr Rgb kWhite = {255, 255, 255}, kBlack = {0, 0, 0};
-
 /// Sees [-half, half] x [-half, half].
 Camera Front(double half, int size) {
   return FrontalCamera({0.0, 0.0, 0.0}, half, size);
 }
 
-Rgb Pixel(const Image& image, int row, int column) {
-  return {image.at(row, column, 0), image.at(row, column, 1), image.at(row, column, 2)};
-}
 int Brightness(const Image& image, int row, int column) {
   const Rgb colour = Pixel(image, row, column);
   return colour[0] + colour[1] + colour[2];
 }
-int LargestDifference(const Image& a, const Image& b) {
-  int largest = 0;
-  for (size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
-  return largest;
-}
-
 TEST(ClosingColours, EyesAreWhitishAndTheRestIsDark) {
   const auto colours = ClosingColours(5, 2);
   ASSERT_EQ(colours.size(), 5u);

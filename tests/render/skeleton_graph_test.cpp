@@ -34,7 +34,7 @@ std::vector<int> SortedDegrees(const SkeletonGraph& graph) {
   return degrees;
 }
 
-void Fill(Image& image, int top, int left, int height, int width) {
+void FillInk(Image& image, int top, int left, int height, int width) {
   FillRectangle(image, top, left, height, width, {kInk, kInk, kInk});
 }
 
@@ -88,13 +88,13 @@ TEST(SkeletonGraph, TwoEndsSideBySideAreOneLine) {
 
 TEST(SkeletonGraph, SpursShorterThanTheLineIsWideGo) {
   Image ink(80, 120, 1, kPaper);
-  Fill(ink, 40, 10, 9, 100);
+  FillInk(ink, 40, 10, 9, 100);
   Image skeleton(80, 120, 1, kPaper);
-  Fill(skeleton, 44, 10, 1, 100);
-  Fill(skeleton, 36, 60, 8, 1);
+  FillInk(skeleton, 44, 10, 1, 100);
+  FillInk(skeleton, 36, 60, 8, 1);
   EXPECT_EQ(GraphOfSkeleton(skeleton, ink).edges.size(), 3U);
   EXPECT_EQ(WithoutThinningArtefacts(GraphOfSkeleton(skeleton, ink)).edges.size(), 2U);
-  Fill(skeleton, 26, 60, 18, 1);
+  FillInk(skeleton, 26, 60, 18, 1);
   EXPECT_EQ(WithoutThinningArtefacts(GraphOfSkeleton(skeleton, ink)).edges.size(), 3U) << "a line of its own";
 }
 
@@ -104,7 +104,7 @@ TEST(SkeletonGraph, BridgeOfACrossingBecomesOneJunction) {
                                          "...##...##...", ".##.......##.", "#...........#"};
   const Image skeleton = Mask(rows);
   Image ink(7, 13, 1, kPaper);
-  Fill(ink, 2, 0, 3, 13);
+  FillInk(ink, 2, 0, 3, 13);
   const auto graph = GraphOfSkeleton(skeleton, ink);
   EXPECT_EQ(SortedDegrees(graph), (std::vector{1, 1, 1, 1, 3, 3}));
   const auto merged = WithoutThinningArtefacts(graph);
@@ -113,11 +113,11 @@ TEST(SkeletonGraph, BridgeOfACrossingBecomesOneJunction) {
 
 TEST(SkeletonGraph, TopologyOfARealSkeletonIsThatOfTheInk) {
   Image ink(100, 100, 1, kPaper);
-  Fill(ink, 20, 20, 60, 5);
-  Fill(ink, 20, 75, 60, 5);
-  Fill(ink, 20, 20, 5, 60);
-  Fill(ink, 75, 20, 5, 60);
-  Fill(ink, 48, 20, 5, 60);
+  FillInk(ink, 20, 20, 60, 5);
+  FillInk(ink, 20, 75, 60, 5);
+  FillInk(ink, 20, 20, 5, 60);
+  FillInk(ink, 75, 20, 5, 60);
+  FillInk(ink, 48, 20, 5, 60);
   const auto graph = WithoutThinningArtefacts(GraphOfSkeleton(Thin(ink), ink));
   // The letter theta: two junctions, three lines between them.
   const auto degrees = graph.Degrees();

@@ -41,7 +41,7 @@ int NumPieces(const Image& mask, uint8_t value, bool diagonal) {
   return count;
 }
 
-int NumInk(const Image& mask) {
+int CountInk(const Image& mask) {
   return static_cast<int>(std::count(mask.pixels.begin(), mask.pixels.end(), kInk));
 }
 
@@ -56,13 +56,13 @@ Image Paper(int size) {
   return {size, size, 1, kPaper};
 }
 
-void Fill(Image& image, int top, int left, int height, int width, uint8_t value = kInk) {
+void FillWith(Image& image, int top, int left, int height, int width, uint8_t value = kInk) {
   FillRectangle(image, top, left, height, width, {value, value, value});
 }
 
 TEST(Thin, BarBecomesItsMiddleRow) {
   Image bar = Paper(60);
-  Fill(bar, 20, 10, 7, 40);
+  FillWith(bar, 20, 10, 7, 40);
   const Image skeleton = Thin(bar);
   for (int column = 14; column < 46; ++column) {
     for (int row = 0; row < 60; ++row) EXPECT_EQ(skeleton.at(row, column) == kInk, row == 23) << row << " " << column;
@@ -90,8 +90,8 @@ TEST(Thin, RingStaysARingInItsMiddle) {
 
 TEST(Thin, CrossKeepsFourArms) {
   Image cross = Paper(80);
-  Fill(cross, 37, 10, 5, 60);
-  Fill(cross, 10, 37, 60, 5);
+  FillWith(cross, 37, 10, 5, 60);
+  FillWith(cross, 10, 37, 60, 5);
   ExpectSameTopology(cross);
   const Image skeleton = Thin(cross);
   EXPECT_EQ(skeleton.at(39, 20), kInk);
@@ -103,8 +103,8 @@ TEST(Thin, CrossKeepsFourArms) {
 TEST(Thin, SmallPiecesDoNotVanish) {
   for (const auto& [height, width] : {std::pair{1, 1}, {1, 2}, {2, 2}, {2, 3}, {3, 3}, {2, 20}}) {
     Image piece = Paper(30);
-    Fill(piece, 5, 5, height, width);
-    EXPECT_GE(NumInk(Thin(piece)), 1) << height << " x " << width;
+    FillWith(piece, 5, 5, height, width);
+    EXPECT_GE(CountInk(Thin(piece)), 1) << height << " x " << width;
     ExpectSameTopology(piece);
   }
 }
@@ -118,8 +118,8 @@ TEST(Thin, TopologyOfRandomMasksIsKept) {
     ExpectSameTopology(mask);
     Image blobs = Paper(60);
     for (int blob = 0; blob < 12; ++blob) {
-      Fill(blobs, static_cast<int>(rng.Below(60)), static_cast<int>(rng.Below(60)), static_cast<int>(rng.Below(14)),
-           static_cast<int>(rng.Below(14)), blob % 4 == 3 ? kPaper : kInk);
+      FillWith(blobs, static_cast<int>(rng.Below(60)), static_cast<int>(rng.Below(60)), static_cast<int>(rng.Below(14)),
+               static_cast<int>(rng.Below(14)), blob % 4 == 3 ? kPaper : kInk);
     }
     ExpectSameTopology(blobs);
   }
@@ -127,9 +127,9 @@ TEST(Thin, TopologyOfRandomMasksIsKept) {
 
 TEST(Thin, NoPixelIsSuperfluous) {
   Image mask = Paper(90);
-  Fill(mask, 20, 10, 12, 60);
-  Fill(mask, 10, 30, 70, 9);
-  for (int i = 0; i < 60; ++i) Fill(mask, 15 + i, 10 + i, 4, 4);
+  FillWith(mask, 20, 10, 12, 60);
+  FillWith(mask, 10, 30, 70, 9);
+  for (int i = 0; i < 60; ++i) FillWith(mask, 15 + i, 10 + i, 4, 4);
   const Image skeleton = Thin(mask);
   EXPECT_EQ(Thin(skeleton), skeleton);
   const int num_ink = NumPieces(skeleton, kInk, true), num_paper = NumPieces(skeleton, kPaper, false);
@@ -152,7 +152,7 @@ TEST(Thin, NoPixelIsSuperfluous) {
 TEST(Thin, InkAtTheBorderOfThePictureIsThinnedToo) {
   const Image all(20, 30, 1, kInk);
   ExpectSameTopology(all);
-  EXPECT_LT(NumInk(Thin(all)), 40);
+  EXPECT_LT(CountInk(Thin(all)), 40);
   EXPECT_THROW(Thin(Image(4, 4, 3)), Error);
 }
 

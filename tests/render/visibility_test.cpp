@@ -14,15 +14,15 @@ namespace {
 
 using geometry::TriangleMesh;
 
-const Camera kFromFront = FrontalCamera(Eigen::Vector3d::Zero(), 5, 256);
+const Camera kFrontCamera = FrontalCamera(Eigen::Vector3d::Zero(), 5, 256);
 
 Eigen::RowVector3d Projected(const Camera& camera, const Eigen::Vector3d& point) {
   return Project(camera, geometry::Points(point.transpose())).row(0);
 }
 
 TEST(Visibility, ASphereHidesItsBackAndWhatLiesBehindIt) {
-  const Visibility visibility(kFromFront, testing::Sphere(2, 4), 0.05);
-  const auto sees = [&](double x, double y, double z) { return visibility.Sees(Projected(kFromFront, {x, y, z})); };
+  const Visibility visibility(kFrontCamera, testing::Sphere(2, 4), 0.05);
+  const auto sees = [&](double x, double y, double z) { return visibility.Sees(Projected(kFrontCamera, {x, y, z})); };
   EXPECT_TRUE(sees(0, 0, 2));
   EXPECT_FALSE(sees(0, 0, -2));
   EXPECT_FALSE(sees(1, 0.5, -3));
@@ -34,10 +34,10 @@ TEST(Visibility, ASphereHidesItsBackAndWhatLiesBehindIt) {
 
 TEST(Visibility, TheToleranceIsADepthInCm) {
   const TriangleMesh sheet = testing::Sheet(4, [](double, double) { return 1.0; });
-  const Visibility visibility(kFromFront, sheet, 0.2);
-  EXPECT_TRUE(visibility.Sees(Projected(kFromFront, {0.5, 0.5, 0.81})));
-  EXPECT_FALSE(visibility.Sees(Projected(kFromFront, {0.5, 0.5, 0.79})));
-  testing::ExpectError([&] { Visibility(kFromFront, sheet, -1); }, "tolerance -1");
+  const Visibility visibility(kFrontCamera, sheet, 0.2);
+  EXPECT_TRUE(visibility.Sees(Projected(kFrontCamera, {0.5, 0.5, 0.81})));
+  EXPECT_FALSE(visibility.Sees(Projected(kFrontCamera, {0.5, 0.5, 0.79})));
+  testing::ExpectError([&] { Visibility(kFrontCamera, sheet, -1); }, "tolerance -1");
 }
 
 /// Whether a ray towards the viewer meets the surface, farther away than the tolerance.

@@ -22,10 +22,11 @@ inline void BuildSyntheticFaces(const std::filesystem::path& directory, int num_
   datasets::BuildFaces(SyntheticModel(), SyntheticFacesOptions(num_persons), directory);
 }
 
-inline void BuildSyntheticSketches(const std::filesystem::path& faces, const std::filesystem::path& directory) {
+inline void BuildSyntheticSketches(const std::filesystem::path& faces, const std::filesystem::path& directory,
+                                   const Task& task = {}) {
   datasets::SketchesOptions options;
   options.faces = faces.string();
-  datasets::BuildSketches(options, directory);
+  datasets::BuildSketches(options, directory, task);
 }
 
 }  // namespace daumier::testing

@@ -29,5 +29,14 @@ TEST(Shape, RefusesAnotherSizeAnotherRankAndUndefined) {
   ExpectError([] { CheckShape(torch::Tensor(), {2}, "images"); }, "images is undefined");
 }
 
+TEST(Shape, TellsWhichTensorsALoopMayRead) {
+  const torch::Tensor images = torch::zeros({2, 3, 4, 5});
+  EXPECT_TRUE(IsDenseFloat(images));
+  EXPECT_TRUE(IsDenseFloat(images.contiguous(torch::MemoryFormat::ChannelsLast)));
+  EXPECT_TRUE(IsDenseFloat(images.transpose(0, 3)));
+  EXPECT_FALSE(IsDenseFloat(images.select(1, 0)));
+  EXPECT_FALSE(IsDenseFloat(images.to(torch::kFloat64)));
+}
+
 }  // namespace
 }  // namespace daumier::tensor

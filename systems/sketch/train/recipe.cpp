@@ -4,6 +4,8 @@
 #include "core/parallel.h"
 #include "datasets/read/training_fit.h"
 #include "eval/metrics.h"
+#include "systems/sketch/coefficient_targets.h"
+#include "systems/sketch/train/reader.h"
 #include "tensor/array.h"
 #include "tensor/autocast.h"
 #include "tensor/eigen.h"
@@ -11,7 +13,6 @@
 #include "tensor/torch_version.h"
 
 #include <torch/nn/functional/loss.h>
-#include "systems/sketch/coefficient_targets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -21,8 +22,6 @@ namespace {
 
 namespace nn = torch::nn;
 
-/// Faces whose vertices are in memory at once.
-constexpr int kBlock = 64;
 /// What LibTorch's cross-entropy passes over.
 constexpr int64_t kNoClass = -100;
 
@@ -137,7 +136,7 @@ void SketchRecipe::PrecomputeMoments() {
   const std::span<const int> faces = training_.faces();
   for (size_t begin = 0; begin < faces.size(); begin += kBlock) {
     const losses::VertexMoments block = gram_loss_->Moments(
-        tensor::TakeTensor(Vertices(faces.subspan(begin, std::min<size_t>(kBlock, faces.size() - begin)))).to(device_));
+        tensor::TakeTensor(Vertices(faces.subspan(begin, std::min(kBlock, faces.size() - begin)))).to(device_));
     linear.push_back(block.linear);
     constant.push_back(block.constant);
   }
@@ -226,8 +225,8 @@ std::map<std::string, double> SketchRecipe::Validate() {
   const std::vector<int>& region = faces_.face_template().annotation.regions.at("face");
   const double mm_per_cm = faces::MillimetresPerCm(faces_.face_template());
   std::vector<double> errors;
-  for (int begin = 0; begin < validation_.size(); begin += kBlock) {
-    const std::vector<int> samples = Indices(begin, std::min(begin + kBlock, validation_.size()));
+  for (int begin = 0; begin < validation_.size(); begin += int(kBlock)) {
+    const std::vector<int> samples = Indices(begin, std::min(begin + int(kBlock), validation_.size()));
     const torch::Tensor predicted =
         network_->Decode(network_->forward(InputOf(train::ToDevice(validation_.Get(samples), device_))))
             .to(torch::kCPU)

@@ -2,11 +2,11 @@
 
 #include "core/config.h"
 #include "core/files.h"
-#include "core/interrupt.h"
 #include "core/safetensors.h"
 #include "datasets/build/interpolation.h"
 #include "faces/expression_transfer.h"
 #include "faces/face_database.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 #include "tests/support/process.h"
@@ -128,9 +128,8 @@ TEST_F(BuildFacesTest, InterpolationThatIsStoppedGoesOnWithTheSameBytes) {
   options.num_interpolated = 5;
   options.family_size = 2;
   BuildFaces(*model_, options, *folder_ / "whole");
-  SetInterrupted(true);
-  ExpectError([&] { BuildFaces(*model_, options, *folder_ / "halted"); }, "stopped after 0 of 5");
-  SetInterrupted(false);
+  ExpectError([&] { BuildFaces(*model_, options, *folder_ / "halted", testing::CancelledTask()); },
+              "stopped after 0 of 5");
   BuildFaces(*model_, options, *folder_ / "halted");
   EXPECT_EQ(DataHash(*folder_ / "whole"), DataHash(*folder_ / "halted"));
 }
@@ -147,9 +146,8 @@ TEST_F(BuildFacesTest, ManifestHoldsCountsLicencesAndNoPath) {
 
 TEST_F(BuildFacesTest, AnInterruptedBuildEndsWithTheSameBytes) {
   const FacesOptions options = testing::SyntheticFacesOptions(3);
-  SetInterrupted(true);
-  ExpectError([&] { BuildFaces(*model_, options, *folder_ / "stopped"); }, "stopped after 0 of 3");
-  SetInterrupted(false);
+  ExpectError([&] { BuildFaces(*model_, options, *folder_ / "stopped", testing::CancelledTask()); },
+              "stopped after 0 of 3");
   BuildFaces(*model_, options, *folder_ / "stopped");
   EXPECT_EQ(DataHash(*folder_ / "stopped"), DataHash(faces()));
 }

@@ -34,7 +34,7 @@ faces::GivenFaces Given(bool regions = true) {
   return faces::ImportGivenFaces(files, testing::ForeignAnnotation(regions));
 }
 
-FacesOptions Options(std::vector<double> gammas) {
+FacesOptions GivenOptions(std::vector<double> gammas) {
   FacesOptions options;
   options.source = {.name = "meshes", .path = "/nowhere"};
   options.exaggeration.gammas = std::move(gammas);
@@ -44,7 +44,7 @@ FacesOptions Options(std::vector<double> gammas) {
 TEST(BuildGivenFaces, FacesAreThoseGiven) {
   const testing::TempDir folder;
   const faces::GivenFaces given = Given(false);
-  BuildGivenFaces(given, Options({0.0}), folder / "faces");
+  BuildGivenFaces(given, GivenOptions({0.0}), folder / "faces");
   const faces::FaceDatabase database(folder / "faces");
   ASSERT_EQ(database.num_faces(), 12);
   for (int face = 0; face < 12; ++face)
@@ -55,7 +55,7 @@ TEST(BuildGivenFaces, FacesAreThoseGiven) {
 TEST(BuildGivenFaces, LevelsAreExaggeratedNeutralsPlusTheExpression) {
   const testing::TempDir folder;
   const faces::GivenFaces given = Given();
-  const FacesOptions options = Options({0.0, 0.2});
+  const FacesOptions options = GivenOptions({0.0, 0.2});
   BuildGivenFaces(given, options, folder / "faces");
   const faces::FaceDatabase database(folder / "faces");
   const auto levels = faces::Exaggerate(given.face_template, given.face(4, 0), options.exaggeration);
@@ -66,7 +66,7 @@ TEST(BuildGivenFaces, LevelsAreExaggeratedNeutralsPlusTheExpression) {
 
 TEST(BuildGivenFaces, LevelsMayBeExaggeratedByParts) {
   const testing::TempDir folder;
-  FacesOptions options = Options({0.0, 0.2});
+  FacesOptions options = GivenOptions({0.0, 0.2});
   options.levels = "parts";
   BuildGivenFaces(Given(), options, folder / "faces");
   const faces::FaceDatabase database(folder / "faces");
@@ -79,7 +79,7 @@ TEST(BuildGivenFaces, LevelsMayBeExaggeratedByParts) {
 
 TEST(BuildGivenFaces, ManifestCarriesLicenceNamesAndGroups) {
   const testing::TempDir folder;
-  BuildGivenFaces(Given(), Options({0.0}), folder / "faces");
+  BuildGivenFaces(Given(), GivenOptions({0.0}), folder / "faces");
   const Manifest manifest = ReadManifest(folder / "faces", "faces");
   EXPECT_EQ(manifest.sources.at(0).at("licence"), "research only");
   EXPECT_EQ(manifest.details.at("names").at(3), "b/2");
@@ -90,7 +90,7 @@ TEST(BuildGivenFaces, ManifestCarriesLicenceNamesAndGroups) {
 
 TEST(BuildGivenFaces, SplitsKeepARealPersonOnOneSide) {
   const testing::TempDir folder;
-  BuildGivenFaces(Given(), Options({0.0}), folder / "faces");
+  BuildGivenFaces(Given(), GivenOptions({0.0}), folder / "faces");
   const faces::FaceDatabase database(folder / "faces");
   for (uint64_t seed = 0; seed < 6; ++seed) {
     const Split split = MakeSplit(database, {.kind = "person", .validation = 0.3, .test = 0.3}, seed);
@@ -103,8 +103,12 @@ TEST(BuildGivenFaces, SplitsKeepARealPersonOnOneSide) {
 
 TEST(BuildGivenFaces, WhatIsMissingIsNamedBeforeAnythingIsWritten) {
   const testing::TempDir folder;
-  ExpectError([&] { BuildGivenFaces(Given(false), Options({0.0, 0.2}), folder / "faces"); }, "needs the region 'nose'");
-  FacesOptions options = Options({0.0});
+  ExpectError(
+      [&] {
+        BuildGivenFaces(Given(false), GivenOptions({0.0, 0.2}), folder / "faces");
+      },
+      "needs the region 'nose'");
+  FacesOptions options = GivenOptions({0.0});
   options.expressions = {"neutral", "lifte"};
   ExpectError([&] { BuildGivenFaces(Given(), options, folder / "faces"); }, "did you mean 'lifted'");
   EXPECT_FALSE(std::filesystem::exists(folder / "faces"));
@@ -114,7 +118,7 @@ TEST(BuildFaces, MeshesOfAFolderBecomeADatabase) {
   const testing::TempDir folder;
   for (const int k : {0, 2, 4}) testing::WriteForeignObj(folder / fmt::format("in/{}.obj", k), ForeignMesh(k));
   WriteFileAtomically(folder / "a.json", testing::ForeignAnnotationJson(false).dump());
-  FacesOptions options = Options({0.0});
+  FacesOptions options = GivenOptions({0.0});
   options.source.path = (folder / "in").string();
   options.source.annotation = (folder / "a.json").string();
   options.source.licence = "CC0";

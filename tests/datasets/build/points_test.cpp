@@ -2,11 +2,11 @@
 
 #include "core/config.h"
 #include "core/files.h"
-#include "core/interrupt.h"
 #include "datasets/build/face_attributes.h"
 #include "datasets/read/point_database.h"
 #include "faces/open_mouth.h"
 #include "geometry/surface_samples.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 #include "tests/support/synthetic_database.h"
@@ -96,9 +96,7 @@ TEST_F(BuildPointsTest, ManifestNamesItsFacesAndTheirLicencesAndNoPath) {
 }
 
 TEST_F(BuildPointsTest, AnInterruptedBuildEndsWithTheSameBytes) {
-  SetInterrupted(true);
-  ExpectError([&] { BuildPoints(Options(), *folder_ / "stopped"); }, "stopped after");
-  SetInterrupted(false);
+  ExpectError([&] { BuildPoints(Options(), *folder_ / "stopped", testing::CancelledTask()); }, "stopped after");
   BuildPoints(Options(), *folder_ / "stopped");
   EXPECT_EQ(DataHash(*folder_ / "stopped"), DataHash(*folder_ / "points"));
 }

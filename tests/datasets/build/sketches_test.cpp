@@ -2,9 +2,9 @@
 
 #include "core/config.h"
 #include "core/files.h"
-#include "core/interrupt.h"
 #include "datasets/read/sketch_database.h"
 #include "faces/face_database.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 #include "tests/support/synthetic_database.h"
@@ -82,10 +82,11 @@ TEST_F(BuildSketchesTest, ManifestNamesItsFacesAndTheirLicencesAndNoPath) {
 }
 
 TEST_F(BuildSketchesTest, AnInterruptedBuildEndsWithTheSameBytes) {
-  SetInterrupted(true);
-  ExpectError([&] { testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "stopped"); }, "stopped after");
-  SetInterrupted(false);
-  testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "stopped");
+  const auto build = [&](const Task& task) {
+    testing::BuildSyntheticSketches(*folder_ / "faces", *folder_ / "stopped", task);
+  };
+  ExpectError([&] { build(testing::CancelledTask()); }, "stopped after");
+  build({});
   EXPECT_EQ(DataHash(*folder_ / "stopped"), DataHash(*folder_ / "sketches"));
 }
 

@@ -102,27 +102,27 @@ TEST_F(SketchDatasetTest, ABatchDoesNotDependOnWhatElseIsCached) {
   EXPECT_EQ(whole.size(), sketches_->num_faces());
 }
 
-SketchVariation Strength(double strength) {
+SketchVariation StrengthOf(double strength) {
   SketchVariation variation;
   variation.augmentation.strength = strength;
   return variation;
 }
 
 TEST_F(SketchDatasetTest, AnAugmentedPictureIsAFunctionOfSeedFaceAndEpoch) {
-  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, {.resolution = 64}, Strength(1), 9);
+  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, {.resolution = 64}, StrengthOf(1), 9);
   const std::vector<float> image = Images(dataset.Get(std::vector<int>{2}, 4));
   const SampleBatch all = dataset.Get(std::vector<int>{4, 3, 2, 1, 0}, 4);
   EXPECT_EQ(RowOf(all, "images", 2), image);
   EXPECT_EQ(all.indices.at("faces").values[2], 5);
-  const SketchDataset others(*sketches_, {5, 1}, {.resolution = 64}, Strength(1), 9),
-      other_seed(*sketches_, {5}, {.resolution = 64}, Strength(1), 8);
+  const SketchDataset others(*sketches_, {5, 1}, {.resolution = 64}, StrengthOf(1), 9),
+      other_seed(*sketches_, {5}, {.resolution = 64}, StrengthOf(1), 8);
   EXPECT_EQ(Images(others.Get(std::vector<int>{0}, 4)), image);
   EXPECT_NE(Images(other_seed.Get(std::vector<int>{0}, 4)), image);
   EXPECT_NE(Images(dataset.Get(std::vector<int>{2}, 5)), image);
 }
 
 TEST_F(SketchDatasetTest, GivesTheSameBatchesToSeveralThreads) {
-  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, {.resolution = 32, .num_points = 40}, Strength(1), 9);
+  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, {.resolution = 32, .num_points = 40}, StrengthOf(1), 9);
   std::vector<SampleBatch> batches(9);
   {
     std::vector<std::jthread> threads;
@@ -139,7 +139,7 @@ TEST_F(SketchDatasetTest, GivesTheSameBatchesToSeveralThreads) {
 }
 
 TEST_F(SketchDatasetTest, AnAugmentedPictureDoesNotDependOnTheNumberOfCores) {
-  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, {.resolution = 64}, Strength(1), 9);
+  const SketchDataset dataset(*sketches_, {3, 11, 5, 7, 2}, {.resolution = 64}, StrengthOf(1), 9);
   const std::vector<int> samples{0, 1, 2, 3, 4};
   const std::vector<float> images = Images(dataset.Get(samples, 1));
   cpu_set_t before, one;
@@ -153,8 +153,8 @@ TEST_F(SketchDatasetTest, AnAugmentedPictureDoesNotDependOnTheNumberOfCores) {
 }
 
 TEST_F(SketchDatasetTest, AnAugmentedPictureIsTheAugmentedStrokesWithInkOne) {
-  const SketchDataset dataset(*sketches_, {3}, {.resolution = 64}, Strength(1), 9);
-  const AugmentedSketch sketch = VariedSketch(*sketches_, 3, Strength(1), 9, 6);
+  const SketchDataset dataset(*sketches_, {3}, {.resolution = 64}, StrengthOf(1), 9);
+  const AugmentedSketch sketch = VariedSketch(*sketches_, 3, StrengthOf(1), 9, 6);
   const render::Image drawn = render::RasteriseStrokes(sketch.strokes, 64, sketch.style);
   const std::vector<float> image = Images(dataset.Get(std::vector<int>{0}, 6));
   for (int y = 0; y < 64; ++y) {
@@ -164,7 +164,7 @@ TEST_F(SketchDatasetTest, AnAugmentedPictureIsTheAugmentedStrokesWithInkOne) {
 
 TEST_F(SketchDatasetTest, WithoutAugmentationEveryEpochIsTheSame) {
   const SketchDataset dataset(*sketches_, {3, 5}, {.resolution = 32}),
-      zero(*sketches_, {3, 5}, {.resolution = 32}, Strength(0), 9);
+      zero(*sketches_, {3, 5}, {.resolution = 32}, StrengthOf(0), 9);
   const std::vector<int> samples{0, 1};
   EXPECT_EQ(Images(dataset.Get(samples, 0)), Images(dataset.Get(samples, 7)));
   EXPECT_EQ(Images(dataset.Get(samples)), Images(zero.Get(samples, 3)));
@@ -172,17 +172,17 @@ TEST_F(SketchDatasetTest, WithoutAugmentationEveryEpochIsTheSame) {
 
 TEST_F(SketchDatasetTest, WhatIsNotThereIsRefused) {
   ExpectError([&] { SketchDataset(*sketches_, {0, 99}, {.resolution = 32}); }, "sketch 99");
-  ExpectError([&] { SketchDataset(*sketches_, {0, 99}, {.resolution = 32}, Strength(1)); }, "sketch 99");
+  ExpectError([&] { SketchDataset(*sketches_, {0, 99}, {.resolution = 32}, StrengthOf(1)); }, "sketch 99");
   const SketchDataset dataset(*sketches_, {0, 1}, {.resolution = 32});
   ExpectError([&] { dataset.Get(std::vector<int>{2}); }, "sample 2 of a dataset of 2");
 }
 
 TEST_F(SketchDatasetTest, PointsAreSampledAlongTheStrokesOfTheSketch) {
-  const SketchDataset dataset(*sketches_, {3, 11}, {.num_points = 40}, Strength(1), 9);
+  const SketchDataset dataset(*sketches_, {3, 11}, {.num_points = 40}, StrengthOf(1), 9);
   const SampleBatch batch = dataset.Get(std::vector<int>{1}, 2);
   ASSERT_EQ(batch.arrays.at("points").shape, (Shape{1, 4, 40}));
   const std::vector<float> points = RowOf(batch, "points", 0);
-  const auto samples = render::SampleStrokes(VariedSketch(*sketches_, 11, Strength(1), 9, 2).strokes, 40);
+  const auto samples = render::SampleStrokes(VariedSketch(*sketches_, 11, StrengthOf(1), 9, 2).strokes, 40);
   for (size_t i = 0; i < 40; ++i) {
     EXPECT_NEAR(points[i], samples[i].x / 128 - 1, 1e-6);
     EXPECT_NEAR(points[40 + i], samples[i].y / 128 - 1, 1e-6);
@@ -199,17 +199,17 @@ TEST_F(SketchDatasetTest, ShapeIsGivenByTheSketchAsItIsAugmented) {
   for (int face = 0; face < faces.num_faces(); ++face) all.train.push_back(face);
   const auto curves = FitCurvesOnTraining(faces, *sketches_, all, {.num_identity = 4, .num_expression = 3}).model;
   const faces::CurveEncoder encoder(curves);
-  const SketchDataset dataset(*sketches_, {3, 11}, {.encoder = &encoder}, Strength(1), 9);
+  const SketchDataset dataset(*sketches_, {3, 11}, {.encoder = &encoder}, StrengthOf(1), 9);
   const FloatArray shape = dataset.Get(std::vector<int>{1}, 2).arrays.at("shape");
-  const AugmentedSketch sketch = VariedSketch(*sketches_, 11, Strength(1), 9, 2);
+  const AugmentedSketch sketch = VariedSketch(*sketches_, 11, StrengthOf(1), 9, 2);
   const auto expected = GivenShape(encoder, *sketches_, sketch.moved, sketch.visible).numbers();
   ASSERT_EQ(shape.shape, (Shape{1, 7}));
   for (int k = 0; k < 7; ++k) EXPECT_EQ(shape.values[size_t(k)], expected[k]);
 }
 
 TEST_F(SketchDatasetTest, FixedOnesShowTheFirstEpochInEachEpoch) {
-  const SketchDataset dataset(*sketches_, {3, 11}, {.resolution = 32, .fixed = true}, Strength(1), 9),
-      varying(*sketches_, {3, 11}, {.resolution = 32}, Strength(1), 9);
+  const SketchDataset dataset(*sketches_, {3, 11}, {.resolution = 32, .fixed = true}, StrengthOf(1), 9),
+      varying(*sketches_, {3, 11}, {.resolution = 32}, StrengthOf(1), 9);
   const std::vector<int> samples{0, 1};
   EXPECT_EQ(Images(dataset.Get(samples, 5)), Images(dataset.Get(samples, 0)));
   EXPECT_EQ(Images(dataset.Get(samples, 5)), Images(varying.Get(samples, 0)));

@@ -24,7 +24,7 @@ Stroke Arc(double length_px, double angle) {
   return stroke;
 }
 
-Stroke Ellipse() {
+Stroke FaceOval() {
   Stroke stroke;
   for (int i = 0; i < 40; ++i) {
     const double angle = 2 * std::numbers::pi * i / 40;
@@ -95,8 +95,8 @@ TEST(DeformStroke, StraighterStrokesMoveMore) {
 
 TEST(DeformStroke, ClosedStrokesMoveAndStayClosed) {
   Rng rng(3);
-  for (int trial = 0; trial < 20; ++trial) EXPECT_TRUE(IsClosed(DeformStroke(Ellipse(), 5, rng)));
-  EXPECT_GT(MeanMove(Ellipse(), 5, 20), 1);
+  for (int trial = 0; trial < 20; ++trial) EXPECT_TRUE(IsClosed(DeformStroke(FaceOval(), 5, rng)));
+  EXPECT_GT(MeanMove(FaceOval(), 5, 20), 1);
 }
 
 TEST(DeformStroke, StrokesOfTwoPointsOrOfNoLengthStay) {

@@ -9,7 +9,7 @@ namespace daumier::datasets {
 namespace {
 
 /// Straight strokes of some lengths in widths of the canvas.
-std::vector<render::Stroke> Lines(const std::vector<double>& lengths) {
+std::vector<render::Stroke> LinesOfLengths(const std::vector<double>& lengths) {
   std::vector<render::Stroke> strokes;
   for (const double length : lengths) strokes.push_back({0, {{0, 0}, {static_cast<float>(256 * length), 0}}});
   return strokes;
@@ -19,7 +19,7 @@ constexpr int kDraws = 20000;
 
 TEST(DrawRemovedStrokes, FrequenciesFollowTheWeights) {
   const std::vector<double> lengths{0.5, 0.1, 0.4, 1.2};
-  const auto strokes = Lines(lengths);
+  const auto strokes = LinesOfLengths(lengths);
   std::vector<double> expected;
   double total = 0;
   for (size_t i = 0; i < 4; ++i) total += expected.emplace_back(std::exp(0.5 * double(i) - 2 * lengths[i]));
@@ -39,7 +39,7 @@ TEST(DrawRemovedStrokes, FrequenciesFollowTheWeights) {
 
 TEST(DrawRemovedStrokes, DrawsOneAfterTheOtherWithoutReplacement) {
   // P = (1, e, e^2) / S: stroke 0 stays with probability P1 P2 / (1 - P1) + P2 P1 / (1 - P2).
-  const auto strokes = Lines({0, 0, 0});
+  const auto strokes = LinesOfLengths({0, 0, 0});
   const double sum = 1 + std::exp(1) + std::exp(2), p1 = std::exp(1) / sum, p2 = std::exp(2) / sum;
   const double stays = p1 * p2 / (1 - p1) + p2 * p1 / (1 - p2);
   int count = 0;
@@ -49,13 +49,13 @@ TEST(DrawRemovedStrokes, DrawsOneAfterTheOtherWithoutReplacement) {
 }
 
 TEST(DrawRemovedStrokes, RemovesAsManyAsAskedForButNeverAll) {
-  const auto strokes = Lines({0.1, 0.2, 0.3, 0.4, 0.5});
+  const auto strokes = LinesOfLengths({0.1, 0.2, 0.3, 0.4, 0.5});
   Rng rng(3);
   for (int count = -1; count <= 7; ++count) {
     const auto removed = DrawRemovedStrokes(strokes, count, 0.5, 2, rng);
     EXPECT_EQ(std::count(removed.begin(), removed.end(), true), std::clamp(count, 0, 4));
   }
-  EXPECT_EQ(DrawRemovedStrokes(Lines({0.1}), 1, 0.5, 2, rng), std::vector<bool>{false});
+  EXPECT_EQ(DrawRemovedStrokes(LinesOfLengths({0.1}), 1, 0.5, 2, rng), std::vector<bool>{false});
   EXPECT_TRUE(DrawRemovedStrokes({}, 1, 0.5, 2, rng).empty());
 }
 
@@ -63,7 +63,8 @@ TEST(DrawRemovedStrokes, WeightsDoNotUnderflow) {
   // exp(-100 * 100) is 0 in double precision; the shorter stroke is e^100 times as likely.
   Rng rng(4);
   for (int draw = 0; draw < 50; ++draw)
-    EXPECT_EQ(DrawRemovedStrokes(Lines({101, 100, 101}), 1, 0, 100, rng), (std::vector<bool>{false, true, false}));
+    EXPECT_EQ(DrawRemovedStrokes(LinesOfLengths({101, 100, 101}), 1, 0, 100, rng),
+              (std::vector<bool>{false, true, false}));
 }
 
 }  // namespace

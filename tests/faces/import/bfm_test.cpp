@@ -16,7 +16,7 @@ using testing::ExpectError;
 using testing::ForeignMesh;
 using testing::MatVariable;
 
-std::vector<float> Floats(const geometry::Points& points) {
+std::vector<float> FloatsOf(const geometry::Points& points) {
   return {points.data(), points.data() + points.size()};
 }
 
@@ -35,7 +35,7 @@ class BfmTest : public ::testing::Test {
     for (const int k : {0, 2, 1}) {
       for (int t = 0; t < num_triangles_; ++t) corners.push_back(triangles_(t, k) + 1);
     }
-    return MatVariable("shapeMU", {num_coordinates_, 1}, 7, BytesOf(Floats(ForeignMesh(0, 1e-4).vertices)), 7) +
+    return MatVariable("shapeMU", {num_coordinates_, 1}, 7, BytesOf(FloatsOf(ForeignMesh(0, 1e-4).vertices)), 7) +
            testing::MatCompressed(MatVariable("shapePC", {num_coordinates_, 2}, 7, BytesOf(basis), 7)) +
            MatVariable("shapeEV", {2, 1}, 9, BytesOf<double>({2e4, 3e4})) +
            MatVariable("texMU", {1, 1}, 9, BytesOf(0.0)) + MatVariable("tl", {num_triangles_, 3}, 9, BytesOf(corners));
@@ -45,7 +45,7 @@ class BfmTest : public ::testing::Test {
   void Write2017(const std::filesystem::path& path) const {
     const auto rows = static_cast<hsize_t>(num_coordinates_);
     testing::Hdf5Writer writer(path);
-    writer.Add("shape/model/mean", {rows}, Floats(ForeignMesh(0, 0.1).vertices));
+    writer.Add("shape/model/mean", {rows}, FloatsOf(ForeignMesh(0, 0.1).vertices));
     std::vector<float> basis(2 * rows);
     basis[0] = basis[3] = 1;
     writer.Add("shape/model/pcaBasis", {rows, 2}, basis);

@@ -17,7 +17,7 @@ using testing::ForeignMesh;
 using testing::Npy;
 
 /// The small head as FLAME's arrays, in metres; direction s moves vertex s along x by 1 cm.
-std::map<std::string, std::string> Arrays(int num_directions) {
+std::map<std::string, std::string> FlameArrays(int num_directions) {
   const geometry::Points vertices = ForeignMesh(0, 100).vertices;
   const geometry::Triangles triangles = geometry::Triangulate(ForeignMesh());
   const auto num_vertices = vertices.rows();
@@ -33,7 +33,7 @@ std::map<std::string, std::string> Arrays(int num_directions) {
 
 TEST(Flame, First300DirectionsAreIdentityTheRestExpression) {
   const testing::TempDir folder;
-  testing::WriteNpz(folder / "flame.npz", Arrays(305));
+  testing::WriteNpz(folder / "flame.npz", FlameArrays(305));
   const FaceModel model = LoadFlame(folder / "flame.npz", testing::ForeignAnnotation());
   EXPECT_LT((model.face_template.neutral - ForeignMesh().vertices).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_EQ(testing::LowestFirst(model.face_template.triangles),
@@ -48,7 +48,7 @@ TEST(Flame, First300DirectionsAreIdentityTheRestExpression) {
 
 TEST(Flame, ShortModelsHaveNoExpression) {
   const testing::TempDir folder;
-  testing::WriteNpz(folder / "flame.npz", Arrays(10));
+  testing::WriteNpz(folder / "flame.npz", FlameArrays(10));
   const FaceModel model = LoadFlame(folder / "flame.npz", testing::ForeignAnnotation());
   EXPECT_EQ(model.identity_shapes.cols(), 10);
   EXPECT_EQ(model.expressions.size(), 1u);
@@ -58,7 +58,7 @@ TEST(Flame, WhatDoesNotFitIsRefused) {
   const testing::TempDir folder;
   const auto path = folder / "flame.npz";
   const auto refused = [&](const std::string& array, const std::string& bytes, const std::string& part) {
-    auto arrays = Arrays(2);
+    auto arrays = FlameArrays(2);
     arrays[array] = bytes;
     testing::WriteNpz(path, arrays);
     ExpectError([&] { LoadFlame(path, testing::ForeignAnnotation()); }, part);

@@ -10,7 +10,7 @@ namespace {
 using testing::ForeignMesh;
 
 /// Two identity shapes and one expression shape, in decimetres: shape s moves vertex v by (s + 1, 0, v).
-LinearFile File() {
+LinearFile SmallFile() {
   LinearFile file;
   file.source = "linear";
   file.mean = ForeignMesh(0, 10);
@@ -31,7 +31,7 @@ LinearFile File() {
 }
 
 TEST(LinearModel, IsScaledAndAnnotated) {
-  const FaceModel model = ImportLinearModel(File(), testing::ForeignAnnotation());
+  const FaceModel model = ImportLinearModel(SmallFile(), testing::ForeignAnnotation());
   EXPECT_LT((model.face_template.neutral - ForeignMesh().vertices).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_EQ(model.identity_shapes(3 * 7 + 0, 1), 20);
   EXPECT_EQ(model.expression_shapes(3 * 7 + 2, 0), 70);
@@ -41,7 +41,7 @@ TEST(LinearModel, IsScaledAndAnnotated) {
 }
 
 TEST(LinearModel, IdentityWeightsAreStandardNormal) {
-  const FaceModel model = ImportLinearModel(File(), testing::ForeignAnnotation());
+  const FaceModel model = ImportLinearModel(SmallFile(), testing::ForeignAnnotation());
   ASSERT_EQ(model.identity_controls.size(), 2u);
   Rng rng(3);
   double sum = 0, squares = 0;
@@ -63,7 +63,7 @@ TEST(LinearModel, ShapesAreCroppedLikeTheMean) {
     neck.waypoints.push_back(grid.at(i, 1));
   file.cuts = {neck};
   file.crop_seed = grid.at(0, 15);
-  const FaceModel model = ImportLinearModel(File(), file);
+  const FaceModel model = ImportLinearModel(SmallFile(), file);
   constexpr int kCut = 2 * testing::SyntheticGrid::kHalf;
   EXPECT_EQ(model.identity_shapes.rows(), 3 * (grid.mesh().vertices.rows() - kCut));
   EXPECT_EQ(model.identity_shapes(2, 0), 10 * kCut);

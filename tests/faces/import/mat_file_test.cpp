@@ -31,10 +31,10 @@ class MatFileTest : public ::testing::Test {
 };
 
 /// [[0, 1, 2], [3, 4, 5]] column by column.
-const std::vector<float> kSix = {0, 3, 1, 4, 2, 5};
+const std::vector<float> kSixByColumns = {0, 3, 1, 4, 2, 5};
 
 TEST_F(MatFileTest, PlainAndCompressedVariablesAreRead) {
-  const std::string variable = MatVariable("shapePC", {2, 3}, 7, BytesOf(kSix), 7);
+  const std::string variable = MatVariable("shapePC", {2, 3}, 7, BytesOf(kSixByColumns), 7);
   for (const std::string& bytes : {MatFile(variable), MatFile(MatCompressed(variable))}) {
     const NumberArrays arrays = Read(bytes, {"shapePC", "missing"});
     ASSERT_EQ(arrays.size(), 1u);
@@ -52,7 +52,7 @@ TEST_F(MatFileTest, SmallElementsAndPackedTypesAreRead) {
 
 TEST_F(MatFileTest, OtherVariablesArePassedOver) {
   const std::string text = MatVariable("text", {1, 2}, 4, BytesOf<uint16_t>({'h', 'i'}), 4);
-  const std::string six = MatVariable("six", {2, 3}, 7, BytesOf(kSix), 7);
+  const std::string six = MatVariable("six", {2, 3}, 7, BytesOf(kSixByColumns), 7);
   EXPECT_EQ(Read(MatFile(text + MatCompressed(text) + six), {"six"}).at("six")[5], 5);
   ExpectError([&] { Read(MatFile(text), {"text"}); }, "m.mat: text is no real, full matrix of numbers");
 }
@@ -65,20 +65,21 @@ TEST_F(MatFileTest, WrongFilesAndKindsAreRefused) {
   ExpectRefused(big, "big-endian");
   constexpr uint32_t kComplex = 0x806, kSparse = 5, kCell = 1;
   for (const uint32_t kind : {kComplex, kSparse, kCell})
-    ExpectRefused(MatFile(MatVariable("a", {2, 3}, 7, BytesOf(kSix), kind)), "no real, full matrix");
+    ExpectRefused(MatFile(MatVariable("a", {2, 3}, 7, BytesOf(kSixByColumns), kind)), "no real, full matrix");
 }
 
 TEST_F(MatFileTest, HostileSizesAreRefused) {
-  ExpectRefused(MatFile(MatVariable("a", {2, 4}, 7, BytesOf(kSix), 7)), "24 bytes, its shape (2, 4) needs 32");
-  ExpectRefused(MatFile(MatVariable("a", {-2, -3}, 7, BytesOf(kSix), 7)), "impossible shape");
-  ExpectRefused(MatFile(MatVariable("a", {2147483647, 2147483647, 2147483647}, 7, BytesOf(kSix), 7)), "impossible");
-  ExpectRefused(MatFile(MatVariable("a", {2, 3}, 99, BytesOf(kSix), 7)), "unknown type 99");
+  ExpectRefused(MatFile(MatVariable("a", {2, 4}, 7, BytesOf(kSixByColumns), 7)), "24 bytes, its shape (2, 4) needs 32");
+  ExpectRefused(MatFile(MatVariable("a", {-2, -3}, 7, BytesOf(kSixByColumns), 7)), "impossible shape");
+  ExpectRefused(MatFile(MatVariable("a", {2147483647, 2147483647, 2147483647}, 7, BytesOf(kSixByColumns), 7)),
+                "impossible");
+  ExpectRefused(MatFile(MatVariable("a", {2, 3}, 99, BytesOf(kSixByColumns), 7)), "unknown type 99");
   // A compressed variable that claims 4 GB.
   ExpectRefused(MatFile(MatCompressed(BytesOf<uint32_t>({14, 0xfffffff0}))), "in");
 }
 
 TEST_F(MatFileTest, TruncatedAndDamagedFilesAreRefused) {
-  const std::string variable = MatVariable("a", {2, 3}, 7, BytesOf(kSix), 7);
+  const std::string variable = MatVariable("a", {2, 3}, 7, BytesOf(kSixByColumns), 7);
   for (const std::string& bytes : {MatFile(variable), MatFile(MatCompressed(variable))}) {
     const auto read = [&] { ArrayOf(ReadMatFile(path_, {"a"}), "a", "m.mat"); };
     EXPECT_EQ(testing::CountRefusedTruncations(path_, bytes, read), static_cast<int>(bytes.size()));

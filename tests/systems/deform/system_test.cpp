@@ -42,6 +42,16 @@ TEST(DeformSystem, AnEvaluationIsOfTheTestSideByDefault) {
   EXPECT_EQ(resolved["baselines"], true);
 }
 
+TEST(DeformSystem, AnEvaluationOnOtherFacesMeasuresAllOfThem) {
+  ExpectError(
+      [] {
+        DeformSystem().resolve_evaluation({{"faces", "a"}, {"split", "validation"}}, "eval");
+      },
+      "eval: faces excludes split");
+  const Json resolved = DeformSystem().resolve_evaluation({{"faces", "a"}}, "eval");
+  EXPECT_EQ(DeformSystem().resolve_evaluation(resolved, "eval"), resolved);
+}
+
 TEST(DeformSystem, UnknownKeysAreUsageErrors) {
   const systems::System system = DeformSystem();
   Json config = kConfig;

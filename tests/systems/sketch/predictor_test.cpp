@@ -72,6 +72,14 @@ TEST_F(SketchPredictorTest, WithoutFramingAndRefinementTheFaceIsTheNetworks) {
   EXPECT_EQ(distance["before"], distance["framed"]);
 }
 
+TEST_F(SketchPredictorTest, OfSeveralInputsTheOneThatFailsIsNamedByItsPosition) {
+  std::vector<systems::Input> inputs = OneInput();
+  inputs.emplace_back(geometry::PolygonMesh{});
+  const SketchPredictor predictor(run_, fixed_, Keep());
+  ExpectError([&] { predictor.Predict(inputs); }, "input 2 of 2: a mesh is no input of a sketch run");
+  ExpectError([&] { predictor.Predict(std::span(inputs).subspan(1)); }, "a mesh is no input of a sketch run");
+}
+
 TEST_F(SketchPredictorTest, EveryInputHasAFaceWithTemplateCurvesAndLandmarks) {
   std::vector<systems::Input> inputs = OneInput();
   inputs.emplace_back(render::RasteriseStrokes(Circles(), 256));

@@ -15,11 +15,11 @@
 namespace daumier::deform {
 namespace {
 
-const faces::ModelFrame kFrame{0.125, {0.5, -0.71, 0.25}};
+const faces::ModelFrame kExportFrame{0.125, {0.5, -0.71, 0.25}};
 
 std::shared_ptr<DeformNetwork> Network(const std::string& kind) {
   torch::manual_seed(4);
-  const auto network = MakeDeformNetwork(testing::SmallDeformOptions(kind), testing::SomeTemplate(), kFrame);
+  const auto network = MakeDeformNetwork(testing::SmallDeformOptions(kind), testing::SomeTemplate(), kExportFrame);
   network->eval();
   return network;
 }
@@ -45,8 +45,8 @@ TEST(DeformExport, TheModelCarriesItsFrame) {
   ASSERT_EQ(model.metadata_props_size(), 1);
   EXPECT_EQ(model.metadata_props(0).key(), "model_from_cm");
   const faces::ModelFrame frame = faces::ModelFrameFromJson(Json::parse(model.metadata_props(0).value()));
-  EXPECT_EQ(frame.scale, kFrame.scale);
-  EXPECT_EQ(frame.offset, kFrame.offset);
+  EXPECT_EQ(frame.scale, kExportFrame.scale);
+  EXPECT_EQ(frame.offset, kExportFrame.offset);
   const auto dimension = [&](int input, int i) {
     return model.graph().input(input).type().tensor_type().shape().dim(i);
   };

@@ -15,7 +15,7 @@ geometry::Triangles SomeTriangles() {
   return triangles;
 }
 
-std::shared_ptr<DeformNetwork> Network(const std::string& kind) {
+std::shared_ptr<DeformNetwork> NetworkOf(const std::string& kind) {
   torch::manual_seed(1);
   return MakeDeformNetwork(testing::SmallDeformOptions(kind), testing::SomeTemplate(), {});
 }
@@ -23,7 +23,7 @@ std::shared_ptr<DeformNetwork> Network(const std::string& kind) {
 TEST(SurfaceDecoder, IsTheNetworkOfEveryKind) {
   for (const std::string& kind : testing::DeformKinds()) {
     SCOPED_TRACE(kind);
-    const auto network = Network(kind);
+    const auto network = NetworkOf(kind);
     const torch::Tensor code = 0.1 * torch::randn({8});
     const SurfaceDecoder decoder(network, code);
     EXPECT_TRUE(torch::allclose(decoder.Vertices(), network->DeformVertices(code.unsqueeze(0))[0]));
@@ -34,7 +34,7 @@ TEST(SurfaceDecoder, ASubdividedSurfaceBeginsWithTheVertices) {
   const geometry::Subdivider subdivider(SomeTriangles(), 12, 2);
   for (const std::string& kind : testing::DeformKinds()) {
     SCOPED_TRACE(kind);
-    const auto network = Network(kind);
+    const auto network = NetworkOf(kind);
     const SurfaceDecoder decoder(network, 0.1 * torch::randn({8}));
     const torch::Tensor fine = decoder.Vertices(subdivider, SubdividedTemplate(*network, subdivider));
     EXPECT_EQ(fine.size(0), subdivider.num_vertices());
@@ -44,7 +44,7 @@ TEST(SurfaceDecoder, ASubdividedSurfaceBeginsWithTheVertices) {
 
 TEST(SurfaceDecoder, ASirenIsAskedBetweenVertices) {
   const geometry::Subdivider subdivider(SomeTriangles(), 12, 1);
-  const auto network = Network("hypernetwork");
+  const auto network = NetworkOf("hypernetwork");
   const torch::Tensor code = 0.1 * torch::randn({8}), fine = SubdividedTemplate(*network, subdivider);
   const SurfacePoints points{torch::zeros({fine.size(0), 3}, torch::kInt64), torch::zeros_like(fine), fine};
   const torch::Tensor expected = network->Deform(code.unsqueeze(0), points)[0],
@@ -55,7 +55,7 @@ TEST(SurfaceDecoder, ASirenIsAskedBetweenVertices) {
 }
 
 TEST(SurfaceDecoder, RefusesACodeOfAnotherLength) {
-  testing::ExpectError([] { SurfaceDecoder(Network("positions"), torch::zeros({7})); }, "code has shape (7)");
+  testing::ExpectError([] { SurfaceDecoder(NetworkOf("positions"), torch::zeros({7})); }, "code has shape (7)");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace daumier::sketch {
 namespace {
 
-SketchPredictor Open(const std::filesystem::path& run) {
+SketchPredictor OpenRun(const std::filesystem::path& run) {
   return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU)};
 }
 
@@ -40,7 +40,7 @@ TEST_F(ExternalEvaluationTest, OfTheOwnTopologyErrorsAreThoseOfThePredictor) {
   ASSERT_EQ(metrics.at("table").size(), 8u);
   const faces::FaceDatabase faces(*folder_ / "faces");
   const datasets::SketchDatabase sketches(*folder_ / "sketches");
-  const SketchPredictor predictor = Open(*folder_ / "run");
+  const SketchPredictor predictor = OpenRun(*folder_ / "run");
   std::vector<double> errors;
   for (int face = 0; face < faces.num_faces(); ++face) {
     errors.push_back(eval::MeanVertexError(predictor.FromStrokes({sketches.strokes(face)})[0].vertices,
@@ -135,7 +135,7 @@ TEST_F(ExternalEvaluationTest, OfRegisteredFacesAlsoWhereTheMeshIs) {
   const Json& table = registered.metrics.at("table");
   const faces::FaceDatabase faces(*folder_ / "registered");
   const datasets::SketchDatabase sketches(*folder_ / "registered_sketches");
-  const SketchPredictor predictor = Open(*folder_ / "run");
+  const SketchPredictor predictor = OpenRun(*folder_ / "run");
   double sum = 0;
   for (int face = 0; face < faces.num_faces(); ++face) {
     const std::vector<float> predicted = predictor.FromStrokes({sketches.strokes(face)})[0].vertices;

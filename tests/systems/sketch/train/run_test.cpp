@@ -36,17 +36,6 @@ TEST(SketchRun, EveryKindOfNetworkComesBack) {
   }
 }
 
-TEST(FittedModels, ComeBackWithTheirBasis) {
-  const TempDir folder;
-  const FittedModels models = testing::RandomModels(10, 4);
-  const auto checksums = WriteFittedModels(folder.path(), models);
-  EXPECT_EQ(checksums.size(), 3u);
-  const FittedModels again = ReadFittedModels(folder.path());
-  EXPECT_EQ(again.bilinear.core, models.bilinear.core);
-  EXPECT_EQ(again.curves.core, models.curves.core);
-  EXPECT_EQ(again.basis.rows, models.basis.rows);
-}
-
 TEST(SketchRun, SaysWhatIsWrongWithAFolder) {
   const TempDir folder;
   ExpectError([&] { LoadSketchRun(folder / "nothing"); }, "make one with `daumier train");

@@ -13,7 +13,7 @@
 namespace daumier::sketch {
 namespace {
 
-SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options = {}) {
+SketchPredictor OpenStrokeNetwork(const std::filesystem::path& run, const PredictOptions& options = {}) {
   return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU),
           options};
 }
@@ -45,7 +45,7 @@ TEST(InkOf, OfATracedTrainingRasterIsTheRaster) {
 TEST(TrainedStrokeNetwork, AnswersWhatTheNetworkAnswers) {
   const testing::TempDir folder;
   auto network = testing::WriteSketchRun(folder.path());
-  const SketchPredictor predictor = Open(folder.path());
+  const SketchPredictor predictor = OpenStrokeNetwork(folder.path());
   auto other = fitting::Circles();
   other.pop_back();
   const auto faces = predictor.FromStrokes({fitting::Circles(), other});
@@ -68,7 +68,7 @@ TEST(TrainedStrokeNetwork, EveryKindOfNetworkIsGivenWhatItReads) {
   for (const auto& [kind, options] : testing::SmallSketchNetworks()) {
     const testing::TempDir folder;
     testing::WriteSketchRun(folder.path(), kind);
-    const SketchPredictor predictor = Open(folder.path());
+    const SketchPredictor predictor = OpenStrokeNetwork(folder.path());
     const fitting::PredictedFace face = predictor.FromStrokes({fitting::Circles()}).front();
     EXPECT_TRUE(Eigen::Map<const Eigen::VectorXf>(face.vertices.data(), Eigen::Index(face.vertices.size())).allFinite())
         << kind;
@@ -79,14 +79,14 @@ TEST(TrainedStrokeNetwork, EveryKindOfNetworkIsGivenWhatItReads) {
 TEST(TrainedStrokeNetwork, ASketchWithoutLengthHasNoPoints) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder.path(), "points");
-  const SketchPredictor predictor = Open(folder.path());
+  const SketchPredictor predictor = OpenStrokeNetwork(folder.path());
   testing::ExpectError([&] { predictor.FromStrokes({{{0, {{5, 5}}}}}); }, "");
 }
 
 TEST(TrainedStrokeNetwork, SeesTheCurvesOfTheTrainingSketches) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder.path());
-  const SketchPredictor predictor = Open(folder.path());
+  const SketchPredictor predictor = OpenStrokeNetwork(folder.path());
   const fitting::PredictedFace face = predictor.FromStrokes({fitting::Circles()}).front();
   const auto curves = predictor.CurvesOf(face);
   ASSERT_EQ(curves.size(), predictor.run().feature_curves.size());
