@@ -15,7 +15,7 @@ namespace daumier::render {
 namespace {
 
 constexpr Rgb kNoValue = {190, 190, 192};
-constexpr Rgb kInk = {45, 45, 48};
+constexpr Rgb kTextColour = {45, 45, 48};
 constexpr double kHeatMapFlatness = 0.7;
 
 using Table = std::array<Rgb, 256>;
@@ -77,7 +77,7 @@ void DrawColourBar(Image& image, const ValueRange& range, std::string_view unit,
                 image.height, image.width, image.channels);
   const int left = image.width - kColourBarWidth;
   FillRectangle(image, 0, left, image.height, kColourBarWidth, {255, 255, 255});
-  const TextStyle text{.height = 14.0, .colour = kInk};
+  const TextStyle text{.height = 14.0, .colour = kTextColour};
   const int bar_left = left + 10, bar_width = 14, bar_top = 26, bar_bottom = image.height - 10;
   const int bar_height = bar_bottom - bar_top;
   for (int row = 0; row < bar_height; ++row) {
@@ -87,7 +87,7 @@ void DrawColourBar(Image& image, const ValueRange& range, std::string_view unit,
   DrawText(image, unit, bar_left, 4, text);
   for (const Tick& tick : NiceTicks(range.low, range.high, std::max(1, bar_height / 28))) {
     const double y = bar_bottom - (tick.value - range.low) / (range.high - range.low) * bar_height;
-    FillRectangle(image, static_cast<int>(std::lround(y - 0.5)), bar_left + bar_width, 1, 4, kInk);
+    FillRectangle(image, static_cast<int>(std::lround(y - 0.5)), bar_left + bar_width, 1, 4, kTextColour);
     DrawText(image, tick.label, bar_left + bar_width + 7, y - 0.5 * text.height, text);
   }
 }

@@ -23,7 +23,9 @@ class Interrupt : public ::testing::Test {
  protected:
   void TearDown() override {
     // The stop of a signal arrives from another thread; the next test must not see it.
-    if (Interrupted()) EXPECT_TRUE(StopsSoon(InterruptToken()));
+    if (Interrupted()) {
+      EXPECT_TRUE(StopsSoon(InterruptToken()));
+    }
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     SetInterrupted(false);

@@ -89,7 +89,9 @@ TEST(StoreChannelsLast, ChangesNoNumberOfOutputsAndGradients) {
     for (size_t k = 0; k < plain.size(); ++k) {
       EXPECT_TRUE(torch::equal(plain[k], last[k])) << kind;
       EXPECT_TRUE(torch::equal(plain[k].grad(), last[k].grad())) << kind << " " << k;
-      if (last[k].dim() == 4) EXPECT_TRUE(last[k].is_contiguous(torch::MemoryFormat::ChannelsLast));
+      if (last[k].dim() == 4) {
+        EXPECT_TRUE(last[k].is_contiguous(torch::MemoryFormat::ChannelsLast));
+      }
     }
   }
 }

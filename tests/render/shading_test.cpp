@@ -12,7 +12,7 @@
 namespace daumier::render {
 namespace {
 
-using testing::Sphere;
+using testing::Globe;
 using testing::Square;
 
 /// Sees [-half, half] x [-half, half].
@@ -84,7 +84,7 @@ TEST(RenderMesh, SamplesAreAveragedInLinearColour) {
 }
 
 TEST(RenderMesh, IsBrightestWhereTheKeyLightComesFrom) {
-  const Image image = RenderMesh({Sphere(80)}, Front(1.1, 100));
+  const Image image = RenderMesh({Globe(80)}, Front(1.1, 100));
   EXPECT_GT(Brightness(image, 30, 30), Brightness(image, 50, 50));
   EXPECT_GT(Brightness(image, 30, 30), Brightness(image, 30, 70));
   EXPECT_GT(Brightness(image, 30, 30), Brightness(image, 70, 30));
@@ -96,14 +96,14 @@ TEST(RenderMesh, IsBrightestWhereTheKeyLightComesFrom) {
 
 TEST(RenderMesh, LightsAreFixedToTheCamera) {
   // A sphere of 80 columns looks the same after a quarter of a turn.
-  const auto sphere = Sphere(80);
+  const auto sphere = Globe(80);
   const Image front = RenderMesh({sphere}, Front(1.1, 64));
   const Image side = RenderMesh({sphere}, SideCamera({0.0, 0.0, 0.0}, 1.1, 64));
   EXPECT_LE(LargestDifference(front, side), 2);
 }
 
 TEST(RenderMesh, PerspectiveFromFarAwayLooksOrthographic) {
-  const auto sphere = Sphere(60);
+  const auto sphere = Globe(60);
   const Camera camera = Front(1.3, 48);
   EXPECT_LE(LargestDifference(RenderMesh({sphere}, camera), RenderMesh({sphere}, WithPerspective(camera, 1e5))), 3);
 }

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace daumier::render::testing {
+namespace daumier::testing {
 
 /// A unit sphere about the origin whose poles are on the y axis, `columns` quads around, half as many from pole to
 /// pole; wound outward.
-inline geometry::TriangleMesh Sphere(int columns) {
+inline geometry::TriangleMesh Globe(int columns) {
   const int rows = columns / 2;
   geometry::TriangleMesh mesh;
   mesh.vertices.resize(columns * (rows + 1), 3);
@@ -38,4 +38,4 @@ inline geometry::TriangleMesh Square() {
   return mesh;
 }
 
-}  // namespace daumier::render::testing
+}  // namespace daumier::testing

@@ -178,7 +178,9 @@ TEST(Trainer, TrainingTimeContinuesOverResumes) {
   for (const auto& [line, seconds] : ReadMetrics(run.path())) {
     EXPECT_EQ(line.at("seconds").get<double>(), seconds);
     EXPECT_GE(seconds, last);
-    if (line.at("step") > 6) EXPECT_NEAR(seconds - line.at("session_seconds").get<double>(), saved, 1e-9);
+    if (line.at("step") > 6) {
+      EXPECT_NEAR(seconds - line.at("session_seconds").get<double>(), saved, 1e-9);
+    }
     last = seconds;
   }
   EXPECT_GE(summary.seconds, last);

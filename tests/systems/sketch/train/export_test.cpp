@@ -111,7 +111,9 @@ TEST(SketchExport, EveryKindOfNetworkAnswersAsLibTorchInOnnxRuntime) {
     EXPECT_EQ(model.graph().input_size(),
               int(options.reads_image()) + int(options.reads_points()) + int(options.reads_shape()));
     EXPECT_EQ(model.graph().output_size(), options.residual > 0 ? 4 : 3);
-    if (!report["runtime"].is_null()) EXPECT_LT(report["max_abs_diff"].get<double>(), 1e-4);
+    if (!report["runtime"].is_null()) {
+      EXPECT_LT(report["max_abs_diff"].get<double>(), 1e-4);
+    }
   }
 }
 
