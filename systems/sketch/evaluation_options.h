@@ -33,4 +33,8 @@ struct SketchEvalOptions {
   }
 };
 
+/// @throws UsageError if faces come without their sketches, or if other faces are to be measured in a way that is for a
+/// side of the run's split alone.
+void CheckEvalOptions(const SketchEvalOptions& options);
+
 }  // namespace daumier::sketch

@@ -1,6 +1,5 @@
 #include "systems/sketch/system.h"
 
-#include "core/error.h"
 #include "core/training.h"
 #include "render/read_drawing.h"
 #include "systems/sketch/evaluation_options.h"
@@ -16,21 +15,6 @@ std::vector<systems::Input> ReadInputs(const std::filesystem::path& file) {
   std::vector<systems::Input> inputs;
   for (render::Drawing& drawing : render::ReadDrawings(file)) inputs.emplace_back(std::move(drawing));
   return inputs;
-}
-
-/// @throws UsageError if the options ask of other people's faces what is done on a side of the run's split alone.
-void CheckOptionsOfOtherFaces(const SketchEvalOptions& options, const std::string& where) {
-  if (options.faces.empty()) return;
-  const auto refuse = [&](bool given, const char* key) {
-    if (given)
-      throw UsageError(
-          fmt::format("{}: faces excludes {} (all of these faces are measured, refined and deformed)", where, key));
-  };
-  refuse(options.split != SketchEvalOptions().split, "split");
-  refuse(!options.recover_with.empty(), "recover_with");
-  refuse(options.refine, "refine");
-  refuse(options.deform, "deform");
-  refuse(options.fit, "fit");
 }
 
 }  // namespace
@@ -50,7 +34,7 @@ systems::System SketchSystem() {
       .resolve_evaluation =
           [](const Json& options, const std::string& where) {
             const auto parsed = ParseOptions<SketchEvalOptions>(options, where);
-            CheckOptionsOfOtherFaces(parsed, where);
+            CheckEvalOptions(parsed);
             return ToJson(parsed);
           },
       .read_metrics = ReadSketchMetrics,

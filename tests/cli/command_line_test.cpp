@@ -121,7 +121,6 @@ TEST(CommandLine, EvalRefusesOptionsOfAnotherTask) {
 TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
   const TempDir folder;
   const std::string deform = WriteFinishedRun(folder / "deform", "deform"),
-                    sketch = WriteFinishedRun(folder / "sketch", "sketch"),
                     portrait = WriteFinishedRun(folder / "portrait", "portrait"), out = folder / "out";
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& found,
                           const std::string& expected) {
@@ -131,7 +130,6 @@ TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
     EXPECT_FALSE(std::filesystem::exists(out)) << arguments[0];
   };
   expect({"predict", deform, folder / "drawing.svg", "--out", out}, "task 'deform'", "'sketch'");
-  expect({"eval", sketch, "--recover-with", deform, "--out", out}, "task 'deform'", "'sketch'");
   for (const char* verb : {"eval", "export", "predict"}) {
     std::vector<std::string> arguments{verb, portrait, "--out", out};
     if (verb == std::string("predict")) arguments.push_back(folder / "drawing.svg");
@@ -241,7 +239,9 @@ TEST_F(Pipeline, ATrainingThatWasKilledGoesOnToTheSameWeights) {
   const ProcessResult second = RunProcess(command);
   ASSERT_EQ(second.exit_code, 0) << second.err;
   EXPECT_EQ(Sha256OfFile(killed / "best/model.safetensors"), Sha256OfFile(whole / "best/model.safetensors"));
-  EXPECT_EQ(Contents(killed / "checkpoints"), Contents(whole / "checkpoints"));
+  auto resumed = Contents(killed / "checkpoints"), uninterrupted = Contents(whole / "checkpoints");
+  for (auto* contents : {&resumed, &uninterrupted}) contents->erase("latest/time.json");  // A clock.
+  EXPECT_EQ(resumed, uninterrupted);
 }
 
 TEST_F(Pipeline, AFlippedByteInAShardIsFoundAndNamed) {

@@ -75,7 +75,7 @@ TEST(ParseTraining, RefusesMissingFoldersUnknownKeysAndValuesOutOfRange) {
 }
 
 TEST(WithSystemKey, RenamesTheKeyOfEarlierVersions) {
-  EXPECT_EQ(WithSystemKey({{"product", "deform"}, {"epochs", 2}}), (Json{{"system", "deform"}, {"epochs", 2}}));
+  EXPECT_EQ(WithSystemKey({{"product", "deform"}, {"epochs", 2}}), (Json{{"epochs", 2}, {"system", "deform"}}));
   EXPECT_EQ(WithSystemKey({{"epochs", 2}}), (Json{{"epochs", 2}}));
 }
 

@@ -104,18 +104,11 @@ Manifest ManifestOf(const Measured& measured) {
   return manifest;
 }
 
-void CheckOptions(const SketchEvalOptions& options) {
-  if (options.faces.empty() != options.sketches.empty())
-    throw UsageError("a sketch run is measured on other faces by their sketches: give both 'faces' and 'sketches'");
-  if (!options.faces.empty() && (options.fit || !options.recover_with.empty()))
-    throw UsageError("'fit' and 'recover_with' are for a side of the run's split, not for other faces");
-}
-
 }  // namespace
 
 reports::Evaluation EvaluateSketchRun(const fs::path& run_directory, const SketchEvalOptions& options,
                                       FolderCache& databases, const Task& task) {
-  CheckOptions(options);
+  CheckEvalOptions(options);
   if (!options.faces.empty()) return EvaluateOnExternalFaces(run_directory, options, databases, task);
   const auto start = std::chrono::steady_clock::now();
   const SketchRunData data = OpenSketchRunData(run_directory, databases);

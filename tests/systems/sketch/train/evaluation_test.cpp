@@ -1,5 +1,7 @@
 #include "systems/sketch/train/evaluation.h"
 
+#include "core/files.h"
+#include "core/manifest.h"
 #include "eval/metrics.h"
 #include "eval/nearest_neighbour.h"
 #include "eval/ridge_regression.h"
@@ -183,6 +185,14 @@ TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumb
   EXPECT_NE(recovered.at("mean_vertex_error_mm"), given.at("mean_vertex_error_mm"));
   testing::ExpectError([&] { Evaluate("run", {.recover_with = (*folder_ / "shape run").string()}); },
                        "reads curve coefficients itself");
+  Manifest deform;
+  deform.kind = "run";
+  deform.verb = "train";
+  deform.details["system"] = "deform";
+  MakeDirectory(*folder_ / "deform");
+  WriteManifest(*folder_ / "deform", deform);
+  testing::ExpectError([&] { Evaluate("shape run", {.recover_with = (*folder_ / "deform").string()}); },
+                       "this is a run of the task 'deform' (expected a run of 'sketch')");
 }
 
 TEST_F(SketchEvalTest, FitsAndRefinesIfAsked) {
@@ -241,7 +251,7 @@ TEST_F(SketchEvalTest, RefusesAnUnknownSideAndOptionsThatExcludeEachOther) {
   testing::ExpectError([&] { Evaluate("run", {.split = "tset"}); }, "no side of a split");
   testing::ExpectError([&] { Evaluate("run", {.faces = "faces"}); }, "give both 'faces' and 'sketches'");
   testing::ExpectError([&] { Evaluate("run", {.faces = "faces", .sketches = "sketches", .fit = true}); },
-                       "not for other faces");
+                       "faces excludes fit");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(SketchExport, WithoutARuntimeWritesAGraphThatHoldsTheNetwork) {
   int num_found = 0;
   for (const auto& stored : model.graph().initializer()) {
     if (state.count(stored.name()) == 0) continue;
-    const auto& weight = state.at(stored.name());
+    const auto weight = state.at(stored.name()).contiguous();
     EXPECT_EQ(stored.raw_data(), std::string(static_cast<const char*>(weight.data_ptr()), weight.nbytes()))
         << stored.name();
     ++num_found;

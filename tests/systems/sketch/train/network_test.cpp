@@ -270,7 +270,7 @@ TEST(SketchNetwork, EveryKindOverfitsEightSketchesByTheirVertices) {
                                          .mean()
                                          .item<double>();
     double first = 0, last = 0;
-    for (int step = 0; step < 400 && (step == 0 || last > 0.02 * first); ++step) {
+    for (int step = 0; step < 800 && (step == 0 || last > 0.02 * first); ++step) {
       adam.zero_grad();
       const auto error = (network->Decode(network->forward(input)) - target).square().mean();
       error.backward();
