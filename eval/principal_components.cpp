@@ -1,8 +1,8 @@
 #include "eval/principal_components.h"
 
 #include "core/random.h"
+#include "geometry/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -38,11 +38,11 @@ PrincipalComponents FitPrincipalComponents(const CentredRows& vectors, int size,
     scores = OrthonormalRows(Product(Product(scores, centred), centred.transpose()));
   const FaceRows directions = OrthonormalRows(Product(scores, centred));
   const Eigen::MatrixXd inside = Product(directions, centred.transpose()).cast<double>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inside * inside.transpose() / double(num_vectors));
-  // Eigenvalues rise.
-  const FaceRows axes = solver.eigenvectors().rightCols(size).rowwise().reverse().transpose().cast<float>();
+  const geometry::SymmetricEigen eigen =
+      geometry::DecomposeSymmetric(inside * inside.transpose() / double(num_vectors));
+  const FaceRows axes = eigen.vectors.rightCols(size).rowwise().reverse().transpose().cast<float>();
   return {vectors.mean, Product(axes, directions),
-          solver.eigenvalues().tail(size).reverse().cwiseMax(0).cwiseSqrt().cast<float>()};
+          eigen.values.tail(size).reverse().cwiseMax(0).cwiseSqrt().cast<float>()};
 }
 
 }  // namespace daumier::eval

@@ -1,8 +1,8 @@
 #include "eval/ridge_regression.h"
 
 #include "eval/metrics.h"
+#include "geometry/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -68,9 +68,9 @@ RidgeFit FitRidge(const SketchSamples& samples, std::span<const int> train, std:
     const DoubleRows y = ReadRows(samples.vertices, block).cast<double>().rowwise() - model.mean_face.cast<double>();
     AddProduct(1 / num_train, z.middleRows(Eigen::Index(begin), y.rows()).transpose(), y, cross);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Product(z.transpose(), z) / num_train);
-  const Eigen::MatrixXd& vectors = solver.eigenvectors();
-  const Eigen::ArrayXd eigenvalues = solver.eigenvalues().cwiseMax(0);
+  const geometry::SymmetricEigen eigen = geometry::DecomposeSymmetric(Product(z.transpose(), z) / num_train);
+  const Eigen::MatrixXd& vectors = eigen.vectors;
+  const Eigen::ArrayXd eigenvalues = eigen.values.cwiseMax(0);
 
   // (G + lambda)^-1 = Q (L + lambda)^-1 Q^T for every lambda at once.
   const DoubleRows rotated_cross = Product(vectors.transpose(), cross);

@@ -4,8 +4,8 @@
 #include "core/parallel.h"
 #include "core/safetensors.h"
 #include "faces/leading_eigenvectors.h"
+#include "geometry/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +25,11 @@ class AdditiveFit {
     Eigen::MatrixXd schur = -present.transpose() * inverse_row_counts_.asDiagonal() * present;
     schur.diagonal() += present.colwise().sum().transpose();
     // Constants may be moved between a and b: the pseudo-inverse takes the b of least norm.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(schur);
-    const double smallest = 1e-10 * std::max(1.0, solver.eigenvalues().cwiseAbs().maxCoeff());
+    const geometry::SymmetricEigen eigen = geometry::DecomposeSymmetric(schur);
+    const double smallest = 1e-10 * std::max(1.0, eigen.values.cwiseAbs().maxCoeff());
     const Eigen::VectorXd inverse =
-        solver.eigenvalues().unaryExpr([smallest](double value) { return value > smallest ? 1.0 / value : 0.0; });
-    schur_inverse_ = solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+        eigen.values.unaryExpr([smallest](double value) { return value > smallest ? 1.0 / value : 0.0; });
+    schur_inverse_ = eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
   }
 
   bool complete() const { return present_.minCoeff() > 0; }

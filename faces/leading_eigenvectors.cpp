@@ -1,10 +1,10 @@
 #include "faces/leading_eigenvectors.h"
 
 #include "core/error.h"
+#include "geometry/symmetric_eigen.h"
 
 #include <Spectra/MatOp/DenseSymMatProd.h>
 #include <Spectra/SymEigsSolver.h>
-#include <Eigen/Eigenvalues>
 
 namespace daumier::faces {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 constexpr Eigen::Index kLeastSize = 2000, kLeastRatio = 20;
 
 LeadingEigenvectors FromAll(const Eigen::MatrixXd& matrix, int count) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  return {solver.eigenvalues().reverse().head(count), solver.eigenvectors().rowwise().reverse().leftCols(count)};
+  const geometry::SymmetricEigen eigen = geometry::DecomposeSymmetric(matrix);
+  return {eigen.values.reverse().head(count), eigen.vectors.rowwise().reverse().leftCols(count)};
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ LeadingEigenvectors FindLeadingEigenvectors(const Eigen::MatrixXd& matrix, int c
   solver.init();
   solver.compute(Spectra::SortRule::LargestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) return FromAll(matrix, count);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return {eigen.values, eigen.vectors};
 }
 
 }  // namespace daumier::faces

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "datasets/build/stats.h"
+#include "geometry/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -44,11 +44,11 @@ Coverage MeasureCoverage(const faces::FaceDatabase& basis, const faces::FaceData
   const Eigen::VectorXd mean = faces.rowwise().mean();
   faces.colwise() -= mean;
   // With F'F = U S U' the columns of F U S^-1/2 are the components.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(faces.transpose() * faces);
-  const Eigen::VectorXd variances = gram.eigenvalues().reverse();
+  const geometry::SymmetricEigen gram = geometry::DecomposeSymmetric(faces.transpose() * faces);
+  const Eigen::VectorXd variances = gram.values.reverse();
   const auto rank = static_cast<int>((variances.array() > kLeastShare * variances[0]).count());
   const int num_components = std::min(rank, *std::max_element(std::begin(kCounts), std::end(kCounts)));
-  const Eigen::MatrixXd components = faces * gram.eigenvectors().rowwise().reverse().leftCols(num_components) *
+  const Eigen::MatrixXd components = faces * gram.vectors.rowwise().reverse().leftCols(num_components) *
                                      variances.head(num_components).cwiseSqrt().cwiseInverse().asDiagonal();
 
   for (const int count : kCounts) {

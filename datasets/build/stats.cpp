@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "geometry/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <vector>
@@ -26,7 +26,7 @@ int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const 
     gram.selfadjointView<Eigen::Lower>().rankUpdate(block);
   }
   const Eigen::VectorXd variances =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+      geometry::SymmetricEigenvalues(gram).cwiseMax(0);
   const double total = variances.sum();
   double explained = 0;
   int count = 0;
