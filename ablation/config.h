@@ -57,7 +57,7 @@ struct AblationRow {
   bool evaluates() const { return options.from.empty(); }
 };
 
-/// A table to be made. Beside AblationOptions its file holds
+/// A table to be made. In addition to AblationOptions its file holds
 ///   [config]   overrides of the base for every row
 ///   [eval]     options of the evaluation of every row
 ///   [[rows]]   AblationRowOptions and, of the row alone, the tables `config` and `eval`

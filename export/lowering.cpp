@@ -92,7 +92,7 @@ std::string LowerMaxPool(const Node& node, LoweringContext& context) {
 }
 
 // amax(input, dim, keepdim)
-std::string LowerGreatest(const Node& node, LoweringContext& context) {
+std::string LowerAmax(const Node& node, LoweringContext& context) {
   return context.graph().AddNode(
       "ReduceMax", {context.Name(node.input(0))},
       {{"axes", Integers(node.input(1))}, {"keepdims", int64_t{Constant(node.input(2)).toBool()}}});
@@ -252,7 +252,7 @@ const std::map<std::string, LoweringFunction>& LoweringTable() {
       {"aten::_convolution", LowerConvolution},
       {"aten::add", LowerAdd},
       {"aten::addmm", LowerAddmm},
-      {"aten::amax", LowerGreatest},
+      {"aten::amax", LowerAmax},
       {"aten::batch_norm", LowerBatchNorm},
       {"aten::cat", LowerConcatenation},
       {"aten::div", LowerDiv},

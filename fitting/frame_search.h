@@ -43,7 +43,7 @@ struct FoundFrame {
 };
 
 /// Where a drawing has to stand on the canvas for a network that knows faces of one size and place: of the frames that
-/// are tried, the one whose predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Tried are
+/// are tried, the one whose predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Candidates are
 /// the frame of the bounding box; faces that take a share of the drawing's height, at some places of its box; and
 /// around the best of these, steps of scale and shift that are halved whenever none is better.
 /// @throws Error as DistanceBetween and what `predict` throws.

@@ -21,7 +21,7 @@ DeformationGradients ComputeDeformationGradients(const TriangleMesh& reference, 
 
 /// The vertices that none of the poses moves by more than `tolerance` cm from the reference, ascending.
 /// @throws Error if a number of vertices differs.
-std::vector<int> StillVertices(const Points& reference, const std::vector<Points>& poses, double tolerance);
+std::vector<int> StaticVertices(const Points& reference, const std::vector<Points>& poses, double tolerance);
 
 /// Carries deformations of one mesh to another one that is registered to it, that is, has the same triangles
 /// [Sumner and Popovic 2004, section 3]: the vertices x' of the target that minimise

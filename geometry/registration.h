@@ -69,11 +69,11 @@ struct Registration {
 /// and landmarks around it is lowered, so that the surface smoothes itself out there.
 /// Promises: a target equal to the template gives the template; a target that is moved by a similarity gives the same
 /// vertices; the same input gives the same bytes. May be called from several threads at once.
-class Registrar {
+class NonRigidRegistration {
  public:
   /// @throws Error if a landmark or an anchor is out of range or repeated, the weights are not one a landmark and
   /// positive, there are fewer than three landmarks, or as DetailEnergy.
-  Registrar(RegistrationTemplate source, const RegistrationOptions& options);
+  NonRigidRegistration(RegistrationTemplate source, const RegistrationOptions& options);
 
   /// landmark_targets: L x 3, in the target's frame. @throws Error if there are not L, one is not finite, they lie in
   /// one line, the system is singular (a part of the template has no landmark), or as TriangleTree.

@@ -10,7 +10,7 @@ torch::Tensor VertexLoss(const torch::Tensor& core, const torch::Tensor& q, cons
                          const torch::Tensor& weights);
 
 /// What a face adds to GramVertexLoss beside the model.
-struct VertexMoments {
+struct SufficientStatistics {
   torch::Tensor
       linear;  ///< (B, K), t: the face's coordinates in an orthonormal basis of all faces that the model can make.
   torch::Tensor constant;  ///< (B), r: the part of g' W g that no coefficients reach.
@@ -28,9 +28,9 @@ class GramVertexLoss {
   /// core: (K, 3V), weights: (V), not negative. @throws daumier::Error if the shapes disagree.
   GramVertexLoss(const torch::Tensor& core, const torch::Tensor& weights);
   /// target: (B, 3V). Computed once a face, before training. @throws daumier::Error if the shape disagrees.
-  VertexMoments Moments(const torch::Tensor& target) const;
+  SufficientStatistics Moments(const torch::Tensor& target) const;
   /// q: (B, K). @throws daumier::Error if the shapes disagree.
-  torch::Tensor operator()(const torch::Tensor& q, const VertexMoments& moments) const;
+  torch::Tensor operator()(const torch::Tensor& q, const SufficientStatistics& moments) const;
 
  private:
   torch::Tensor root_weights_;  ///< (3V) W^(1/2)

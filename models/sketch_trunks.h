@@ -69,10 +69,10 @@ class ResidualBlockImpl : public torch::nn::Module {
 TORCH_MODULE(ResidualBlock);
 
 /// (B, C, P) -> (B, C): the greatest of each channel, whatever the order of the points.
-class GreatestImpl : public torch::nn::Module {
+class GlobalMaxPoolImpl : public torch::nn::Module {
  public:
   torch::Tensor forward(const torch::Tensor& input) { return input.amax(2); }
 };
-TORCH_MODULE(Greatest);
+TORCH_MODULE(GlobalMaxPool);
 
 }  // namespace daumier::models

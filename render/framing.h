@@ -28,7 +28,7 @@ struct Placement {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
 };
 
-std::vector<Stroke> Place(const std::vector<Stroke>& strokes, const Placement& placement);
+std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement);
 
 /// A drawing without what does not belong to it, and where it stands.
 struct FramedDrawing {

@@ -129,7 +129,7 @@ cv::Mat Shadows(const cv::Mat& even) {
 
 }  // namespace
 
-Image FlattenPaper(const Image& picture) {
+Image NormaliseBackground(const Image& picture) {
   DAUMIER_CHECK(!picture.pixels.empty(), "the picture is empty");
   cv::Mat grey;
   if (picture.channels == 3) {

@@ -27,7 +27,7 @@ struct PersonArrays {
   std::vector<float> identity_weights;      ///< (S)
   std::vector<float> expression_strengths;  ///< (expressions)
   std::vector<float> part_strengths;        ///< (levels, P, 4): gamma, then log_stretch of width, height, depth.
-  std::vector<float> lumps;                 ///< (levels, N, 5): vertex, radius and offset in cm.
+  std::vector<float> bumps;                 ///< (levels, N, 5): vertex, radius and offset in cm.
 };
 
 /// Writes the shard of a person and returns its checksum.

@@ -50,14 +50,14 @@ LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index);
 faces::FaceTemplate RegistrationTemplateOf(const RegisterOptions& options,
                                            const std::filesystem::path& template_folder);
 
-/// Writes a faces::FaceDatabase: person p is the template registered onto mesh p (geometry::Registrar), one level, the
+/// Writes a faces::FaceDatabase: person p is the template registered onto mesh p (geometry::NonRigidRegistration), one level, the
 /// expression neutral, no identity weights. In the template's frame, in cm. The manifest names the template and the
 /// meshes, each with its licence, and details.meshes the meshes' names. A shard holds besides `distances` (V, cm to the
-/// target, NaN without a match) and, in its metadata, `quality`. Beside the database stands quality.json: `unit`, a
+/// target, NaN without a match) and, in its metadata, `quality`. Next to the database, quality.json holds `unit`, a
 /// list `meshes` with a row a mesh, and `summary` with means over meshes and sums of flips. Distances there are in
 /// millimetres, one scale a database (faces::MillimetresPerCm). Goes on where an earlier, stopped build of the same
 /// inputs ended.
-/// @throws Error as ReadLandmarkedMesh, Registrar and BuildShards; UsageError if there is no mesh or two of a name.
+/// @throws Error as ReadLandmarkedMesh, NonRigidRegistration and BuildShards; UsageError if there is no mesh or two of a name.
 void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
                           const RegisterOptions& options, const std::filesystem::path& directory,
                           const Task& task = {});

@@ -71,7 +71,7 @@ std::vector<Stroke> Moved(const std::vector<Stroke>& strokes, const Augmentation
   if (!box.isEmpty() && !room.contains(box)) moved = Transformed(std::move(moved), Into(room, box));
 
   const double tremor_px = options.tremor_px * rng.Uniform();
-  for (Stroke& stroke : moved) stroke = Tremble(std::move(stroke), tremor_px, options.tremor_length_px, rng);
+  for (Stroke& stroke : moved) stroke = Jitter(std::move(stroke), tremor_px, options.tremor_length_px, rng);
   return moved;
 }
 
@@ -107,7 +107,7 @@ AugmentedSketch Augment(const std::vector<Stroke>& strokes, const AugmentationOp
       sketch.visible[i].assign(stroke.points.size(), false);
     } else if (rng.Uniform() < retraced) {
       sketch.strokes.push_back(stroke);
-      sketch.strokes.push_back(Tremble(stroke, scaled.retrace_px, kRetraceLength, rng));
+      sketch.strokes.push_back(Jitter(stroke, scaled.retrace_px, kRetraceLength, rng));
     } else if (rng.Uniform() < gaps) {
       CutStroke cut = WithGap(stroke, scaled.gap_px, rng);
       sketch.visible[i] = std::move(cut.visible);

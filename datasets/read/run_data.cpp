@@ -37,7 +37,7 @@ Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabas
   return manifest;
 }
 
-const std::vector<int>& SideOf(const Split& split, const std::string& name) {
+const std::vector<int>& SubsetOf(const Split& split, const std::string& name) {
   if (name == "train") return split.train;
   if (name == "validation") return split.validation;
   if (name == "test") return split.test;

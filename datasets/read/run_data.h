@@ -25,6 +25,6 @@ Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, con
 Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const Split& split);
 
 /// "train", "validation" or "test". @throws UsageError for another word.
-const std::vector<int>& SideOf(const Split& split, const std::string& name);
+const std::vector<int>& SubsetOf(const Split& split, const std::string& name);
 
 }  // namespace daumier::datasets

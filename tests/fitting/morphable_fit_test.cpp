@@ -2,7 +2,7 @@
 
 #include "core/random.h"
 #include "faces/curve_encoder.h"
-#include "tests/fitting/seen_face.h"
+#include "tests/fitting/projected_face.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ class MorphableFitTest : public ::testing::Test {
  protected:
   Eigen::VectorXf FaceOf(const MorphableFit& fit) const { return faces::Reconstruct(seen_.model, fit.u, fit.v); }
 
-  SeenFace seen_;
+  ProjectedFace seen_;
   const ProjectedModel projected_ = ProjectModel(seen_.curves, seen_.model);
 };
 

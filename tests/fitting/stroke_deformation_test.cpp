@@ -3,7 +3,7 @@
 #include "fitting/curve_pull.h"
 #include "fitting/stroke_distance.h"
 #include "geometry/topology.h"
-#include "tests/fitting/seen_face.h"
+#include "tests/fitting/projected_face.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST_F(StrokeDeformerTest, AShiftedLineShiftsTheWholeSurface) {
 }
 
 TEST_F(StrokeDeformerTest, CurvesOfAFaceComeToLieOnTheStrokesOfAnother) {
-  const SeenFace seen;
+  const ProjectedFace seen;
   const StrokeDeformer deformer(seen.face_template.triangles, seen.face_template.num_vertices(), seen.curves);
   const Eigen::VectorXf face = seen.Face(0, 0), other = seen.Face(3, 2);
   const auto strokes = CurveStrokes(seen.curves.offsets, seen.Points(other));

@@ -39,7 +39,7 @@ TriangleMesh Potato(int depth) {
 
 const double kPlanar = 1e-12;
 std::vector<int> LowerHalf(const TriangleMesh& mesh) {
-  return StillVertices(mesh.vertices, {Bend(mesh.vertices)}, kPlanar);
+  return StaticVertices(mesh.vertices, {Bend(mesh.vertices)}, kPlanar);
 }
 
 TEST(DeformationTransfer, OntoItsOwnReferenceGivesTheDeformedMesh) {
@@ -122,7 +122,7 @@ TEST(DeformationTransfer, RefusesWhatDoesNotFit) {
   const TriangleMesh sphere = testing::Sphere(1, 1);
   ExpectError([&] { ComputeDeformationGradients(sphere, sphere.vertices.topRows(5)); },
               "the reference has 18 vertices, its deformation 5");
-  ExpectError([&] { StillVertices(sphere.vertices, {sphere.vertices.topRows(5)}, 0); }, "a pose 5");
+  ExpectError([&] { StaticVertices(sphere.vertices, {sphere.vertices.topRows(5)}, 0); }, "a pose 5");
   Points collapsed = sphere.vertices;
   collapsed.row(sphere.triangles(3, 0)) = collapsed.row(sphere.triangles(3, 1));
   ExpectError([&] { ComputeDeformationGradients(sphere, collapsed); }, "has no area");

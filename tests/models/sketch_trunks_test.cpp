@@ -107,9 +107,9 @@ TEST(ResidualBlock, WithoutItsConvolutionsIsTheShortCut) {
   EXPECT_EQ(ResidualBlock(3, 4, 2)->forward(input).sizes().vec(), (std::vector<int64_t>{2, 4, 3, 3}));
 }
 
-TEST(Greatest, IsTheGreatestOfEachChannel) {
+TEST(GlobalMaxPool, IsTheMaximumOfEachChannel) {
   const auto input = torch::tensor({{{1.0f, 5.0f, 2.0f}, {-3.0f, -1.0f, -2.0f}}});
-  EXPECT_TRUE(torch::equal(Greatest()->forward(input), torch::tensor({{5.0f, -1.0f}})));
+  EXPECT_TRUE(torch::equal(GlobalMaxPool()->forward(input), torch::tensor({{5.0f, -1.0f}})));
 }
 
 }  // namespace

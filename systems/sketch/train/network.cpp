@@ -153,7 +153,7 @@ SketchNetworkImpl::BranchFeatures SketchNetworkImpl::Features(const SketchInput&
   return last;
 }
 
-FaceCoefficients SketchNetworkImpl::Answer(const BranchFeatures& features) {
+FaceCoefficients SketchNetworkImpl::Predict(const BranchFeatures& features) {
   FaceCoefficients answer{u_mean_ + u_deviation_ * identity_output_->forward(features.identity),
                           v_mean_ + v_deviation_ * expression_output_->forward(features.expression),
                           {}};

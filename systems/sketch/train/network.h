@@ -50,9 +50,9 @@ class SketchNetworkImpl : public torch::nn::Module {
   };
   /// @throws Error if what is read is missing or has another shape.
   BranchFeatures Features(const SketchInput& input);
-  FaceCoefficients Answer(const BranchFeatures& features);
-  /// Answer(Features(input)).
-  FaceCoefficients forward(const SketchInput& input) { return Answer(Features(input)); }
+  FaceCoefficients Predict(const BranchFeatures& features);
+  /// Predict(Features(input)).
+  FaceCoefficients forward(const SketchInput& input) { return Predict(Features(input)); }
 
   /// (B, K), so that the faces are Linear(c) * basis(): the products u_k v_l, or with a residual their coordinates in
   /// the basis plus the residual. @throws Error if the shapes disagree with the model.

@@ -92,7 +92,7 @@ class SketchRecipe : public train::Recipe {
   torch::Tensor vertex_weights_;
   std::optional<losses::GramVertexLoss> gram_loss_;
   // A row a training sample, each of the stage that needs it alone.
-  losses::VertexMoments moments_;
+  losses::SufficientStatistics moments_;
   torch::Tensor identity_classes_, expression_classes_;  ///< (N) int64; -100 is no class.
   FaceCoefficients coefficients_;
 };

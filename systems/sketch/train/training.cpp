@@ -51,7 +51,7 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
   return models;
 }
 
-FittedModels TakeUpRun(const fs::path& directory, const SketchTrainingOptions& options) {
+FittedModels ResumeRun(const fs::path& directory, const SketchTrainingOptions& options) {
   VerifyChecksums(directory, ReadManifest(directory, "run"));
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
   return ReadFittedModels(directory);
@@ -84,7 +84,7 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
                                           ToJson(SketchTrainingOptions()));
   const FittedModels models =
-      begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
+      begun ? ResumeRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
 
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);

@@ -54,10 +54,10 @@ TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
 
 TEST_F(RunDataTest, ASplitHasThreeSides) {
   const Split split{{1}, {2}, {3}};
-  EXPECT_EQ(SideOf(split, "train"), std::vector<int>{1});
-  EXPECT_EQ(SideOf(split, "validation"), std::vector<int>{2});
-  EXPECT_EQ(SideOf(split, "test"), std::vector<int>{3});
-  EXPECT_THROW(SideOf(split, "left"), UsageError);
+  EXPECT_EQ(SubsetOf(split, "train"), std::vector<int>{1});
+  EXPECT_EQ(SubsetOf(split, "validation"), std::vector<int>{2});
+  EXPECT_EQ(SubsetOf(split, "test"), std::vector<int>{3});
+  EXPECT_THROW(SubsetOf(split, "left"), UsageError);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(InkOf, OfATracedTrainingRasterIsTheRaster) {
   const testing::TempDir folder;
   render::WriteImage(folder / "face.png", render::RasteriseStrokes(fitting::Circles(), 512));
   const render::Drawing traced = render::ReadDrawings(folder / "face.png")[0];
-  const auto sketch = SketchTensor(render::Place(traced.strokes, SheetPlacement(traced)), 64);
+  const auto sketch = SketchTensor(render::MapToCanvas(traced.strokes, SheetPlacement(traced)), 64);
   EXPECT_LT((sketch - TrainingRaster(64)).abs().mean().item<double>(), 0.03);
 }
 
