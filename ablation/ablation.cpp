@@ -23,7 +23,7 @@ std::vector<AblationRuns::Cell> Cells(const Ablation& ablation, const std::vecto
 }
 
 void ThrowIfCancelled(const Task& task, const fs::path& directory) {
-  task.ThrowIfCancelled("{}: the ablation was stopped; its finished rows are there. The same command resumes it",
+  task.ThrowIfCancelled("{}: the ablation was interrupted; its finished rows are saved. The same command resumes it",
                         directory.string());
 }
 

@@ -20,10 +20,10 @@ struct AblationSystem {
 
 /// How far a row is on one split with one seed.
 enum class RowState {
-  kToTrain,     ///< Nothing is there.
-  kToResume,    ///< Its training was stopped.
+  kToTrain,     ///< No run exists.
+  kToResume,    ///< Its training was interrupted.
   kToEvaluate,  ///< Trained; its report is missing, or was made with other options or weights.
-  kDone,        ///< All is there; of an ablation that does not evaluate, the training.
+  kDone,        ///< Complete; of an ablation that does not evaluate, the training.
 };
 
 /// The runs and reports of an ablation on disk: DIRECTORY/SPLIT/seedN/ROW/{run,report,measured.json}. measured.json is
@@ -43,7 +43,7 @@ class AblationRuns {
     std::string Describe() const { return fmt::format("{} ({}, seed {})", row.name(), split, seed); }
   };
 
-  /// @throws UsageError if a run is there that has another config or other data.
+  /// @throws UsageError if an existing run has another config or other data.
   RowState State(const Cell& cell) const;
   /// Trains what is not trained. @throws what systems::SystemTraining::train throws.
   void Train(const Cell& cell, FolderCache& databases, const Task& task) const;
@@ -95,7 +95,7 @@ struct RunCurve {
 };
 /// phase: "validation" or "train".
 RunCurve ReadCurve(const std::filesystem::path& run, const std::string& phase, const std::string& metric);
-/// The least error within so many seconds; nothing before the first.
+/// The least error within that time; nothing before the first validation.
 std::optional<double> LeastWithin(const RunCurve& curve, double seconds);
 
 }  // namespace daumier::ablation

@@ -14,7 +14,7 @@
 namespace daumier::cli {
 namespace {
 
-/// A flag that stands for an option of an evaluation. Without `value` it sets the option to true.
+/// A flag that sets an option of an evaluation. Without `value` it sets the option to true.
 struct OptionFlag {
   const char *flag, *key, *help;
   bool value = true;
@@ -79,7 +79,7 @@ void Evaluate(const EvalArguments& arguments) {
 }  // namespace
 
 Verb EvalVerb() {
-  return {"eval", "Errors of a run beside training-free baselines, with pictures", [](CLI::App& command) {
+  return {"eval", "Errors of a run and of training-free baselines, with pictures", [](CLI::App& command) {
             auto arguments = std::make_shared<EvalArguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
             for (size_t i = 0; i < OptionFlags().size(); ++i) {

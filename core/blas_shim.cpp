@@ -16,7 +16,7 @@ char OneDnnWord(char word) {
   return word == 'N' || word == 'n' ? 'N' : 'T';
 }
 
-/// C = beta C, where 0 stands for "do not read C": it may hold NaN.
+/// C = beta C, where 0 means "do not read C", which may hold NaN.
 void Scale(int m, int n, float beta, float* c, int ldc) {
   for (int column = 0; column < n; ++column) {
     float* const values = c + static_cast<std::ptrdiff_t>(column) * ldc;

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-/// Options are plain structs that tell each field once; parsing, range check, help text and resolved.toml come from
+/// Options are plain structs that define each field once; parsing, range check, help text and resolved.toml come from
 /// that:
 ///
 ///     struct ExaggerationOptions {

@@ -157,7 +157,7 @@ SafetensorsFile::SafetensorsFile(const std::filesystem::path& path)
         ParsedArray parsed = ParseArray(name, entry, data, data_start);
         extents.push_back(parsed.extent);
         const bool is_new = arrays_.emplace(name, std::move(parsed.view)).second;
-        DAUMIER_CHECK(is_new, "is there twice");
+        DAUMIER_CHECK(is_new, "occurs twice");
       } catch (const Error& error) {
         throw Error(fmt::format("array '{}': {}", name, error.what()));
       }

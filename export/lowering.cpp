@@ -16,7 +16,7 @@ namespace {
 using torch::jit::Node;
 using torch::jit::Value;
 
-/// @throws Error: whoever asks needs a number that is known when the graph is written.
+/// @throws Error if the value is not constant in the trace.
 c10::IValue Constant(const Value* value) {
   const auto constant = torch::jit::toIValue(value);
   DAUMIER_CHECK(constant.has_value(), "an argument depends on the input, ONNX needs a constant there");
@@ -43,11 +43,11 @@ bool IsAbsent(const Value* value) {
 
 int64_t Rank(const Value* value) {
   const auto sizes = value->type()->expect<c10::TensorType>()->sizes().concrete_sizes();
-  DAUMIER_CHECK(sizes.has_value(), "the trace does not know the shape of %{}", value->debugName());
+  DAUMIER_CHECK(sizes.has_value(), "the trace has no shape of %{}", value->debugName());
   return static_cast<int64_t>(sizes->size());
 }
 
-/// LibTorch takes one number for all spatial dimensions where ONNX Runtime asks for one each.
+/// LibTorch takes one number for all spatial dimensions, ONNX Runtime requires one each.
 std::vector<int64_t> Spatial(const Value* argument, const Value* image) {
   auto numbers = Integers(argument);
   if (numbers.size() == 1) numbers.assign(Rank(image) - 2, numbers[0]);
@@ -285,13 +285,13 @@ void LowerNode(const Node& node, LoweringContext& context) {
   const auto entry = LoweringTable().find(kind.toQualString());
   DAUMIER_CHECK(
       entry != LoweringTable().end(),
-      "operator {} cannot be exported to ONNX: it has no entry in LoweringTable() of export/lowering.cpp. It stands in "
+      "operator {} cannot be exported to ONNX: it has no entry in LoweringTable() of export/lowering.cpp. It occurs in "
       "this line of the trace:\n{}",
       kind.toQualString(), line.str());
   try {
     context.SetName(node.output(), entry->second(node, context));
   } catch (const Error& error) {
-    throw Error(fmt::format("operator {} cannot be exported to ONNX: {}. It stands in this line of the trace:\n{}",
+    throw Error(fmt::format("operator {} cannot be exported to ONNX: {}. It occurs in this line of the trace:\n{}",
                             kind.toQualString(), error.what(), line.str()));
   }
 }

@@ -50,7 +50,7 @@ struct PartStrengths {
 
 /// Random strengths of a level. Width, height and depth of a part are stretched by exp(N(0, stretch * gamma)), cut at
 /// two deviations; its exponent of curvature is uniform in [0, 2 * curvature * gamma], and 0 on eyes and mouth; left
-/// and right parts share their strengths and differ by asymmetry. Bumps stand at random vertices, half of
+/// and right parts share their strengths and differ by asymmetry. Bumps lie at random vertices, half of
 /// them also mirrored, with a radius uniform in a third of lump_radius to all of it, and offsets of N(0, lump_offset *
 /// gamma * radius) cut at two deviations. gamma 0 gives strengths of 0.
 PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FaceParts& parts, double gamma,

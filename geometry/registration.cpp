@@ -13,7 +13,7 @@
 namespace daumier::geometry {
 namespace {
 
-/// What the trust in a match is multiplied by, at each iteration, at a corner of a flipped triangle and beside one.
+/// Factors of the weight of a match, per iteration, at a corner of a flipped triangle and at a neighbour of one.
 constexpr double kCornerTrust = 0.5, kNeighbourTrust = 0.8;
 /// The least pivot, as a share of the largest, of a system that is not singular.
 constexpr double kLeastMatchPivot = 1e-12;

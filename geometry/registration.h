@@ -31,7 +31,7 @@ struct RegistrationOptions {
     visit("num_rounds", num_rounds, Range{1, 100}, "Rounds; stiffness, weights and limits go from start to end.");
     visit("iterations", iterations, Range{1, 100}, "Closest-point iterations a round.");
     visit("repair_iterations", repair_iterations, Range{0, 1000},
-          "At most so many after the last round, until no triangle is flipped.");
+          "Greatest number of iterations after the last round; they end once no triangle is flipped.");
     visit("stiffness_start", stiffness_start, Range{1e-3, 1e6},
           "Weight of the template's shape in the alignment and the first round; a closest point weighs 1.");
     visit("stiffness_end", stiffness_end, Range{1e-3, 1e6}, "The same in the last round.");

@@ -7,8 +7,8 @@
 
 namespace daumier::models {
 
-/// Which trunk, and its size. kind: "compact", "alexnet", "residual", "points" or "shape"; resolution: side of the sketch
-/// in pixels; width: channels of the first convolution; batch_norm: of alexnet alone; hidden: output features.
+/// Which trunk, and its size. kind: "compact", "alexnet", "residual", "points" or "shape"; resolution: side of the
+/// sketch in pixels; width: channels of the first convolution; batch_norm: of alexnet alone; hidden: output features.
 struct TrunkOptions {
   std::string kind;
   int resolution = 128;
@@ -35,7 +35,7 @@ struct SketchTrunk {
 ///             connected layer sees the whole sketch
 ///   points    1 x 1 convolutions of the points, 2, 4 and 16 width channels, and their greatest values [Qi et al. 2017]
 ///   shape     nothing but the layer of features
-/// shape_size: length of the shape-level numbers, for trunk shape alone.
+/// shape_size: length of the curve coefficients, for trunk shape alone.
 /// @throws Error if the picture is too small for the trunk.
 SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size);
 

@@ -8,7 +8,7 @@ namespace daumier::reports {
 struct ReportSurface {
   geometry::Triangles triangles;
   geometry::Triangles closing_triangles;  ///< Close lips and eyes in the pictures; may be empty.
-  int num_eye_closing_triangles = 0;      ///< The first so many close the eyes.
+  int num_eye_closing_triangles = 0;      ///< closing_triangles begins with these.
 };
 
 ReportSurface SurfaceOf(const faces::FaceTemplate& face_template);

@@ -16,7 +16,7 @@ namespace daumier::exporting {
 struct RunExport;  // export/run_export.h, of the training library.
 }
 
-/// The one interface of a trainable task. What `train`, `eval`, `ablate`, `predict` and `export` know of a system is its
+/// The one interface of a trainable task. `train`, `eval`, `ablate`, `predict` and `export` access a system through its
 /// row in a table; no verb compares names.
 namespace daumier::systems {
 

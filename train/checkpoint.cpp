@@ -54,7 +54,7 @@ void WriteCheckpoint(const fs::path& directory, const Checkpoint& checkpoint) {
 }
 
 std::optional<Checkpoint> ReadCheckpoint(const fs::path& directory) {
-  // Between the two renames of WriteCheckpoint only the old folder is there.
+  // Between the two renames of WriteCheckpoint only the old folder exists.
   const fs::path source = fs::exists(directory) ? directory : SiblingPath(directory, ".old");
   if (!fs::exists(source)) return std::nullopt;
   const Json head = Json::parse(ReadFile(source / kStateFile), nullptr, /*allow_exceptions=*/false);

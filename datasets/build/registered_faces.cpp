@@ -32,7 +32,7 @@ fs::path LandmarkPath(const MeshInputs& inputs, const std::string& name) {
       fmt::format("{}: there is no {}.txt or {}.json for the mesh {}", inputs.landmarks.string(), name, name, name));
 }
 
-/// Which of the 68 landmarks are there.
+/// Indices of the present ones of the 68 landmarks.
 std::vector<int> Present(const MeshLandmarks& landmarks) {
   std::vector<int> present;
   for (int l = 0; l < static_cast<int>(landmarks.size()); ++l) {
@@ -159,7 +159,7 @@ LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
   LandmarkedMesh result{path.stem().string(), {polygons.vertices, geometry::Triangulate(polygons)}, {}};
   result.landmarks = LandmarkFile(LandmarkPath(inputs, result.name), inputs.vertex_map).On(polygons.vertices);
   const auto num_landmarks = Present(result.landmarks).size();
-  DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: only {} of 68 landmarks are there, {} or more are needed",
+  DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: {} of 68 landmarks are present, expected {} or more",
                 path.string(), num_landmarks, kFewestLandmarks);
   return result;
 }
@@ -176,7 +176,7 @@ void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshIn
   std::vector<LandmarkedMesh> targets;
   Json names = Json::array();
   std::set<std::string> taken;
-  std::map<std::vector<int>, geometry::NonRigidRegistration> registrations;  // By the landmarks that are there.
+  std::map<std::vector<int>, geometry::NonRigidRegistration> registrations;  // By the present landmarks.
   for (int i = 0; i < num_meshes; ++i) {
     const LandmarkedMesh& target = targets.emplace_back(ReadLandmarkedMesh(inputs, i));
     if (!taken.insert(target.name).second) throw UsageError(fmt::format("two meshes have the name {}", target.name));
@@ -221,7 +221,8 @@ Json ReadRegistrationQuality(const fs::path& directory, int person) {
   const fs::path path = directory / faces::PersonShardName(person);
   const SafetensorsFile shard(path);
   const auto quality = shard.metadata().find("quality");
-  DAUMIER_CHECK(quality != shard.metadata().end(), "{}: is no registered face: it tells no quality", path.string());
+  DAUMIER_CHECK(quality != shard.metadata().end(), "{}: no registered face: the metadata lack `quality`",
+                path.string());
   return Json::parse(quality->second);
 }
 

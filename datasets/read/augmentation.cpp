@@ -18,7 +18,7 @@ using render::Stroke;
 constexpr double kCanvas = render::kSketchCanvas;
 /// 10 of 800 pixels [Yu et al. 2016].
 constexpr double kMargin = 10.0 * kCanvas / 800;
-/// Two lines of a retraced stroke come apart and together again over so many pixels.
+/// Length in pixels over which the two lines of a retraced stroke come apart and together again.
 constexpr double kRetraceLength = 64;
 
 AugmentationOptions TimesStrength(AugmentationOptions options) {

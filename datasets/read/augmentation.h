@@ -7,7 +7,7 @@
 
 namespace daumier::datasets {
 
-/// Lengths are pixels of the 256 canvas. Every effect draws its size anew for each sketch.
+/// Lengths are pixels of the 256 canvas. Every effect draws its size for each sketch.
 struct AugmentationOptions {
   double strength = 0;
   double removal = 0.3;

@@ -27,7 +27,7 @@ struct SurfaceSamples {
 class PointDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause: missing, truncated, of a newer version,
-  /// shapes that the manifest does not tell, or samples in triangles that the template does not have; a damaged file is
+  /// shapes that differ from the manifest, or samples in triangles that the template does not have; a damaged file is
   /// found by its checksum unless `verify` is false.
   explicit PointDatabase(const std::filesystem::path& directory, bool verify = true);
 

@@ -16,7 +16,7 @@ namespace daumier::datasets {
 void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
                    const std::string& kind);
 
-/// The split of the run's faces. @throws Error if it comes out otherwise than the manifest tells.
+/// The split of the run's faces. @throws Error if it differs from that in the manifest.
 Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
                  const faces::FaceDatabase& faces);
 

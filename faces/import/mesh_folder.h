@@ -25,8 +25,8 @@ GivenFaces LoadMeshFolder(const std::filesystem::path& folder, const AnnotationF
                           const std::string& licence);
 
 /// 3DCaricShop [Qiu et al. 2021]: processedData/tMesh/<Person>/<Caricature>.obj below `folder`, which may also be
-/// processedData or tMesh itself. The person is the folder's name. Meshes whose number of vertices is not that of the
-/// most are passed over; a warning counts them.
+/// processedData or tMesh itself. The person is the folder's name. Meshes whose number of vertices is not the most
+/// frequent one are skipped; a warning counts them.
 /// @throws Error as LoadMeshFolder, and if there is no tMesh.
 GivenFaces LoadCaricShop(const std::filesystem::path& folder, const AnnotationFile& annotation);
 

@@ -36,7 +36,7 @@ struct DeformValidationOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("faces", faces, Range{1, 100000}, "So many faces of the validation side, evenly spread.");
+    visit("faces", faces, Range{1, 100000}, "Number of validation faces, evenly spaced.");
     visit("newton_steps", newton_steps, Range{1, 1000}, "Steps in which the code of each is found.");
   }
 };

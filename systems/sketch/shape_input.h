@@ -11,7 +11,7 @@
 
 namespace daumier::sketch {
 
-/// The shape-level numbers of sketches: from the strokes that are known to be the template's curves, which a network
+/// The curve coefficients of sketches: from strokes labelled with the template's curves, which a network
 /// can be given in training and in a test alone, and from strokes without labels, as a user draws them.
 class ShapeInput {
  public:

@@ -62,7 +62,7 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
   DAUMIER_CHECK(bilinear.core.cols() % 3 == 0, "the bilinear model has {} coordinates, expected three a vertex",
                 bilinear.core.cols());
   DAUMIER_CHECK(options.trunk != "shape" || options.shape_input == "none",
-                "network.trunk=\"shape\" reads the shape-level numbers itself: network.shape_input has to be \"none\"");
+                "network.trunk=\"shape\" reads the curve coefficients itself: network.shape_input has to be \"none\"");
   DAUMIER_CHECK(models.basis.size() == options.residual &&
                     (options.residual == 0 || (models.basis.rows.cols() == bilinear.core.cols() &&
                                                models.basis.deviation.size() == options.residual)),
@@ -154,15 +154,15 @@ SketchNetworkImpl::BranchFeatures SketchNetworkImpl::Features(const SketchInput&
 }
 
 FaceCoefficients SketchNetworkImpl::Predict(const BranchFeatures& features) {
-  FaceCoefficients answer{u_mean_ + u_deviation_ * identity_output_->forward(features.identity),
+  FaceCoefficients result{u_mean_ + u_deviation_ * identity_output_->forward(features.identity),
                           v_mean_ + v_deviation_ * expression_output_->forward(features.expression),
                           {}};
   if (residual_output_) {
     const torch::Tensor both =
         expression_branch_ ? torch::cat({features.identity, features.expression}, 1) : features.identity;
-    answer.residual = residual_deviation_ * residual_output_->forward(both);
+    result.residual = residual_deviation_ * residual_output_->forward(both);
   }
-  return answer;
+  return result;
 }
 
 torch::Tensor SketchNetworkImpl::Linear(const FaceCoefficients& coefficients) const {

@@ -22,7 +22,7 @@ namespace {
 
 namespace nn = torch::nn;
 
-/// What LibTorch's cross-entropy passes over.
+/// The label that LibTorch's cross-entropy ignores.
 constexpr int64_t kNoClass = -100;
 
 std::vector<int> Indices(int begin, int end) {
@@ -205,10 +205,10 @@ train::LossTerms SketchRecipe::ClassificationLoss(const SketchNetworkImpl::Branc
 
 train::LossTerms SketchRecipe::RegressionLoss(const SketchNetworkImpl::BranchFeatures& features,
                                               const torch::Tensor& samples) {
-  const auto answer = network_->Standardised(network_->Predict(features));
+  const auto predicted = network_->Standardised(network_->Predict(features));
   const auto truth =
       network_->Standardised({coefficients_.u.index_select(0, samples), coefficients_.v.index_select(0, samples), {}});
-  const torch::Tensor u = MeanSquaredLength(answer.u - truth.u), v = MeanSquaredLength(answer.v - truth.v);
+  const torch::Tensor u = MeanSquaredLength(predicted.u - truth.u), v = MeanSquaredLength(predicted.v - truth.v);
   return {u + v, {{"u_error", u}, {"v_error", v}}};
 }
 

@@ -41,7 +41,7 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
   if (options.network.residual > 0) {
     models.basis = datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed);
   }
-  // Only now does the folder hold a run: what the fit refuses can be told otherwise in the same folder.
+  // Only now does the folder hold a run: options that the fit refuses can be corrected in the same folder.
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
   manifest.details["bilinear"] = bilinear.proof;
   manifest.details["curves"] = curves.proof;
