@@ -79,7 +79,7 @@ TEST_F(AblationRunsTest, RowsWithoutARunOrAReportReadThoseOfOthers) {
   EXPECT_DOUBLE_EQ(Runs().Result(Cell(2)).measure.error, 2 * 3 + 0.01);
   EXPECT_EQ(Runs().Result(Cell(2)).cost->parameters, 7);
   Make(0);
-  EXPECT_EQ(Runs().State(Cell(3)), RowState::kDone) << "the report that it is read from is there";
+  EXPECT_EQ(Runs().State(Cell(3)), RowState::kDone) << "the report that it is read from exists";
   EXPECT_DOUBLE_EQ(Runs().Result(Cell(3)).measure.error, 5.0);
   EXPECT_FALSE(Runs().Result(Cell(3)).cost.has_value()) << "nothing was trained for it";
   ablation_.rows[3].options.line = "network";

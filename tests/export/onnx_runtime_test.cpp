@@ -15,7 +15,7 @@ std::filesystem::path WriteDoubler(const TempDir& folder) {
   return folder / "model.onnx";
 }
 
-TEST(OnnxRuntime, AnswersEveryRunAtItsOwnBatchSize) {
+TEST(OnnxRuntime, RunsEveryInputAtItsOwnBatchSize) {
   const TempDir folder;
   const auto one = torch::randn({1, 3}), four = torch::randn({4, 3});
   const auto result = RunInOnnxRuntime(WriteDoubler(folder), {{{"x", one}}, {{"x", four}}}, {"y"}, folder.path());
@@ -25,7 +25,7 @@ TEST(OnnxRuntime, AnswersEveryRunAtItsOwnBatchSize) {
   EXPECT_TRUE(torch::equal(result->outputs.at(1).at("y"), 2 * four));
 }
 
-TEST(OnnxRuntime, TellsTheMedianTimeOfEachRunIfAskedTo) {
+TEST(OnnxRuntime, ReturnsTheMedianTimeOfEachRunIfRequested) {
   const TempDir folder;
   const auto model = WriteDoubler(folder);
   const std::vector<tensor::NamedTensors> runs = {{{"x", torch::zeros({1, 3})}}, {{"x", torch::zeros({4, 3})}}};

@@ -11,7 +11,7 @@ namespace {
 
 using Sketch = std::vector<render::Stroke>;
 
-/// A network that knows one face alone.
+/// A network that predicts the same face always.
 class FrameSearchTest : public ::testing::Test {
  protected:
   FrameSearchTest() : curves_(CurveStrokes(seen_.curves.offsets, seen_.Points(seen_.Face(1, 1)))) {}
@@ -65,7 +65,7 @@ TEST_F(FrameSearchTest, IsNeverWorseThanTheFrameOfTheBoundingBox) {
   EXPECT_LE(found.distance_px, found.start_distance_px);
 }
 
-TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxStands) {
+TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxIsReturned) {
   const auto framed = render::FrameDrawing(OnASheet({}));
   const FoundFrame found = FindFrame(framed, Always(), {.shares = {}, .halvings = 0});
   EXPECT_EQ(found.placement.scale, framed.placement.scale);

@@ -70,7 +70,7 @@ TEST_F(MorphableFitTest, DerivativesAreCentralDifferences) {
   EXPECT_LT(worst(v, value.by_v), 1e-6);
 }
 
-TEST_F(MorphableFitTest, PointsOfWeightZeroAreNotLookedAt) {
+TEST_F(MorphableFitTest, PointsOfWeightZeroAreIgnored) {
   auto points = seen_.Points(seen_.Face(3, 2));
   auto weights = seen_.Ones();
   weights[0] = weights[17] = 0;
@@ -81,7 +81,7 @@ TEST_F(MorphableFitTest, PointsOfWeightZeroAreNotLookedAt) {
   EXPECT_EQ(before.v, after.v);
 }
 
-TEST_F(MorphableFitTest, ThePriorKeepsNearTheTrainingFacesWhatNoPointTells) {
+TEST_F(MorphableFitTest, ThePriorKeepsUndeterminedCoefficientsNearTheTrainingFaces) {
   auto points = seen_.Points(seen_.Face(3, 2));
   std::vector<float> weights(size_t(seen_.curves.num_points()), 0.0f);
   weights[2] = 1;

@@ -138,7 +138,7 @@ TriangleMesh ReadMesh(const std::filesystem::path& path) {
 
 TEST(DeformationTransfer, ScannedPosesComeBackOnTheirOwnReference) {
   const auto data = testing::SharedData();
-  if (!data || !std::filesystem::exists(*data / "head_poses")) GTEST_SKIP() << "no head_poses beside the checkout";
+  if (!data || !std::filesystem::exists(*data / "head_poses")) GTEST_SKIP() << "no head_poses next to the checkout";
   std::vector<TriangleMesh> heads;
   for (const auto& entry : std::filesystem::directory_iterator(*data / "head_poses")) {
     if (entry.path().extension() == ".obj") heads.push_back(ReadMesh(entry.path()));
@@ -155,7 +155,7 @@ TEST(DeformationTransfer, ScannedPosesComeBackOnTheirOwnReference) {
 
 TEST(DeformationTransfer, CaricaturesComeBackOnTheirOwnReference) {
   const auto data = testing::SharedData();
-  if (!data || !std::filesystem::exists(*data / "caricatures")) GTEST_SKIP() << "no caricatures beside the checkout";
+  if (!data || !std::filesystem::exists(*data / "caricatures")) GTEST_SKIP() << "no caricatures next to the checkout";
   const TriangleMesh first = ReadMesh(*data / "caricatures/1.obj"), second = ReadMesh(*data / "caricatures/2.obj");
   Points result = TransferDeformation(first, second.vertices, first, {0});
   result.rowwise() += second.vertices.row(0) - result.row(0);

@@ -85,7 +85,7 @@ TEST(Registration, RecoversASmoothWarpFromAnotherTriangulation) {
 }
 
 TEST(Registration, WhatTheTargetLacksFollowsSmoothly) {
-  // Of the warped head only the front, z > 2, is there.
+  // The target is the front of the warped head, z > 2.
   const NonRigidRegistration registration(Source(), {});
   TriangleMesh target = OtherHead();
   Triangles front(0, 3);

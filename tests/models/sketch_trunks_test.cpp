@@ -17,7 +17,7 @@ std::vector<int64_t> ConvolutionSizes(const TrunkOptions& options) {
   return trunk.convolutions->forward(torch::rand({2, 1, options.resolution, options.resolution})).sizes().vec();
 }
 
-TEST(SketchConvolution, StaysInFloat32AndAnswersAsAutocastPromises) {
+TEST(SketchConvolution, StaysInFloat32AndReturnsWhatAutocastPromises) {
   torch::manual_seed(1);
   SketchConvolution convolution(torch::nn::Conv2dOptions(1, 4, 5).stride(2));
   const torch::Tensor sketches = torch::rand({2, 1, 16, 16}), exact = convolution->forward(sketches);

@@ -101,7 +101,7 @@ TEST(FrameStrokes, OptionsAreParsedAndUsed) {
   EXPECT_THROW(ParseOptions<FrameOptions>(Json{{"curve_height", 3.0}}), Error);
 }
 
-TEST(FrameDrawing, TellsWhereTheStrokesStand) {
+TEST(FrameDrawing, ReturnsThePlacementOfTheStrokes) {
   const Stroke face = Circle(500, 500, 100, 150);
   const FramedDrawing framed = FrameDrawing({1000, 1000, {face, {0, {{10, 990}}}}});
   ASSERT_EQ(framed.strokes.size(), 1U);

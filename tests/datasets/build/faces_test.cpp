@@ -101,7 +101,7 @@ TEST_F(BuildFacesTest, LevelsByPartsDifferFromPersonToPersonAndAreRecorded) {
   }
 }
 
-TEST_F(BuildFacesTest, InterpolatedFacesStandBehindTheGrid) {
+TEST_F(BuildFacesTest, InterpolatedFacesFollowTheGrid) {
   FacesOptions options = testing::SyntheticFacesOptions(4);
   options.num_interpolated = 11;  // A shard of 8 and one of 3.
   options.family_size = 2;
@@ -123,7 +123,7 @@ TEST_F(BuildFacesTest, InterpolatedFacesStandBehindTheGrid) {
   ExpectError([&] { database.id(32); }, "not one of the grid of 32 faces");
 }
 
-TEST_F(BuildFacesTest, InterpolationThatIsStoppedGoesOnWithTheSameBytes) {
+TEST_F(BuildFacesTest, InterruptedInterpolationResumesWithTheSameBytes) {
   FacesOptions options = testing::SyntheticFacesOptions(4);
   options.num_interpolated = 5;
   options.family_size = 2;

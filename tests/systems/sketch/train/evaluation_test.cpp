@@ -195,7 +195,7 @@ TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumb
                        "this is a run of the task 'deform' (expected a run of 'sketch')");
 }
 
-TEST_F(SketchEvalTest, FitsAndRefinesIfAsked) {
+TEST_F(SketchEvalTest, FitsAndRefinesIfRequested) {
   const Json metrics = Metrics({.fit = true, .deform = true});
   std::map<std::string, std::string> input;
   for (const Json& row : metrics.at("table")) input[row.at("name")] = row.at("shape_input");

@@ -42,7 +42,7 @@ TEST(InkOf, OfATracedTrainingRasterIsTheRaster) {
   EXPECT_LT((sketch - TrainingRaster(64)).abs().mean().item<double>(), 0.03);
 }
 
-TEST(TrainedStrokeNetwork, AnswersWhatTheNetworkAnswers) {
+TEST(TrainedStrokeNetwork, PredictsAsTheNetwork) {
   const testing::TempDir folder;
   auto network = testing::WriteSketchRun(folder.path());
   const SketchPredictor predictor = OpenStrokeNetwork(folder.path());
