@@ -14,8 +14,7 @@
 ///     struct ExaggerationOptions {
 ///       double gamma = 0.2;
 ///       template <class V> void Visit(V&& visit) {
-///         visit("gamma", gamma, Range{0.0, 0.8}, "Exponent of normalised |Gaussian curvature| that scales
-///         gradients.");
+///         visit("gamma", gamma, Range{0.0, 0.8}, "Exponent of |Gaussian curvature| that scales gradients.");
 ///       }
 ///     };
 namespace daumier {

@@ -45,7 +45,7 @@ struct TrainerOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
+    visit("epochs", epochs, Range{1, 1e6}, "Number of passes through the training samples.");
     visit("batch", batch, Range{1, 65536},
           "Samples of a batch; those left over at the end of an epoch are skipped in it.");
     visit("accumulate", accumulate, Range{1, 65536},

@@ -165,7 +165,7 @@ std::string LowerSqueeze(const Node& node, LoweringContext& context) {
                                  {context.Name(node.input(0)), context.graph().AddIntegers({Integer(node.input(1))})});
 }
 
-// addmm(bias, a, b, beta, alpha); a Linear layer hands its weight over as t(weight), which Gemm takes as it is stored.
+// addmm(bias, a, b, beta, alpha); a Linear layer passes t(weight), which Gemm reads as stored.
 std::string LowerAddmm(const Node& node, LoweringContext& context) {
   const std::string stored = context.NameBeforeTranspose(node.input(2));
   const std::string b = stored.empty() ? context.Name(node.input(2)) : stored;

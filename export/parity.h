@@ -22,8 +22,8 @@ struct ParityReport {
   double max_abs_diff() const;
 };
 
-/// Compares the outputs of LibTorch and of ONNX Runtime for the same samples of the function's inputs, at batch sizes 1, 2 and 5.
-/// Deterministic in seed. `scratch` is a folder for files in between.
+/// Compares the outputs of LibTorch and of ONNX Runtime for the same samples of the function's inputs, at batch sizes
+/// 1, 2 and 5. Deterministic in seed. `scratch` is a folder for files in between.
 /// @throws Error naming the output, the difference and the batch size if one exceeds kParityTolerance or is not a
 /// number.
 ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunction& function, uint64_t seed,

@@ -14,7 +14,7 @@
 
 namespace daumier::exporting {
 
-/// A finished run as it is exported, of whatever task.
+/// The export of a finished run of any task.
 struct RunExport {
   std::filesystem::path run_directory;
   Manifest run_manifest;

@@ -38,7 +38,7 @@ struct PredictedFace {
 /// no labels (FollowStrokes), and u and v are fitted to them with a normal prior about the network's own prediction.
 /// The predicted face may stray from the bilinear model by a residual, which stays what it is:
 ///   face(u', v') = predicted face + C x2 u' x3 v' - C x2 u x3 v.
-/// Where no stroke is within reach, the prediction comes back as it is.
+/// Where no stroke is within reach, the prediction is returned unchanged.
 class ContourRefiner {
  public:
   /// Keeps a reference to the model. @throws Error as ProjectModel.

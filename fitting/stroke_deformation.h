@@ -40,9 +40,9 @@ struct StrokeDeformationOptions {
 /// by the d (pixels of the canvas) that minimise
 ///   sum_i |d_i - mean of d over the neighbours of i|^2 + w sum_k t_k |d_v(k) - (s_k - p_k)|^2 + 1e-8 sum_i |d_i|^2,
 /// p_k the curve points of the face that came in, s_k where they are drawn to and t_k how strongly, w from soft to
-/// stiff strokes. The last term holds parts of the mesh that no curve passes. The first and last are factorised once,
-/// A; with C the rows of the curves' vertices, K = C A^-1 C^T and the middle term's weights W and means r on these
-/// vertices
+/// stiff strokes. The last term holds parts of the mesh that no curve passes. The first and last are factorised once
+/// as A. With C the rows of the curves' vertices, K = C A^-1 C^T, and W and r the middle term's weights and means
+/// there,
 ///   d = A^-1 C^T (W^-1 + K)^-1 r,
 /// so that a round is a dense solve of as many unknowns as curves have vertices within reach.
 class StrokeDeformer {
@@ -51,7 +51,8 @@ class StrokeDeformer {
   StrokeDeformer(const geometry::Triangles& triangles, int num_vertices, const ProjectedCurves& curves,
                  const StrokeDeformationOptions& options = {});
 
-  /// face: 3V, cm. strokes: on the canvas, where they stay. Without a stroke within reach the face comes back as it is.
+  /// face: 3V, cm. strokes: on the canvas, where they stay. Without a stroke within reach the face is returned
+  /// unchanged.
   /// @throws Error if a number of coordinates differs.
   std::vector<float> Deform(std::span<const float> face, const std::vector<render::Stroke>& strokes) const;
 

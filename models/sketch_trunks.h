@@ -29,10 +29,9 @@ struct SketchTrunk {
 ///             padding 2, pooling, 5 x 5, pooling, three 3 x 3, pooling; channels 96-256-384-384-256 for width 96, all
 ///             in proportion; pooling is 3 x 3 of stride 2. 256 x 256 pixels give sides of 63-31-15-7, 128 x 128 give
 ///             31-15-7-3
-///   residual  7 x 7 of stride 4, then residual blocks of two 3 x 3 [He et al. 2016], each of stride 2, channels 2
-///   width,
-///             4 width, 6 width, ... 6 width, until the side is 4 or less; 1 x 1 to width channels. The fully
-///             connected layer sees the whole sketch
+///   residual  7 x 7 of stride 4, then residual blocks of two 3 x 3 [He et al. 2016], each of stride 2, channels
+///             2 width, 4 width, 6 width, ... 6 width, until the side is 4 or less; 1 x 1 to width channels. The
+///             fully connected layer reads the whole sketch
 ///   points    1 x 1 convolutions of the points, 2, 4 and 16 width channels, and their greatest values [Qi et al. 2017]
 ///   shape     nothing but the layer of features
 /// shape_size: length of the curve coefficients, for trunk shape alone.

@@ -13,7 +13,7 @@ struct ReportSurface {
 
 ReportSurface SurfaceOf(const faces::FaceTemplate& face_template);
 
-/// A face as it is drawn: its surface with lips and eyes closed, the eyes whitish, the mouth dark. `face`: V x 3, cm.
+/// A face for drawing: its surface with lips and eyes closed, the eyes whitish, the mouth dark. `face`: V x 3, cm.
 render::RenderInput InputOf(const ReportSurface& surface, const geometry::Points& face);
 
 /// The same for a face of a template. @throws Error if `face` has another number of vertices.

@@ -32,7 +32,7 @@ class EventWriter {
   std::ofstream stream_;
 };
 
-/// The events up to the first record that is cut short or damaged, which is where a killed writer stopped.
+/// The events up to the first truncated or damaged record, where a killed writer stopped.
 /// @throws Error if the file cannot be read or is no event file.
 std::vector<ScalarEvent> ReadEvents(const std::filesystem::path& file);
 

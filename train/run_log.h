@@ -45,7 +45,7 @@ struct MetricsRecord {
   double seconds = 0;  ///< Training time until it was written, across resumes.
 };
 
-/// Every whole line of metrics.jsonl; a line that a kill cut short is left out. `seconds` of a line is the total where
+/// Every whole line of metrics.jsonl; an incomplete last line is skipped. `seconds` of a line is the total where
 /// it has session_seconds. Lines of older runs count from the last resume: a resume lies between two of them where the
 /// clock of the second, its event's wall time less its seconds, starts after the first was written, or, without events,
 /// where the seconds fall. @throws Error if there is no metrics.jsonl.

@@ -9,13 +9,12 @@
 
 namespace daumier::train {
 
-/// The one loop. Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and leaves
-/// there:
+/// Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and writes there
 ///   metrics.jsonl, TensorBoard events   training terms as means over log_every steps, learning_rate, gradient_norm;
-///                                        validation
-///   checkpoints/latest/                  after every validation, see train/checkpoint.h
-///   best/model.safetensors               the weights whose validation metric was least, the first of equals; weights
-///                                        are validated after every validate_every epochs and the last one
+///                                       validation
+///   checkpoints/latest/                 after every validation, see train/checkpoint.h
+///   best/model.safetensors              the weights whose validation metric was least, the first of equals; weights
+///                                       are validated after every validate_every epochs and the last one
 /// The recipe's stages follow each other; the optimiser is reset at the start of each, with the learning rate of
 /// LearningRate over the steps of the stage. Patience counts in the last stage alone.
 /// The order of the samples of an epoch depends on (seed, epoch) alone, and all else that matters is in the checkpoint:

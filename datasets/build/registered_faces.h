@@ -36,7 +36,7 @@ struct MeshInputs {
   std::filesystem::path vertex_map;  ///< May be empty; see LandmarkFile.
 };
 
-/// A mesh as it is registered.
+/// A mesh to register.
 struct LandmarkedMesh {
   std::string name;
   geometry::TriangleMesh mesh;

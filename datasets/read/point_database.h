@@ -42,7 +42,7 @@ class PointDatabase {
   std::span<const float> template_vertices() const { return template_vertices_; }
   /// model_from_cm: of the template and of every face.
   const faces::ModelFrame& frame() const { return frame_; }
-  /// The faces' own template, in cm, its mouth as it is.
+  /// The faces' own template, in cm, its mouth unchanged.
   const faces::FaceTemplate& face_template() const { return face_template_; }
 
   /// A names: datasets/build/face_attributes.h says what they mean.

@@ -56,8 +56,8 @@ struct DeformTrainingOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("system", system, Choices{{"deform"}}, "The task that is trained.");
-    visit("data", data, Table{}, "What is learnt from.");
-    visit("split", split, Table{}, "Who trains, who validates, who tests.");
+    visit("data", data, Table{}, "Training data.");
+    visit("split", split, Table{}, "Train/validation/test split.");
     visit("points", points, Table{}, "Which points of a face a step sees.");
     visit("network", network, Table{}, "The network.");
     visit("loss", loss, Table{}, "What is minimised.");

@@ -38,7 +38,7 @@ struct SketchNetworkOptions {
           "Channels of the first convolution; the others follow from it. So that all are multiples of 8, a training "
           "takes multiples of 8 alone, of trunk alexnet 24, of trunk points 4.");
     visit("batch_norm", batch_norm, Flag{}, "Normalise after each convolution of trunk alexnet; the others always do.");
-    visit("hidden", hidden, Range{1, 8192}, "Features that the trunk hands to the branches.");
+    visit("hidden", hidden, Range{1, 8192}, "Trunk output features.");
     visit("branch", branch, Range{1, 8192}, "Neurons of a layer in the branches.");
     visit("identity_layers", identity_layers, Range{0, 8},
           "Fully connected layers of the u branch (or of the one branch) before its output.");

@@ -56,8 +56,8 @@ struct SketchTrainingOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("system", system, Choices{{"sketch"}}, "The task that is trained.");
-    visit("data", data, Table{}, "What is learnt from.");
-    visit("split", split, Table{}, "Who trains, who validates, who tests.");
+    visit("data", data, Table{}, "Training data.");
+    visit("split", split, Table{}, "Train/validation/test split.");
     visit("bilinear", bilinear, Table{}, "The bilinear models of faces and curves, fitted on training faces.");
     visit("sketch", sketch, Table{}, "Which sketch of a face is seen.");
     visit("network", network, Table{}, "The network.");

@@ -12,7 +12,7 @@ namespace daumier::deform {
 /// `model_from_cm` as {scale, offset}.
 exporting::ExportedFunction DeformFunction(std::shared_ptr<DeformNetwork> network);
 
-/// A finished run of a deformable model as it is exported, with points_template.safetensors (`vertices`, the template's
+/// The export of a finished run of a deformable model, with points_template.safetensors (`vertices`, the template's
 /// in the model's frame). @throws Error as LoadDeformRun.
 exporting::RunExport DescribeDeformExport(const std::filesystem::path& run_directory);
 

@@ -41,7 +41,7 @@ TEST_F(RunDataTest, RefusesFacesThatTheRunWasNotTrainedOn) {
   CheckSameData(run_, manifest_, config_, "faces");
   testing::BuildSyntheticFaces(folder_ / "others", 2);
   config_["data"]["faces"] = (folder_ / "others").string();
-  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); }, "holds other faces than");
+  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); }, "the faces differ from the training data of");
 }
 
 TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
@@ -49,7 +49,7 @@ TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
   const Split split = SplitOfRun(run_, manifest_, config_, faces);
   EXPECT_EQ(SplitToJson(faces, split), manifest_.details.at("split"));
   config_["split"]["test"] = 0.5;
-  testing::ExpectError([&] { SplitOfRun(run_, manifest_, config_, faces); }, "was split otherwise");
+  testing::ExpectError([&] { SplitOfRun(run_, manifest_, config_, faces); }, "split does not match the run's manifest");
 }
 
 TEST_F(RunDataTest, ASplitHasThreeSides) {
