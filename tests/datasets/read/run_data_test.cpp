@@ -41,7 +41,8 @@ TEST_F(RunDataTest, RefusesFacesThatTheRunWasNotTrainedOn) {
   CheckSameData(run_, manifest_, config_, "faces");
   testing::BuildSyntheticFaces(folder_ / "others", 2);
   config_["data"]["faces"] = (folder_ / "others").string();
-  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); }, "the faces differ from the training data of");
+  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); },
+                       "the faces differ from the training data of");
 }
 
 TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
