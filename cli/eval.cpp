@@ -28,7 +28,7 @@ const std::vector<OptionFlag>& OptionFlags() {
       {"--strength", "strength", "Augment the sketches: 0 not, 1 as in training, 2 strongly"},
       {"--recover-with", "recover_with",
        "Run whose faces curve coefficients are recovered from, where a network reads them"},
-      {"--max-faces", "max_faces", "Of a deformable model: number of faces, evenly spread over the side"},
+      {"--max-faces", "max_faces", "Of a deformable model: number of faces, evenly spaced in the subset"},
       {"--adam-faces", "adam_faces", "Of a deformable model: also find the codes of this many faces by Adam"},
       {"--fit", "fit", "Also fit the bilinear model to the labelled strokes", false},
       {"--refine", "refine", "Also match the contours of the predicted faces with the strokes", false},

@@ -11,7 +11,7 @@ namespace daumier {
 int NumCores();
 
 /// The cores that a cgroup quota allows, rounded up: "200000 100000" (quota and period, in microseconds) is 2. 0 if it
-/// says "max", a quota of -1, or nothing that can be read: no limit.
+/// contains "max", a quota of -1, or nothing readable: no limit.
 int CoresOfQuota(std::string_view quota_and_period);
 
 /// To be called first in main. Sets OpenMP's threads where an OpenMP run-time is loaded (0: one a core), and makes

@@ -8,7 +8,8 @@
 namespace daumier {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "safetensors are little-endian and are mapped as they are");
+static_assert(std::endian::native == std::endian::little,
+              "safetensors are little-endian and are mapped without conversion");
 
 constexpr size_t kLengthBytes = 8;
 constexpr uint64_t kMaxHeaderBytes = 100'000'000;  // The limit of the reference implementation.

@@ -5,7 +5,7 @@
 namespace daumier::faces {
 namespace {
 
-/// Below this share of the factors' size a standard deviation says that a factor never changed.
+/// Below this share of the factors' size a standard deviation means that a factor is constant.
 constexpr float kLeastDeviation = 1e-3f;
 
 Eigen::VectorXf DeviationOf(const Eigen::MatrixXf& factors, const Eigen::VectorXf& mean) {

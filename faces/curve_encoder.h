@@ -14,8 +14,9 @@ struct CurveEncoderOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("deviation_px", deviation_px, Range{1e-3, 100},
-          "How far drawn points stray from the model, pixels; the larger, the more the prior of u and v counts.");
+    visit(
+        "deviation_px", deviation_px, Range{1e-3, 100},
+        "Standard deviation of drawn points from the model, pixels; the larger, the more the prior of u and v counts.");
     visit("rounds", rounds, Range{1, 100}, "Alternations between u and v.");
   }
 };

@@ -97,7 +97,7 @@ SafetensorsFile OpenShard(const std::filesystem::path& path, const std::vector<i
   SafetensorsFile shard(path);
   const ArrayView& array = shard.at("vertices");
   DAUMIER_CHECK(array.shape == shape && array.dtype == Dtype::kF32,
-                "{}: vertices have the shape {}, the manifest says {} of float32", path.string(),
+                "{}: vertices have the shape {}, expected {} of float32 as in the manifest", path.string(),
                 Json(array.shape).dump(), Json(shape).dump());
   return shard;
 }

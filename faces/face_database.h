@@ -24,7 +24,7 @@ struct FaceId {
 /// These are the grid. Faces that were interpolated between two of them follow
 /// (shards/interpolated-00000.safetensors), as many a shard as a person has. The manifest holds counts {persons,
 /// levels, expressions, faces, vertices} and details {source, gammas, expressions}, and where faces were imported also
-/// {names, groups}: a name of each person, and whom it shows in truth.
+/// {names, groups}: a name of each person, and a label that persons of the same identity share.
 class FaceDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its

@@ -37,7 +37,7 @@ struct SourceOptions {
   }
 };
 
-/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or faces as they are. Reads
+/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or given faces. Reads
 /// nothing but what the options name.
 /// @throws Error naming what is missing, truncated or of another topology, and how to get it; UsageError if the path or
 /// the annotation is required and missing.

@@ -18,7 +18,7 @@ struct MorphableFitOptions {
   void Visit(V&& visit) {
     visit("prior", prior, Flag{}, "Whether u and v keep near to those of the training faces.");
     visit("deviation_px", deviation_px, Range{1e-3, 100},
-          "How far labelled points stray from the model, pixels; the larger, the more the prior counts.");
+          "Standard deviation of labelled points from the model, pixels; the larger, the more the prior counts.");
     visit("iterations", iterations, Range{1, 10000}, "Steps of the solver at most.");
   }
 };

@@ -12,7 +12,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// The least cotangent that enters the cotangent Laplacian: angles beyond 88.9 degrees count as 88.9 degrees, which
 /// keeps all edge weights positive and the solution free of spikes on meshes with obtuse triangles.
 inline constexpr double kMinCotangent = 0.02;
-/// Leaves all cotangents as they are: the exact finite-element Laplacian.
+/// Clamps no cotangent: the exact finite-element Laplacian.
 inline constexpr double kUnclamped = -std::numeric_limits<double>::infinity();
 
 /// F x 3: the cotangent of the angle at each corner, raised to `min_cotangent` where it is less.

@@ -46,8 +46,9 @@ torch::Tensor InPlainLayout(const torch::Tensor& sketches);
 /// them in every pass; the numbers are the same. These convolutions then compute channels-last whatever their input is.
 void StoreChannelsLast(torch::nn::Module& module);
 
-/// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
-/// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.
+/// The convolution of a sketch itself, in float32 regardless of tensor::Autocast: with one channel to read, LibTorch
+/// takes several times as long for the gradient of its weights in bfloat16. The output has the type that Autocast
+/// promises.
 class SketchConvolutionImpl : public torch::nn::Conv2dImpl {
  public:
   using Conv2dImpl::Conv2dImpl;

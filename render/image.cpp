@@ -16,7 +16,7 @@ bool IsJpeg(std::string_view bytes) {
   return bytes.starts_with("\xFF\xD8");
 }
 
-/// libjpeg fills what is missing with grey and says nothing: a whole file has its end marker after its last start of
+/// libjpeg fills missing data with grey without an error: a complete file has its end marker after its last start of
 /// scan.
 bool IsTruncatedJpeg(std::string_view bytes) {
   const size_t scan = bytes.rfind("\xFF\xDA");

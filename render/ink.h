@@ -17,7 +17,7 @@ Image InkMask(const Image& flattened);
 /// of the ink. 0 if there is no ink.
 double PenWidth(const Image& ink);
 
-/// Areas much thicker than the pen become their outlines, as wide as the pen, inside the area; lines stay as they are.
+/// Areas much thicker than the pen become their outlines, as wide as the pen, inside the area; lines are unchanged.
 /// A gap between areas that is narrower than the pen closes first, and so do small holes in an area with all in them.
 /// Where an area is cut by the border of the picture it has no outline.
 Image HollowAreas(const Image& ink, double pen_width);

@@ -75,7 +75,7 @@ bool IsLeftOut(const pugi::xml_node& node) {
   return Property(node, "display") == "none" || IsZero(Property(node, "opacity"));
 }
 
-/// What an element hands to those inside it.
+/// Properties that elements inherit.
 struct Inherited {
   Affine2d sheet_from_local = Affine2d::Identity();
   bool visible = true;

@@ -57,7 +57,7 @@ struct MetricTable {
   std::vector<Metric> columns;  ///< The first is the error by which rows are compared.
   std::vector<MetricRow> rows = {};
   size_t result = 0;                         ///< The row of the run's own network.
-  std::vector<int> faces = {}, groups = {};  ///< Indices of the measured faces; whom each shows, resampled as one.
+  std::vector<int> faces = {}, groups = {};  ///< Indices of the measured faces; person of each, resampled as one.
   Json data_hash = {};                       ///< Of every database that was read.
 };
 

@@ -21,10 +21,10 @@ struct ScalarEvent {
 /// }.
 class EventWriter {
  public:
-  /// Starts the file if it is missing or empty. TensorBoard wants "tfevents" in the name. @throws Error if it cannot be
-  /// written.
+  /// Starts the file if it is missing or empty. TensorBoard requires "tfevents" in the name. @throws Error if it cannot
+  /// be written.
   explicit EventWriter(const std::filesystem::path& file);
-  /// Written through at once, so that TensorBoard sees a running training.
+  /// Written through at once, so that TensorBoard can display a running training.
   void Write(const ScalarEvent& event);
 
  private:

@@ -44,7 +44,7 @@ struct FacesOptions {
     visit("parts", parts, Table{}, "How strengths of parts are drawn.");
     visit("num_interpolated", num_interpolated, Range{0, 10000000}, "Faces between two persons of a family.");
     visit("family_size", family_size, Range{2, 1000},
-          "Persons between whom faces are interpolated; a split by person keeps a family on one side.");
+          "Persons between whom faces are interpolated; a split by person keeps a family in one subset.");
   }
 };
 

@@ -52,7 +52,7 @@ Eigen::Affine2d DrawPlacement(const AugmentationOptions& options, Rng& rng) {
          Eigen::Translation2d(-middle);
 }
 
-/// What brings `box` into `room`, shrinking it only if it has to.
+/// The transform that moves `box` into `room`, shrinking it only if necessary.
 Eigen::Affine2d Into(const Eigen::AlignedBox2d& room, const Eigen::AlignedBox2d& box) {
   const Eigen::Vector2d sizes = box.sizes().cwiseMax(1e-9);
   const double factor = std::min(1.0, (room.sizes().array() / sizes.array()).minCoeff());

@@ -45,7 +45,7 @@ class PointDatabase {
   /// The faces' own template, in cm, its mouth unchanged.
   const faces::FaceTemplate& face_template() const { return face_template_; }
 
-  /// A names: datasets/build/face_attributes.h says what they mean.
+  /// A names, defined in datasets/build/face_attributes.h.
   const std::vector<std::string>& attribute_names() const { return attribute_names_; }
   /// A numbers. @throws Error if there is no such face.
   std::span<const float> attributes(int face) const;

@@ -24,7 +24,7 @@ struct PointReading {
   }
 };
 
-/// The points of some faces as a deformable model reads them, worked out by all cores.
+/// The points of some faces as input of a deformable model, computed by all cores.
 class PointDataset {
  public:
   /// Sample s is face `faces[s]`. `points` are those of `database`. @throws Error if they were made of other faces, a

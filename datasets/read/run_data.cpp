@@ -41,7 +41,7 @@ const std::vector<int>& SubsetOf(const Split& split, const std::string& name) {
   if (name == "train") return split.train;
   if (name == "validation") return split.validation;
   if (name == "test") return split.test;
-  throw UsageError(fmt::format("'{}' is no side of a split: train, validation or test", name));
+  throw UsageError(fmt::format("unknown subset '{}' of a split, expected train, validation or test", name));
 }
 
 }  // namespace daumier::datasets

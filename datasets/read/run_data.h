@@ -21,7 +21,7 @@ Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, con
                  const faces::FaceDatabase& faces);
 
 /// The manifest with which a training begins: its config without paths, seed, the sources of its faces, how many of
-/// them are on which side of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
+/// them are in which subset of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
 Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const Split& split);
 
 /// "train", "validation" or "test". @throws UsageError for another word.

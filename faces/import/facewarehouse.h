@@ -23,7 +23,7 @@ enum class FaceWarehouseSet {
 
 /// The persons Tester_1, Tester_2, ... below `folder`, in order of their number; numbers may be missing. shape.bs has
 /// no polygons: they come from `template_mesh`, or, if it is empty, from the first Blendshape/shape_0.obj or
-/// TrainingPose/pose_0.obj there is. A unit counts as 10 cm unless the annotation says otherwise.
+/// TrainingPose/pose_0.obj. A unit counts as 10 cm unless the annotation has another unit.
 /// @throws Error naming the file: missing, of another topology, or as ReadShape and ImportGivenFaces.
 GivenFaces LoadFaceWarehouse(const std::filesystem::path& folder, const std::filesystem::path& template_mesh,
                              FaceWarehouseSet set, const AnnotationFile& annotation);

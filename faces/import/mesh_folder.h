@@ -18,7 +18,7 @@ enum class PersonOf {
 };
 
 /// Any folder of registered .obj and .ply meshes (recursively, in order of name), a neutral face each, in cm unless the
-/// annotation says otherwise. The template has the UV of the first mesh. `licence` is stored unchanged in the
+/// annotation has another unit. The template has the UV of the first mesh. `licence` is stored unchanged in the
 /// provenance.
 /// @throws Error naming the first file that is unreadable or of another topology than the first; if there is no mesh;
 /// as ImportGivenFaces.

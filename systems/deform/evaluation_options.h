@@ -15,7 +15,7 @@ struct DeformEvalOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("split", split, Choices{{"test", "validation", "train"}}, "The side of the run's split that is measured.");
+    visit("split", split, Choices{{"test", "validation", "train"}}, "The subset of the run's split that is measured.");
     visit("faces", faces, Text{},
           "Folder of other faces of the same topology, which the run was not trained on; all of them are measured.");
     visit("max_faces", max_faces, Range{1, 1e6}, "Largest number of faces of the subset, evenly spaced.");

@@ -58,7 +58,7 @@ struct DeformTrainingOptions {
     visit("system", system, Choices{{"deform"}}, "The task that is trained.");
     visit("data", data, Table{}, "Training data.");
     visit("split", split, Table{}, "Train/validation/test split.");
-    visit("points", points, Table{}, "Which points of a face a step sees.");
+    visit("points", points, Table{}, "The points of a face that a step reads.");
     visit("network", network, Table{}, "The network.");
     visit("loss", loss, Table{}, "What is minimised.");
     visit("validation", validation, Table{}, "On which faces the best weights are chosen.");

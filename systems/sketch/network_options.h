@@ -33,7 +33,7 @@ struct SketchNetworkOptions {
           "published, or "
           "before the branches.");
     visit("branches", branches, Choices{{"two", "one"}}, "Branches of their own for u and v, or one for both.");
-    visit("resolution", resolution, Range{32, 512}, "Side of the square sketch that the network sees, in pixels.");
+    visit("resolution", resolution, Range{32, 512}, "Side of the square input sketch, in pixels.");
     visit("width", width, Range{1, kMaxWidth},
           "Channels of the first convolution; the others follow from it. So that all are multiples of 8, a training "
           "takes multiples of 8 alone, of trunk alexnet 24, of trunk points 4.");

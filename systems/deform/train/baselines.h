@@ -13,7 +13,7 @@ namespace daumier::deform {
 /// The baselines of eval/ on tensors of faces.
 class DeformBaselines {
  public:
-  /// training: (T, V, 3) float32, given away; validation: (n, V, 3), on which the ridge weight is chosen. The requested
+  /// training: (T, V, 3) float32, moved from; validation: (n, V, 3), on which the ridge weight is chosen. The requested
   /// number of components, but at most T - 1. @throws Error if there are less than two training faces or no validation
   /// face, or if shapes disagree.
   DeformBaselines(torch::Tensor training, const torch::Tensor& validation, int num_components);

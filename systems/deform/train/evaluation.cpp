@@ -169,7 +169,7 @@ class DeformEvaluation {
     return databases.Open<faces::FaceDatabase>(run_.config.at("data").at("faces").get<std::string>());
   }
 
-  /// Null if a side of the run's split is measured.
+  /// Null if a subset of the run's split is measured.
   const faces::FaceDatabase* OpenExternalFaces(FolderCache& databases) const {
     if (options_.faces.empty()) return nullptr;
     const auto& faces = databases.Open<faces::FaceDatabase>(options_.faces);

@@ -17,7 +17,7 @@ namespace daumier::deform {
 /// vertex_error. Databases have to outlive it.
 class DeformRecipe : public train::Recipe {
  public:
-  /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a side of the split that
+  /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a subset of the split that
   /// training needs is empty, UsageError if the precision is not float32.
   DeformRecipe(const DeformTrainingOptions& options, const faces::FaceDatabase& faces,
                const datasets::PointDatabase& points, const datasets::Split& split, torch::Device device);

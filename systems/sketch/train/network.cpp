@@ -38,7 +38,7 @@ void Check(const faces::BilinearModel& model) {
       model.expression_factors.cols(), model.num_identity, model.num_expression);
 }
 
-/// `layers` fully connected ones of `width` neurons; returns the width of what comes out.
+/// `layers` fully connected ones of `width` neurons; returns the width of the output.
 int64_t Stack(nn::Sequential& branch, int64_t from, int layers, int width) {
   for (int layer = 0; layer < layers; ++layer) {
     branch->push_back(nn::Linear(from, width));

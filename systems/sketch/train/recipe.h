@@ -46,8 +46,8 @@ TORCH_MODULE(SketchClassifier);
 /// to outlive it.
 class SketchRecipe : public train::Recipe {
  public:
-  /// Draws the first weights from LibTorch's CPU generator. @throws Error if a side of the split that training needs is
-  /// empty.
+  /// Draws the first weights from LibTorch's CPU generator. @throws Error if a subset of the split that training needs
+  /// is empty.
   SketchRecipe(const SketchTrainingOptions& options, const faces::FaceDatabase& faces,
                const datasets::SketchDatabase& sketches, const datasets::Split& split, const FittedModels& models,
                torch::Device device);

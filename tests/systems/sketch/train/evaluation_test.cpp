@@ -248,7 +248,7 @@ TEST_F(SketchEvalTest, ManifestProvesThatNothingWasFittedOnValidationOrTestPerso
 }
 
 TEST_F(SketchEvalTest, RefusesAnUnknownSideAndOptionsThatExcludeEachOther) {
-  testing::ExpectError([&] { Evaluate("run", {.split = "tset"}); }, "no side of a split");
+  testing::ExpectError([&] { Evaluate("run", {.split = "tset"}); }, "unknown subset");
   testing::ExpectError([&] { Evaluate("run", {.faces = "faces"}); }, "give both 'faces' and 'sketches'");
   testing::ExpectError([&] { Evaluate("run", {.faces = "faces", .sketches = "sketches", .fit = true}); },
                        "faces excludes fit");
