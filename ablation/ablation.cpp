@@ -14,39 +14,37 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The rows `order`, seed by seed and split by split.
-std::vector<AblationRuns::Place> Places(const Ablation& ablation, const std::vector<int>& order) {
-  std::vector<AblationRuns::Place> places;
+std::vector<AblationRuns::Cell> Cells(const Ablation& ablation, const std::vector<int>& order) {
+  std::vector<AblationRuns::Cell> cells;
   for (const uint64_t seed : ablation.options.seeds)
     for (const std::string& split : ablation.options.splits)
-      for (const int row : order) places.push_back({ablation.rows[size_t(row)], split, seed});
-  return places;
+      for (const int row : order) cells.push_back({ablation.rows[size_t(row)], split, seed});
+  return cells;
 }
 
 void ThrowIfCancelled(const Task& task, const fs::path& directory) {
-  task.ThrowIfCancelled("{}: the ablation was stopped; its finished rows are there. The same command resumes it",
+  task.ThrowIfCancelled("{}: the ablation was interrupted; its finished rows are saved. The same command resumes it",
                         directory.string());
 }
 
 /// Failed rows, and the rows that need one.
 class Failures {
  public:
-  void Add(const AblationRuns::Place& place, const std::string& why) {
-    messages_.push_back(fmt::format("{}: {}", place.Describe(), why));
-    failed_.insert({Where(place), place.row.name()});
+  void Add(const AblationRuns::Cell& cell, const std::string& why) {
+    messages_.push_back(fmt::format("{}: {}", cell.Describe(), why));
+    failed_.insert({Where(cell), cell.row.name()});
   }
-  /// The first row that `place` needs and that failed.
-  std::optional<std::string> NeededBy(const AblationRuns::Place& place,
+  /// The first row that `cell` needs and that failed.
+  std::optional<std::string> NeededBy(const AblationRuns::Cell& cell,
                                       const std::vector<std::string>& references) const {
-    for (const std::string& name : NeededRows(place.row, references))
-      if (failed_.count({Where(place), name}) == 1) return name;
+    for (const std::string& name : NeededRows(cell.row, references))
+      if (failed_.count({Where(cell), name}) == 1) return name;
     return std::nullopt;
   }
   const std::vector<std::string>& messages() const { return messages_; }
 
  private:
-  static std::string Where(const AblationRuns::Place& place) {
-    return fmt::format("{} seed {}", place.split, place.seed);
-  }
+  static std::string Where(const AblationRuns::Cell& cell) { return fmt::format("{} seed {}", cell.split, cell.seed); }
 
   std::vector<std::string> messages_;
   std::set<std::pair<std::string, std::string>> failed_;  ///< Split and seed, row.
@@ -58,8 +56,8 @@ std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationS
                                        const fs::path& directory, const std::vector<std::string>& only) {
   const AblationRuns runs(ablation, system, directory);
   std::vector<AblationStep> steps;
-  for (const AblationRuns::Place& place : Places(ablation, WorkingOrder(ablation, system.system.run_options, only)))
-    steps.push_back({place.row.name(), place.split, place.seed, runs.State(place)});
+  for (const AblationRuns::Cell& cell : Cells(ablation, WorkingOrder(ablation, system.system.run_options, only)))
+    steps.push_back({cell.row.name(), cell.split, cell.seed, runs.State(cell)});
   return steps;
 }
 
@@ -73,26 +71,25 @@ Json RunAblation(const Ablation& ablation, const AblationSystem& system, const f
   Failures failures;
   size_t number = 0;
   Json table;
-  for (const AblationRuns::Place& place : Places(ablation, WorkingOrder(ablation, references, only))) {
+  for (const AblationRuns::Cell& cell : Cells(ablation, WorkingOrder(ablation, references, only))) {
     ++number;
-    if (runs.State(place) == RowState::kDone) continue;
-    if (const auto needed = failures.NeededBy(place, references)) {
-      failures.Add(place, fmt::format("it needs {}", *needed));
+    if (runs.State(cell) == RowState::kDone) continue;
+    if (const auto needed = failures.NeededBy(cell, references)) {
+      failures.Add(cell, fmt::format("it needs {}", *needed));
       continue;
     }
-    log::Info("Row {} of {}: {}", number, plan.size(), place.Describe());
+    log::Info("Row {} of {}: {}", number, plan.size(), cell.Describe());
     try {
-      runs.Train(place, databases, task);
+      runs.Train(cell, databases, task);
       ThrowIfCancelled(task, directory);
-      runs.Evaluate(place, databases, task);
+      runs.Evaluate(cell, databases, task);
     } catch (const std::exception& error) {  // Of LibTorch, JSON or the allocator, too: the other rows count.
       ThrowIfCancelled(task, directory);
-      log::Warn("Row {} failed: {}", place.Describe(), error.what());
-      failures.Add(place, error.what());
+      log::Warn("Row {} failed: {}", cell.Describe(), error.what());
+      failures.Add(cell, error.what());
       continue;
     }
-    const bool in_sheet =
-        place.split == ablation.options.splits.front() && place.seed == ablation.options.seeds.front();
+    const bool in_sheet = cell.split == ablation.options.splits.front() && cell.seed == ablation.options.seeds.front();
     table = WriteAblationReport(ablation, runs, system, directory, in_sheet);
     ThrowIfCancelled(task, directory);
   }

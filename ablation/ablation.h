@@ -16,9 +16,9 @@ struct AblationStep {
   RowState state;
 };
 
-/// The steps of an ablation: seeds first to last, of each its splits first to last, of each its rows in WorkingOrder, so
-/// that the first seed has its whole table before the next one begins. `only`: those rows and what they need.
-/// @throws UsageError as AblationRuns, and if a run is there that has another config or other data.
+/// The steps of an ablation: seeds first to last, of each its splits first to last, of each its rows in WorkingOrder,
+/// so that the first seed has its whole table before the next one begins. `only`: those rows and what they need.
+/// @throws UsageError as AblationRuns, and if an existing run has another config or other data.
 std::vector<AblationStep> PlanAblation(const Ablation& ablation, const AblationSystem& system,
                                        const std::filesystem::path& directory,
                                        const std::vector<std::string>& only = {});

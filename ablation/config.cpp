@@ -52,7 +52,7 @@ void CheckNames(const std::vector<AblationRow>& rows, const std::string& where) 
   }
 }
 
-std::string WhoAsks(const AblationRow& row) {
+std::string Requester(const AblationRow& row) {
   return fmt::format("row '{}'", row.name());
 }
 
@@ -60,10 +60,10 @@ void CheckKinds(const Ablation& ablation) {
   for (const AblationRow& row : ablation.rows) {
     if (!row.trains() && !ablation.options.evaluate)
       throw UsageError(fmt::format("row '{}' trains nothing, so that it needs evaluate=true", row.name()));
-    if (!row.options.run_of.empty() && !ablation.row(row.options.run_of, WhoAsks(row)).trains())
+    if (!row.options.run_of.empty() && !ablation.row(row.options.run_of, Requester(row)).trains())
       throw UsageError(
           fmt::format("row '{}': 'run_of' names '{}', which has no run of its own", row.name(), row.options.run_of));
-    if (!row.options.from.empty() && !ablation.row(row.options.from, WhoAsks(row)).evaluates())
+    if (!row.options.from.empty() && !ablation.row(row.options.from, Requester(row)).evaluates())
       throw UsageError(
           fmt::format("row '{}': 'from' names '{}', which has no report of its own", row.name(), row.options.from));
   }
@@ -140,7 +140,7 @@ std::vector<int> WorkingOrder(const Ablation& ablation, const std::vector<std::s
       throw UsageError(fmt::format("rows need each other in a circle: {} -> {}", fmt::join(path, " -> "), row.name()));
     path.push_back(row.name());
     for (const std::string& name : NeededRows(row, references))
-      if (name != row.name()) visit(ablation.row(name, WhoAsks(row)));
+      if (name != row.name()) visit(ablation.row(name, Requester(row)));
     path.pop_back();
     order.push_back(index);
   };

@@ -57,7 +57,7 @@ struct AblationRow {
   bool evaluates() const { return options.from.empty(); }
 };
 
-/// A table to be made. Beside AblationOptions its file holds
+/// A table to be made. In addition to AblationOptions its file holds
 ///   [config]   overrides of the base for every row
 ///   [eval]     options of the evaluation of every row
 ///   [[rows]]   AblationRowOptions and, of the row alone, the tables `config` and `eval`
@@ -81,8 +81,9 @@ Ablation LoadAblation(const std::filesystem::path& file, const std::vector<std::
 /// Whose run or report a row needs, each once.
 std::vector<std::string> NeededRows(const AblationRow& row, const std::vector<std::string>& references);
 
-/// The rows, by index, in an order in which what a row needs comes before it; otherwise as they stand. With `only`:
-/// those rows and all that they need. @throws UsageError as LoadAblation, and on a name in `only` that no row has.
+/// The rows, by index, in an order in which what a row needs comes before it; otherwise in the order of the file. With
+/// `only`: those rows and all that they need. @throws UsageError as LoadAblation, and on a name in `only` that no row
+/// has.
 std::vector<int> WorkingOrder(const Ablation& ablation, const std::vector<std::string>& references,
                               const std::vector<std::string>& only = {});
 

@@ -15,7 +15,7 @@ struct AblationMeasure {
   bool is_result = false;  ///< The row of the report's result, whose predictions the report keeps.
   /// Further entries of table.json by key: shape_input, p90, num_faces, data_hash, ...
   Json more = Json::object();
-  /// The error of each test face, mm, and whom it shows; empty if the row was measured on some of the faces only.
+  /// The error of each test face, mm, and the person it shows; empty if the row was measured on a subset of the faces.
   std::vector<double> face_errors = {};
   std::vector<int> groups = {};
 };

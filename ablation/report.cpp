@@ -17,20 +17,20 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The rows of one split and seed that are done, as the table shows them.
-std::vector<AblationRuns::Place> DonePlaces(const Ablation& ablation, const AblationRuns& runs,
-                                            const std::string& split, uint64_t seed) {
-  std::vector<AblationRuns::Place> done;
+std::vector<AblationRuns::Cell> DoneCells(const Ablation& ablation, const AblationRuns& runs, const std::string& split,
+                                          uint64_t seed) {
+  std::vector<AblationRuns::Cell> done;
   for (const AblationRow& row : ablation.rows)
-    if (const AblationRuns::Place place{row, split, seed}; runs.State(place) == RowState::kDone) done.push_back(place);
+    if (const AblationRuns::Cell cell{row, split, seed}; runs.State(cell) == RowState::kDone) done.push_back(cell);
   return done;
 }
 
-void CheckSameTest(const std::vector<AblationRuns::Place>& places, const AblationRuns& runs) {
-  const std::string first = TestSetId(runs.Metrics(places.front()));
-  for (const AblationRuns::Place& place : places) {
-    const std::string here = TestSetId(runs.Metrics(place));
-    DAUMIER_CHECK(here == first, "{} and {} were measured on different test faces: {} and {}",
-                  places.front().Describe(), place.Describe(), first, here);
+void CheckSameTest(const std::vector<AblationRuns::Cell>& cells, const AblationRuns& runs) {
+  const std::string first = TestSetId(runs.Metrics(cells.front()));
+  for (const AblationRuns::Cell& cell : cells) {
+    const std::string here = TestSetId(runs.Metrics(cell));
+    DAUMIER_CHECK(here == first, "{} and {} were measured on different test faces: {} and {}", cells.front().Describe(),
+                  cell.Describe(), first, here);
   }
 }
 
@@ -42,7 +42,7 @@ std::vector<double> Minutes(const std::vector<double>& seconds) {
 
 /// curves.svg over steps and curves_by_time.svg over minutes: a panel a split with a curve a run, of validation and,
 /// if the system logs it, of training.
-bool WriteCurves(const std::vector<AblationRuns::Place>& trained, const Ablation& ablation, const AblationRuns& runs,
+bool WriteCurves(const std::vector<AblationRuns::Cell>& trained, const Ablation& ablation, const AblationRuns& runs,
                  const systems::SystemTraining& training, const fs::path& directory) {
   std::vector<reports::CurvePanel> by_steps, by_time;
   bool any = false;
@@ -52,12 +52,12 @@ bool WriteCurves(const std::vector<AblationRuns::Place>& trained, const Ablation
       if (metric.empty()) continue;
       const std::string faces = phase == "train" ? ", training faces" : "";
       reports::CurvePanel steps{fmt::format("Split: {}{}", split, faces), {}}, time = steps;
-      for (const AblationRuns::Place& place : trained) {
-        if (place.split != split) continue;
-        const RunCurve curve = ReadCurve(runs.Run(place), phase, metric);
+      for (const AblationRuns::Cell& cell : trained) {
+        if (cell.split != split) continue;
+        const RunCurve curve = ReadCurve(runs.Run(cell), phase, metric);
         any = any || !curve.steps.empty();
-        steps.curves.push_back({place.row.name(), curve.steps, curve.errors});
-        time.curves.push_back({place.row.name(), Minutes(curve.seconds), curve.errors});
+        steps.curves.push_back({cell.row.name(), curve.steps, curve.errors});
+        time.curves.push_back({cell.row.name(), Minutes(curve.seconds), curve.errors});
       }
       if (steps.curves.empty()) continue;
       by_steps.push_back(std::move(steps));
@@ -75,22 +75,22 @@ bool WriteCurves(const std::vector<AblationRuns::Place>& trained, const Ablation
 
 /// Adds validation_at_equal_time and equal_seconds to each result of a training: the least validation error within the
 /// time of the split's shortest one. A run without steps has no curve and sets no time.
-void CompareAtEqualTime(const std::vector<AblationRuns::Place>& trained, const AblationRuns& runs,
+void CompareAtEqualTime(const std::vector<AblationRuns::Cell>& trained, const AblationRuns& runs,
                         const std::string& metric, std::vector<AblationResult>& results) {
   std::map<std::string, double> shortest;
-  for (const AblationRuns::Place& place : trained) {
-    const RunCurve curve = ReadCurve(runs.Run(place), "validation", metric);
+  for (const AblationRuns::Cell& cell : trained) {
+    const RunCurve curve = ReadCurve(runs.Run(cell), "validation", metric);
     if (curve.steps.empty() || curve.steps.back() == 0) continue;
-    const auto [entry, is_new] = shortest.try_emplace(place.split, curve.seconds.back());
+    const auto [entry, is_new] = shortest.try_emplace(cell.split, curve.seconds.back());
     entry->second = std::min(entry->second, curve.seconds.back());
   }
   for (AblationResult& result : results) {
-    const auto place = std::find_if(trained.begin(), trained.end(), [&](const AblationRuns::Place& one) {
+    const auto cell = std::find_if(trained.begin(), trained.end(), [&](const AblationRuns::Cell& one) {
       return one.row.name() == result.name && one.split == result.split && one.seed == result.seed;
     });
-    if (result.baseline || place == trained.end() || shortest.count(result.split) == 0) continue;
+    if (result.baseline || cell == trained.end() || shortest.count(result.split) == 0) continue;
     const double seconds = shortest.at(result.split);
-    const auto least = LeastWithin(ReadCurve(runs.Run(*place), "validation", metric), seconds);
+    const auto least = LeastWithin(ReadCurve(runs.Run(*cell), "validation", metric), seconds);
     result.measure.more["equal_seconds"] = seconds;
     result.measure.more["validation_at_equal_time"] = least ? Json(*least) : Json();
   }
@@ -114,16 +114,16 @@ std::vector<reports::ChosenFace> FacesOfSheet(const std::vector<reports::Predict
   return reports::ChooseFaces(faces, errors);
 }
 
-void WriteSheet(const std::vector<AblationRuns::Place>& places, const AblationRuns& runs, const fs::path& file) {
+void WriteSheet(const std::vector<AblationRuns::Cell>& cells, const AblationRuns& runs, const fs::path& file) {
   std::vector<std::string> names;
   std::vector<reports::Predictions> rows;
   std::optional<reports::MetricTable> first;
-  for (const AblationRuns::Place& place : places) {
-    if (!runs.Result(place).measure.is_result) continue;
-    std::optional<reports::Predictions> predictions = runs.Predictions(place);
+  for (const AblationRuns::Cell& cell : cells) {
+    if (!runs.Result(cell).measure.is_result) continue;
+    std::optional<reports::Predictions> predictions = runs.Predictions(cell);
     if (!predictions) continue;
-    if (!first) first = runs.Table(place);
-    names.push_back(place.row.name());
+    if (!first) first = runs.Table(cell);
+    names.push_back(cell.row.name());
     rows.push_back(std::move(*predictions));
   }
   if (rows.empty()) return;
@@ -161,20 +161,20 @@ std::string Page(const Json& table, const std::vector<reports::Metric>& columns,
 Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, const AblationSystem& system,
                          const fs::path& directory, bool with_sheet) {
   std::vector<AblationResult> results;
-  std::vector<AblationRuns::Place> trained;
+  std::vector<AblationRuns::Cell> trained;
   for (const std::string& split : ablation.options.splits) {
     for (const uint64_t seed : ablation.options.seeds) {
-      const std::vector<AblationRuns::Place> places = DonePlaces(ablation, runs, split, seed);
-      if (places.empty()) continue;
-      if (ablation.options.evaluate) CheckSameTest(places, runs);
-      for (const AblationRuns::Place& place : places)
-        if (place.row.trains()) trained.push_back(place);
-      for (const AblationRuns::Place& place : places) {
-        const std::vector<AblationResult> baselines = runs.Baselines(place);
+      const std::vector<AblationRuns::Cell> cells = DoneCells(ablation, runs, split, seed);
+      if (cells.empty()) continue;
+      if (ablation.options.evaluate) CheckSameTest(cells, runs);
+      for (const AblationRuns::Cell& cell : cells)
+        if (cell.row.trains()) trained.push_back(cell);
+      for (const AblationRuns::Cell& cell : cells) {
+        const std::vector<AblationResult> baselines = runs.Baselines(cell);
         results.insert(results.end(), baselines.begin(), baselines.end());
         if (!baselines.empty()) break;  // They are the same for all rows.
       }
-      for (const AblationRuns::Place& place : places) results.push_back(runs.Result(place));
+      for (const AblationRuns::Cell& cell : cells) results.push_back(runs.Result(cell));
     }
   }
   CompareAtEqualTime(trained, runs, std::string(system.training.validation_metric), results);
@@ -185,8 +185,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, con
   const bool has_curves = WriteCurves(trained, ablation, runs, system.training, directory);
   const fs::path sheet = directory / "sheet.png";
   if (with_sheet && ablation.options.evaluate)
-    WriteSheet(DonePlaces(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs,
-               sheet);
+    WriteSheet(DoneCells(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs, sheet);
   WriteFileAtomically(directory / "index.html", Page(table, columns, has_curves, fs::exists(sheet)));
   return table;
 }

@@ -48,24 +48,24 @@ AblationRuns::AblationRuns(const Ablation& ablation, const AblationSystem& syste
   }
 }
 
-fs::path AblationRuns::Folder(const Place& place) const {
-  return directory_ / FolderName(place.split) / fmt::format("seed{}", place.seed) / FolderName(place.row.name());
+fs::path AblationRuns::Folder(const Cell& cell) const {
+  return directory_ / FolderName(cell.split) / fmt::format("seed{}", cell.seed) / FolderName(cell.row.name());
 }
 
-AblationRuns::Place AblationRuns::PlaceOf(const Place& place, const std::string& row) const {
-  return {ablation_.row(row, fmt::format("row '{}'", place.row.name())), place.split, place.seed};
+AblationRuns::Cell AblationRuns::CellOf(const Cell& cell, const std::string& row) const {
+  return {ablation_.row(row, fmt::format("row '{}'", cell.row.name())), cell.split, cell.seed};
 }
 
-Json AblationRuns::Config(const Place& place) const {
-  Json config = place.row.config;
-  config.merge_patch({{"seed", place.seed}, {"split", {{"kind", place.split}}}});
-  return system_.system.resolve_config(config, fmt::format("config of row '{}'", place.row.name()));
+Json AblationRuns::Config(const Cell& cell) const {
+  Json config = cell.row.config;
+  config.merge_patch({{"seed", cell.seed}, {"split", {{"kind", cell.split}}}});
+  return system_.system.resolve_config(config, fmt::format("config of row '{}'", cell.row.name()));
 }
 
-fs::path AblationRuns::Run(const Place& place) const {
-  if (!place.row.options.run_of.empty()) return Run(PlaceOf(place, place.row.options.run_of));
-  if (!place.row.options.from.empty()) return Run(PlaceOf(place, place.row.options.from));
-  return Folder(place) / "run";
+fs::path AblationRuns::Run(const Cell& cell) const {
+  if (!cell.row.options.run_of.empty()) return Run(CellOf(cell, cell.row.options.run_of));
+  if (!cell.row.options.from.empty()) return Run(CellOf(cell, cell.row.options.from));
+  return Folder(cell) / "run";
 }
 
 bool AblationRuns::Finished(const fs::path& run, const Json& config) const {
@@ -78,22 +78,22 @@ bool AblationRuns::Finished(const fs::path& run, const Json& config) const {
   return ReadManifest(run, "run").counts.contains("best_epoch");
 }
 
-Json AblationRuns::Eval(const Place& place) const {
-  Json eval = ResolvedEval(system_.system, place.row);
+Json AblationRuns::Eval(const Cell& cell) const {
+  Json eval = ResolvedEval(system_.system, cell.row);
   for (const std::string& key : system_.system.run_options)
-    if (const std::string name = eval.value(key, ""); !name.empty()) eval[key] = Run(PlaceOf(place, name)).string();
+    if (const std::string name = eval.value(key, ""); !name.empty()) eval[key] = Run(CellOf(cell, name)).string();
   return eval;
 }
 
-Json AblationRuns::MadeOf(const Place& place) const {
-  Json made_of = {{"eval", ResolvedEval(system_.system, place.row)}, {"weights", WeightsOf(Run(place))}};
+Json AblationRuns::MadeOf(const Cell& cell) const {
+  Json made_of = {{"eval", ResolvedEval(system_.system, cell.row)}, {"weights", WeightsOf(Run(cell))}};
   for (const std::string& key : system_.system.run_options)
     if (const std::string name = made_of["eval"].value(key, ""); !name.empty())
-      made_of["eval"][key] = {{"row", name}, {"weights", WeightsOf(Run(PlaceOf(place, name)))}};
+      made_of["eval"][key] = {{"row", name}, {"weights", WeightsOf(Run(CellOf(cell, name)))}};
   return made_of;
 }
 
-Json AblationRuns::RecordedMadeOf(const Json& measured, const Place& place) const {
+Json AblationRuns::RecordedMadeOf(const Json& measured, const Cell& cell) const {
   Json made_of = measured.value("made_of", Json());
   if (!made_of.is_object() || !made_of.contains("eval")) return made_of;
   Json options = made_of["eval"], runs = Json::object();
@@ -103,7 +103,7 @@ Json AblationRuns::RecordedMadeOf(const Json& measured, const Place& place) cons
     options.erase(key);
   }
   try {
-    made_of["eval"] = system_.system.resolve_evaluation(options, place.Describe());
+    made_of["eval"] = system_.system.resolve_evaluation(options, cell.Describe());
   } catch (const UsageError&) {
     return nullptr;  // An option that exists no longer.
   }
@@ -111,74 +111,74 @@ Json AblationRuns::RecordedMadeOf(const Json& measured, const Place& place) cons
   return made_of;
 }
 
-RowState AblationRuns::State(const Place& place) const {
-  const AblationRowOptions& row = place.row.options;
-  if (!row.from.empty()) return State(PlaceOf(place, row.from));
-  if (place.row.trains()) {
-    const fs::path run = Folder(place) / "run";
-    if (!fs::exists(run / "manifest.json")) return fs::exists(run) ? RowState::kToGoOn : RowState::kToTrain;
-    if (!Finished(run, Config(place))) return RowState::kToGoOn;
+RowState AblationRuns::State(const Cell& cell) const {
+  const AblationRowOptions& row = cell.row.options;
+  if (!row.from.empty()) return State(CellOf(cell, row.from));
+  if (cell.row.trains()) {
+    const fs::path run = Folder(cell) / "run";
+    if (!fs::exists(run / "manifest.json")) return fs::exists(run) ? RowState::kToResume : RowState::kToTrain;
+    if (!Finished(run, Config(cell))) return RowState::kToResume;
     if (!ablation_.options.evaluate) return RowState::kDone;
   }
-  for (const std::string& name : NeededRows(place.row, system_.system.run_options)) {
-    if (name == place.row.name()) continue;
-    const RowState needed = State(PlaceOf(place, name));
-    if (needed == RowState::kToTrain || needed == RowState::kToGoOn)
-      return place.row.trains() ? RowState::kToEvaluate : needed;
+  for (const std::string& name : NeededRows(cell.row, system_.system.run_options)) {
+    if (name == cell.row.name()) continue;
+    const RowState needed = State(CellOf(cell, name));
+    if (needed == RowState::kToTrain || needed == RowState::kToResume)
+      return cell.row.trains() ? RowState::kToEvaluate : needed;
   }
-  const fs::path measured = Folder(place) / kMeasuredFile;
-  if (!fs::exists(measured) || !fs::exists(Folder(place) / "report" / "metrics.json")) return RowState::kToEvaluate;
-  return RecordedMadeOf(ReadJson(measured), place) == MadeOf(place) ? RowState::kDone : RowState::kToEvaluate;
+  const fs::path measured = Folder(cell) / kMeasuredFile;
+  if (!fs::exists(measured) || !fs::exists(Folder(cell) / "report" / "metrics.json")) return RowState::kToEvaluate;
+  return RecordedMadeOf(ReadJson(measured), cell) == MadeOf(cell) ? RowState::kDone : RowState::kToEvaluate;
 }
 
-void AblationRuns::Train(const Place& place, FolderCache& databases, const Task& task) const {
-  if (!place.row.trains()) return;
-  const fs::path run = Folder(place) / "run";
-  const Json config = Config(place);
+void AblationRuns::Train(const Cell& cell, FolderCache& databases, const Task& task) const {
+  if (!cell.row.trains()) return;
+  const fs::path run = Folder(cell) / "run";
+  const Json config = Config(cell);
   if (fs::exists(run / "manifest.json") && Finished(run, config)) return;
   const bool begun = fs::exists(run / "resolved.toml") || fs::exists(run / "manifest.json");
   system_.training.train(config, {.directory = run, .resume = begun, .device = system_.device}, databases, task);
 }
 
-void AblationRuns::Evaluate(const Place& place, FolderCache& databases, const Task& task) const {
-  if (!ablation_.options.evaluate || !place.row.evaluates() || State(place) == RowState::kDone) return;
-  log::Info("Evaluating {}", place.Describe());
-  const fs::path run = Run(place), report = Folder(place) / "report";
-  const reports::Evaluation evaluation = system_.training.evaluate(run, Eval(place), databases, task);
+void AblationRuns::Evaluate(const Cell& cell, FolderCache& databases, const Task& task) const {
+  if (!ablation_.options.evaluate || !cell.row.evaluates() || State(cell) == RowState::kDone) return;
+  log::Info("Evaluating {}", cell.Describe());
+  const fs::path run = Run(cell), report = Folder(cell) / "report";
+  const reports::Evaluation evaluation = system_.training.evaluate(run, Eval(cell), databases, task);
   if (!fs::exists(report / "manifest.json")) fs::remove_all(report);  // Of an earlier version that was killed.
   reports::WriteEvaluation(report, evaluation);
   const Json measured = {{"format_version", 1},
-                         {"made_of", MadeOf(place)},
+                         {"made_of", MadeOf(cell)},
                          {"infer_ms", system_.training.infer_ms(run)},
                          {"infer_threads", at::get_num_threads()}};
-  WriteFileAtomically(Folder(place) / kMeasuredFile, measured.dump(2) + "\n");
+  WriteFileAtomically(Folder(cell) / kMeasuredFile, measured.dump(2) + "\n");
 }
 
-AblationRuns::Place AblationRuns::Reported(const Place& place) const {
-  return place.row.evaluates() ? place : PlaceOf(place, place.row.options.from);
+AblationRuns::Cell AblationRuns::Reported(const Cell& cell) const {
+  return cell.row.evaluates() ? cell : CellOf(cell, cell.row.options.from);
 }
 
-Json AblationRuns::Metrics(const Place& place) const {
-  return reports::ReadMetrics(Folder(Reported(place)) / "report");
+Json AblationRuns::Metrics(const Cell& cell) const {
+  return reports::ReadMetrics(Folder(Reported(cell)) / "report");
 }
 
-reports::MetricTable AblationRuns::Table(const Place& place) const {
-  return system_.system.read_metrics(Metrics(place));
+reports::MetricTable AblationRuns::Table(const Cell& cell) const {
+  return system_.system.read_metrics(Metrics(cell));
 }
 
-std::optional<reports::Predictions> AblationRuns::Predictions(const Place& place) const {
-  return reports::ReadReportPredictions(Folder(Reported(place)) / "report");
+std::optional<reports::Predictions> AblationRuns::Predictions(const Cell& cell) const {
+  return reports::ReadReportPredictions(Folder(Reported(cell)) / "report");
 }
 
-RunCost AblationRuns::Cost(const Place& place) const {
-  const fs::path run = Run(place);
+RunCost AblationRuns::Cost(const Cell& cell) const {
+  const fs::path run = Run(cell);
   const Manifest manifest = ReadManifest(run, "run");
   try {
     RunCost cost{.steps = manifest.counts.at("steps").get<int64_t>(),
                  .parameters = manifest.counts.at("parameters").get<int64_t>(),
                  .train_seconds = TrainSeconds(run)};
     if (!ablation_.options.evaluate) return cost;
-    const Json measured = ReadJson(Folder(Reported(place)) / kMeasuredFile);
+    const Json measured = ReadJson(Folder(Reported(cell)) / kMeasuredFile);
     cost.inference = RunCost::Inference{measured.at("infer_ms").get<double>(), measured.at("infer_threads").get<int>()};
     return cost;
   } catch (const Json::exception& error) {
@@ -186,43 +186,40 @@ RunCost AblationRuns::Cost(const Place& place) const {
   }
 }
 
-AblationMeasure AblationRuns::Validation(const Place& place) const {
+AblationMeasure AblationRuns::Validation(const Cell& cell) const {
   const std::string metric(system_.training.validation_metric);
-  const RunCurve curve = ReadCurve(Run(place), "validation", metric);
-  DAUMIER_CHECK(!curve.errors.empty(), "{} has no '{}' of validation faces", Run(place).string(), metric);
+  const RunCurve curve = ReadCurve(Run(cell), "validation", metric);
+  DAUMIER_CHECK(!curve.errors.empty(), "{} has no '{}' of validation faces", Run(cell).string(), metric);
   AblationMeasure measure{.error = *std::min_element(curve.errors.begin(), curve.errors.end()), .of_run = true};
   measure.more = {{"measured_on", "validation"}};
   return measure;
 }
 
-AblationResult AblationRuns::Result(const Place& place) const {
-  const AblationRowOptions& row = place.row.options;
-  AblationResult result{.name = row.name, .split = place.split, .seed = place.seed, .paper = row.paper};
+AblationResult AblationRuns::Result(const Cell& cell) const {
+  const AblationRowOptions& row = cell.row.options;
+  AblationResult result{.name = row.name, .split = cell.split, .seed = cell.seed, .paper = row.paper};
   try {
     if (ablation_.options.evaluate) {
-      const reports::MetricTable table = Table(place);
+      const reports::MetricTable table = Table(cell);
       result.measure = MeasureOf(table, reports::FindRow(table, row.line, row.input));
     } else {
-      result.measure = Validation(place);
+      result.measure = Validation(cell);
     }
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", place.Describe(), error.what()));
+    throw Error(fmt::format("{}: {}", cell.Describe(), error.what()));
   }
-  if (result.measure.of_run) result.cost = Cost(place);
+  if (result.measure.of_run) result.cost = Cost(cell);
   return result;
 }
 
-std::vector<AblationResult> AblationRuns::Baselines(const Place& place) const {
+std::vector<AblationResult> AblationRuns::Baselines(const Cell& cell) const {
   if (!ablation_.options.evaluate) return {};
-  const reports::MetricTable table = Table(place);
+  const reports::MetricTable table = Table(cell);
   std::vector<AblationResult> results;
   for (const reports::MetricRow& row : table.rows) {
     if (!row.baseline) continue;
-    results.push_back({.name = row.name,
-                       .split = place.split,
-                       .seed = place.seed,
-                       .baseline = true,
-                       .measure = MeasureOf(table, row)});
+    results.push_back(
+        {.name = row.name, .split = cell.split, .seed = cell.seed, .baseline = true, .measure = MeasureOf(table, row)});
   }
   return results;
 }

@@ -20,10 +20,10 @@ struct AblationSystem {
 
 /// How far a row is on one split with one seed.
 enum class RowState {
-  kToTrain,     ///< Nothing is there.
-  kToGoOn,      ///< Its training was stopped.
+  kToTrain,     ///< No run exists.
+  kToResume,    ///< Its training was interrupted.
   kToEvaluate,  ///< Trained; its report is missing, or was made with other options or weights.
-  kDone,        ///< All is there; of an ablation that does not evaluate, the training.
+  kDone,        ///< Complete; of an ablation that does not evaluate, the training.
 };
 
 /// The runs and reports of an ablation on disk: DIRECTORY/SPLIT/seedN/ROW/{run,report,measured.json}. measured.json is
@@ -35,7 +35,7 @@ class AblationRuns {
   AblationRuns(const Ablation& ablation, const AblationSystem& system, const std::filesystem::path& directory);
 
   /// A row with a split and a seed.
-  struct Place {
+  struct Cell {
     const AblationRow& row;
     std::string split;
     uint64_t seed;
@@ -43,42 +43,42 @@ class AblationRuns {
     std::string Describe() const { return fmt::format("{} ({}, seed {})", row.name(), split, seed); }
   };
 
-  /// @throws UsageError if a run is there that has another config or other data.
-  RowState State(const Place& place) const;
+  /// @throws UsageError if an existing run has another config or other data.
+  RowState State(const Cell& cell) const;
   /// Trains what is not trained. @throws what systems::SystemTraining::train throws.
-  void Train(const Place& place, FolderCache& databases, const Task& task) const;
+  void Train(const Cell& cell, FolderCache& databases, const Task& task) const;
   /// Evaluates the row, whose run and references have to be trained, and measures its speed; nothing if the ablation
   /// does not evaluate.
-  void Evaluate(const Place& place, FolderCache& databases, const Task& task) const;
+  void Evaluate(const Cell& cell, FolderCache& databases, const Task& task) const;
 
   /// The folder of the row's run, its own or another row's.
-  std::filesystem::path Run(const Place& place) const;
+  std::filesystem::path Run(const Cell& cell) const;
   /// Of the row's report, its own or another row's; the row has to be done.
-  Json Metrics(const Place& place) const;
-  reports::MetricTable Table(const Place& place) const;
+  Json Metrics(const Cell& cell) const;
+  reports::MetricTable Table(const Cell& cell) const;
   /// Absent if the report has none: it is of an earlier version.
-  std::optional<reports::Predictions> Predictions(const Place& place) const;
+  std::optional<reports::Predictions> Predictions(const Cell& cell) const;
   /// The result of a row that is done: of its report, or its least validation error.
-  AblationResult Result(const Place& place) const;
+  AblationResult Result(const Cell& cell) const;
   /// The rows of the row's report that need no training; none if there is no report.
-  std::vector<AblationResult> Baselines(const Place& place) const;
+  std::vector<AblationResult> Baselines(const Cell& cell) const;
 
  private:
-  std::filesystem::path Folder(const Place& place) const;
-  Place PlaceOf(const Place& place, const std::string& row) const;
+  std::filesystem::path Folder(const Cell& cell) const;
+  Cell CellOf(const Cell& cell, const std::string& row) const;
   /// The row whose report is read: the row itself, or another one.
-  Place Reported(const Place& place) const;
-  Json Config(const Place& place) const;
+  Cell Reported(const Cell& cell) const;
+  Json Config(const Cell& cell) const;
   /// Whether the training of that config is finished. @throws UsageError as State.
   bool Finished(const std::filesystem::path& run, const Json& config) const;
-  /// The evaluation's options with run folders in the place of rows.
-  Json Eval(const Place& place) const;
+  /// The evaluation's options with run folders in place of row names.
+  Json Eval(const Cell& cell) const;
   /// Options and weights of the report.
-  Json MadeOf(const Place& place) const;
+  Json MadeOf(const Cell& cell) const;
   /// `made_of` of measured.json; options that are newer than the file have their defaults.
-  Json RecordedMadeOf(const Json& measured, const Place& place) const;
-  RunCost Cost(const Place& place) const;
-  AblationMeasure Validation(const Place& place) const;
+  Json RecordedMadeOf(const Json& measured, const Cell& cell) const;
+  RunCost Cost(const Cell& cell) const;
+  AblationMeasure Validation(const Cell& cell) const;
 
   const Ablation& ablation_;
   const AblationSystem system_;
@@ -95,7 +95,7 @@ struct RunCurve {
 };
 /// phase: "validation" or "train".
 RunCurve ReadCurve(const std::filesystem::path& run, const std::string& phase, const std::string& metric);
-/// The least error within so many seconds; nothing before the first.
+/// The least error within that time; nothing before the first validation.
 std::optional<double> LeastWithin(const RunCurve& curve, double seconds);
 
 }  // namespace daumier::ablation

@@ -28,7 +28,7 @@ struct AblationResult {
   std::optional<RunCost> cost = {};  ///< Nothing where nothing was trained.
 };
 
-/// table.json: one object a split and row, splits and rows as they first stand in `results`, but baselines before rows.
+/// table.json: one object a split and row, splits and rows in the order of `results`, but baselines before rows.
 /// Keys: name, split, baseline, paper, unit, error, error_low, error_high, errors, seeds, difference_to, difference,
 /// difference_low, difference_high, steps, parameters, train_seconds, infer_ms, infer_threads, and those of
 /// AblationMeasure::more; null where unknown.

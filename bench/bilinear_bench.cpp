@@ -1,4 +1,4 @@
-// Fitting the bilinear model through Gram matrices beside the SVD of the unfoldings, and projecting a face.
+// Fitting the bilinear model through Gram matrices, compared with the SVD of the unfoldings, and projecting a face.
 #include "core/random.h"
 #include "faces/bilinear_projector.h"
 

@@ -1,6 +1,6 @@
-// A threaded product alone, and beside a process that keeps one core busy. With passive waiting, which core/preinit.cpp
-// sees to, the second takes some twice as long; `OMP_WAIT_POLICY=active ./dev bench core_spin` shows what it would be
-// otherwise.
+// A threaded product alone, and with another process that keeps one core busy. With passive waiting, which
+// core/preinit.cpp sets, the second takes about twice as long; `OMP_WAIT_POLICY=active ./dev bench core_spin` shows
+// what it would be otherwise.
 #include "core/runtime.h"
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
-// The deformable model beside a plain transcription in LibTorch's operators, in one run: decoding 11,551 vertices and
-// the same template subdivided three times, and a step of training on 32 faces x 2,048 points.
+// The deformable model compared with a plain transcription in LibTorch's operators, in one run: decoding 11,551
+// vertices and the same template subdivided three times, and a step of training on 32 faces x 2,048 points.
 #include "core/log.h"
 #include "geometry/subdivision.h"
 #include "models/siren_field.h"

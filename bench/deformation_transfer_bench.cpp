@@ -1,5 +1,6 @@
 // The expressions of ICT-FaceKit (or of the default source, where DAUMIER_ICT names no checkout or archive of it)
-// carried to one face: all that a new face costs, factorisation included, beside the linear shapes that it replaces.
+// carried to one face: all that a new face costs, factorisation included, compared with the linear shapes that it
+// replaces.
 #include "faces/expression_transfer.h"
 #include "faces/source.h"
 

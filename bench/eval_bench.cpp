@@ -1,4 +1,4 @@
-// The fits of the free baselines on faces of ICT's size, and a product of theirs by the BLAS and by Eigen.
+// The fits of the training-free baselines on faces of ICT's size, and a product of theirs by the BLAS and by Eigen.
 #include "core/random.h"
 #include "eval/principal_components.h"
 #include "eval/ridge_regression.h"

@@ -1,5 +1,5 @@
-// Our stroke rasteriser (exact distances, no double darkening) beside OpenCV's antialiased polylines, 20 strokes of 40
-// points.
+// Our stroke rasteriser (exact distances, no double darkening) compared with OpenCV's antialiased polylines, 20 strokes
+// of 40 points.
 #include "render/strokes.h"
 
 #include <benchmark/benchmark.h>

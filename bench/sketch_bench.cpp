@@ -1,6 +1,6 @@
 // Faces of ICT-FaceKit (or of the default source, where DAUMIER_ICT names no checkout or archive of it) to sketches:
 // curves alone, with wrinkles, what a kept sketch costs in training (augmentation, raster), and a step of the network
-// beside drawing its batch.
+// compared with drawing its batch.
 #include "datasets/build/sketch_lines.h"
 #include "datasets/build/sketch_views.h"
 #include "datasets/read/augmentation.h"
@@ -93,7 +93,7 @@ void Rasterisation(benchmark::State& state) {
 }
 BENCHMARK(Rasterisation)->Unit(benchmark::kMicrosecond);
 
-/// A step of the default network on sketches that are there, and on ones that are augmented and drawn before it, on one
+/// A step of the default network on stored sketches, and on sketches that are augmented and drawn before it, on one
 /// core.
 void TrainingStep(benchmark::State& state) {
   tensor::SetUpTorch(1);

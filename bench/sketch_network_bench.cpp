@@ -1,5 +1,5 @@
 // The networks of the table side by side: a training step of 32 sketches through the vertex loss in both precisions,
-// and 1 or 32 sketches to vertices, by LibTorch and, exported, by ONNX Runtime (the median of 21 answers). Heads as
+// and 1 or 32 sketches to vertices, by LibTorch and, exported, by ONNX Runtime (the median of 21 runs). Heads as
 // large as ICT's; "full" is the printed network at 256 x 256, the others are those of configs/sketch/.
 #include "core/files.h"
 #include "export/onnx_export.h"
@@ -92,7 +92,7 @@ void TrainingStep(benchmark::State& state, const sketch::SketchNetworkOptions& o
       features = network->Features(input);
     }
     features = {features.identity.to(torch::kFloat32), features.expression.to(torch::kFloat32)};
-    loss(network->Linear(network->Answer(features)), moments).backward();
+    loss(network->Linear(network->Predict(features)), moments).backward();
     adam.step();
   }
   state.counters["sketches"] = benchmark::Counter(batch, benchmark::Counter::kIsIterationInvariantRate);
@@ -116,11 +116,11 @@ void InferenceInOnnxRuntime(benchmark::State& state, const sketch::SketchNetwork
   Rng rng(1);
   tensor::NamedTensors inputs;
   for (const auto& input : function.inputs) inputs[input.name] = input.sample(state.range(0), rng);
-  const auto answers = exporting::RunInOnnxRuntime(folder / "model.onnx", {inputs}, function.output_names,
-                                                   folder.path(), /*timed_runs=*/21);
-  if (!answers) return state.SkipWithError("there is no ONNX Runtime here: run ./dev setup");
-  for (auto _ : state) state.SetIterationTime(answers->milliseconds.front() / 1000);
-  state.SetLabel(answers->runtime);
+  const auto result = exporting::RunInOnnxRuntime(folder / "model.onnx", {inputs}, function.output_names, folder.path(),
+                                                  /*timed_runs=*/21);
+  if (!result) return state.SkipWithError("there is no ONNX Runtime here: run ./dev setup");
+  for (auto _ : state) state.SetIterationTime(result->milliseconds.front() / 1000);
+  state.SetLabel(result->runtime);
 }
 
 /// Once for each network.

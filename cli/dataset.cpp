@@ -28,7 +28,7 @@ std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, cons
   auto arguments = std::make_shared<BuildArguments>();
   CLI::App* command = parent.add_subcommand(name, summary);
   AddConfigArguments(*command, arguments->config);
-  command->add_option("--out", arguments->out, "Folder to write; a build that was stopped goes on there")->required();
+  command->add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
   command->footer("Options:\n" + HelpText<Options>());
   return [arguments, build] {
     build(ParseOptions<Options>(arguments->config.Load(), arguments->config.file.string()), arguments->out,

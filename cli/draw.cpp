@@ -51,7 +51,7 @@ Verb DrawVerb() {
             command.add_option("--pitch", arguments->pitch, "Degrees upwards");
             command
                 .add_option("--distance", arguments->distance,
-                            "Perspective from so many heights of the mesh; 0: orthographic")
+                            "Distance of the perspective camera in heights of the mesh; 0: orthographic")
                 ->check(CLI::Range(0.0, 1e4));
             command.add_option("--size", arguments->size, "Pixels a side of a PNG")
                 ->check(CLI::Range(16, 8192))

@@ -14,7 +14,7 @@
 namespace daumier::cli {
 namespace {
 
-/// A flag that stands for an option of an evaluation. Without `value` it sets the option to true.
+/// A flag that sets an option of an evaluation. Without `value` it sets the option to true.
 struct OptionFlag {
   const char *flag, *key, *help;
   bool value = true;
@@ -28,7 +28,7 @@ const std::vector<OptionFlag>& OptionFlags() {
       {"--strength", "strength", "Augment the sketches: 0 not, 1 as in training, 2 strongly"},
       {"--recover-with", "recover_with",
        "Run whose faces curve coefficients are recovered from, where a network reads them"},
-      {"--max-faces", "max_faces", "Of a deformable model: number of faces, evenly spread over the side"},
+      {"--max-faces", "max_faces", "Of a deformable model: number of faces, evenly spaced in the subset"},
       {"--adam-faces", "adam_faces", "Of a deformable model: also find the codes of this many faces by Adam"},
       {"--fit", "fit", "Also fit the bilinear model to the labelled strokes", false},
       {"--refine", "refine", "Also match the contours of the predicted faces with the strokes", false},
@@ -79,7 +79,7 @@ void Evaluate(const EvalArguments& arguments) {
 }  // namespace
 
 Verb EvalVerb() {
-  return {"eval", "Errors of a run beside training-free baselines, with pictures", [](CLI::App& command) {
+  return {"eval", "Errors of a run and of training-free baselines, with pictures", [](CLI::App& command) {
             auto arguments = std::make_shared<EvalArguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
             for (size_t i = 0; i < OptionFlags().size(); ++i) {

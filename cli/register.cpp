@@ -59,10 +59,9 @@ Verb RegisterVerb() {
                            "Line i: the number by which the landmark file calls vertex i of the meshes");
         command.add_option("--template", arguments->template_name,
                            "makehuman, ict (with source.path=...), or a folder of faces whose template is taken");
-        command.add_option("--licence", arguments->licence, "Licence of the meshes, carried on");
+        command.add_option("--licence", arguments->licence, "Licence of the meshes, copied to the manifest");
         command.add_option("--config", arguments->config.file, "TOML file of options; key=value overrides it");
-        command.add_option("--out", arguments->out, "Folder to write; a build that was stopped goes on there")
-            ->required();
+        command.add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
         command.add_flag("--meshes", arguments->write_meshes, "Also write meshes/NAME.obj");
         command.add_flag("!--no-pictures", arguments->write_pictures, "Write no pictures/NAME.jpg");
         command.add_flag("--json", arguments->as_json, "Machine-readable summary");

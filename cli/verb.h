@@ -10,7 +10,7 @@
 
 namespace daumier::cli {
 
-/// One row of the command line: a verb tells its arguments to `command` and returns what is to be done once they are
+/// One row of the command line: a verb adds its arguments to `command` and returns the function to call once they are
 /// parsed.
 struct Verb {
   std::string name;

@@ -9,8 +9,8 @@ find_package(Eigen3 REQUIRED)
 find_library(DNNL_LIBRARY dnnl REQUIRED)
 find_path(DNNL_INCLUDE_DIR dnnl.h REQUIRED)
 
-# Ceres drags ATLAS into an executable, and a program's libraries are searched in the order of linking: whichever libblas
-# stands first serves LibTorch. The system's own choice (an alternative, OpenBLAS where it is installed) comes first here.
+# Ceres drags ATLAS into an executable, and a program's libraries are searched in the order of linking: the first
+# libblas serves LibTorch. The system's own choice (an alternative, OpenBLAS where it is installed) comes first here.
 find_library(SYSTEM_BLAS NAMES libblas.so.3 REQUIRED)
 find_library(SYSTEM_LAPACK NAMES liblapack.so.3 REQUIRED)
 add_library(blas_libraries INTERFACE)
@@ -57,7 +57,8 @@ if(NOT DAUMIER_SANITIZE)
   add_library(torch_libraries INTERFACE)
   target_link_libraries(torch_libraries INTERFACE blas_libraries ${TORCH_LIBRARIES})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
-    # at::parallel_for in our own files is serial unless they are compiled with OpenMP, in the run-time that LibTorch uses.
+    # at::parallel_for in our own files is serial unless they are compiled with OpenMP, in the run-time that LibTorch
+    # uses.
     find_package(OpenMP REQUIRED)
     target_link_libraries(torch_libraries INTERFACE OpenMP::OpenMP_CXX)
   endif()

@@ -17,7 +17,8 @@ function(daumier_files_of_room variable folder room pattern)
   set(${variable} ${files} PARENT_SCOPE)
 endfunction()
 
-# Three precompiled headers, each built once: plain for rooms without LibTorch, tests for their tests, torch for the others.
+# Three precompiled headers, each built once: plain for rooms without LibTorch, tests for their tests, torch for the
+# others.
 function(daumier_precompiled_header name)
   if(TARGET daumier_pch_${name})
     return()
@@ -26,8 +27,8 @@ function(daumier_precompiled_header name)
   add_library(daumier_pch_${name} OBJECT ${PROJECT_BINARY_DIR}/pch_${name}.cpp)
   if(name STREQUAL torch)
     target_link_libraries(daumier_pch_torch PUBLIC torch_libraries base_libraries mesh_libraries)
-    # Tensors alone: g++ instantiates the pending templates of the whole <torch/torch.h> in every file, 5 s each. A file that
-    # builds networks includes <torch/nn/...>. clang 14 rejects LibTorch 1.13 in C++20 unless ivalue.h comes first.
+    # Tensors alone: g++ instantiates the pending templates of the whole <torch/torch.h> in every file, 5 s each. A file
+    # that builds networks includes <torch/nn/...>. clang 14 rejects LibTorch 1.13 in C++20 unless ivalue.h comes first.
     target_precompile_headers(daumier_pch_torch PUBLIC <ATen/core/ivalue.h> <torch/types.h> <Eigen/Dense> <fmt/format.h> <nlohmann/json.hpp>)
   else()
     set(headers <Eigen/Dense> <fmt/format.h> <nlohmann/json.hpp> <map> <string> <vector>)
@@ -40,8 +41,8 @@ function(daumier_precompiled_header name)
   endif()
 endfunction()
 
-# Up to `most` files of a target as one unit, in batches of equal size; more would take more than 1.6 GB. Names in anonymous
-# namespaces are unique among the files of a target.
+# Up to `most` files of a target as one unit, in batches of equal size; more would take more than 1.6 GB. Names in
+# anonymous namespaces are unique among the files of a target.
 function(daumier_batches target most)
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources count)
@@ -81,7 +82,8 @@ function(daumier_room name)
   daumier_tests(${name} ${target} ${kind})
 endfunction()
 
-# What an executable needs beside the rooms: fast sgemm under every BLAS, and OpenMP threads that sleep while they wait.
+# What an executable needs in addition to the rooms: fast sgemm under every BLAS, and OpenMP threads that sleep while
+# they wait.
 function(daumier_startup)
   if(TARGET daumier_startup)
     return()
@@ -143,8 +145,8 @@ function(daumier_tests name target kind)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS ${kind})
 endfunction()
 
-# The program, which links no LibTorch, and beside it the training library, which it loads. Symbols that both have are the
-# program's: one log, one pool of threads, one sgemm_.
+# The program, which links no LibTorch, and next to it the training library, which it loads. Symbols that both have are
+# the program's: one log, one pool of threads, one sgemm_.
 function(daumier_executable)
   if(DAUMIER_SANITIZE OR NOT EXISTS ${PROJECT_SOURCE_DIR}/cli/main.cpp)
     return()

@@ -22,7 +22,7 @@ struct Array {
   Array(std::vector<int64_t> of_shape, std::vector<T> of_values)
       : shape(std::move(of_shape)), values(std::move(of_values)) {}
 
-  /// False for a default-constructed array, which stands for "absent".
+  /// False for a default-constructed array, which means "absent".
   bool defined() const { return !shape.empty(); }
   /// Number of values of one entry of the first dimension.
   int64_t row_size() const { return std::accumulate(shape.begin() + 1, shape.end(), int64_t{1}, std::multiplies<>()); }

@@ -16,7 +16,7 @@ char OneDnnWord(char word) {
   return word == 'N' || word == 'n' ? 'N' : 'T';
 }
 
-/// C = beta C, where 0 stands for "do not read C": it may hold NaN.
+/// C = beta C, where 0 means "do not read C", which may hold NaN.
 void Scale(int m, int n, float beta, float* c, int ldc) {
   for (int column = 0; column < n; ++column) {
     float* const values = c + static_cast<std::ptrdiff_t>(column) * ldc;
@@ -39,7 +39,7 @@ extern "C" __attribute__((visibility("default"))) void sgemm_(const char* transp
                                                               float* c, const int* ldc) {
   if (*m <= 0 || *n <= 0) return;
   if (*k <= 0 || *alpha == 0) return Scale(*m, *n, *beta, c, *ldc);
-  // oneDNN goes row by row, and so sees the transposes: C^T = op(B)^T op(A)^T.
+  // oneDNN is row-major and thus computes the transposes: C^T = op(B)^T op(A)^T.
   const dnnl_status_t status = dnnl_sgemm(OneDnnWord(*transposed_b), OneDnnWord(*transposed_a), *n, *m, *k, *alpha, b,
                                           *ldb, a, *lda, *beta, c, *ldc);
   if (status == dnnl_success) return;

@@ -18,7 +18,7 @@ std::string Where(const fs::path& path, const toml::source_region& source) {
 
 Json ToJson(const toml::node& node, const fs::path& path);
 
-/// Keys in the order in which they stand in the file.
+/// Keys in the order of the file.
 Json ToJson(const toml::table& table, const fs::path& path) {
   std::vector<std::pair<const toml::key*, const toml::node*>> entries;
   for (const auto& [key, node] : table) entries.emplace_back(&key, &node);

@@ -165,7 +165,7 @@ void MakeDirectory(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
   DAUMIER_CHECK(!error && fs::is_directory(path, error), "cannot create folder {}: {}", path.string(),
-                error ? Cause(error.value()) : "a file of that name is there");
+                error ? Cause(error.value()) : "a file of that name exists");
 }
 
 }  // namespace daumier

@@ -9,7 +9,7 @@ namespace daumier {
 /// The whole file. @throws Error naming the file and the cause.
 std::string ReadFile(const std::filesystem::path& path);
 
-/// Writes under a temporary name beside `path`, flushes to disk, then renames: readers see the old file or the whole
+/// Writes under a temporary name next to `path`, flushes to disk, then renames: readers see the old file or the whole
 /// new one.
 /// @throws Error naming the file and the cause (no such folder, no permission, disk full); nothing is left behind then.
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view bytes);

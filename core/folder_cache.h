@@ -14,8 +14,8 @@ namespace daumier {
 /// Opened folders that the stages of one job share: a database is opened, and so verified, once.
 class FolderCache {
  public:
-  /// T(folder), constructed by the first call for the folder, and again if its manifest has changed since. The reference
-  /// lives as long as the cache. Thread-safe. @throws what T(folder) throws.
+  /// T(folder), constructed by the first call for the folder, and again if its manifest has changed since. The
+  /// reference lives as long as the cache. Thread-safe. @throws what T(folder) throws.
   template <class T>
   const T& Open(const std::filesystem::path& folder) {
     const std::scoped_lock lock(mutex_);

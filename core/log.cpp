@@ -15,7 +15,7 @@ std::atomic<int> num_warnings = 0;
 spdlog::logger& Logger() {
   static const std::shared_ptr<spdlog::logger> logger = [] {
     auto made = std::make_shared<spdlog::logger>("daumier", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
-    // On a terminal a progress line may stand where this message goes: clear it first.
+    // On a terminal this line may hold a progress line: clear it first.
     made->set_pattern(isatty(STDERR_FILENO) ? "\r\x1b[K%T %^%l%$ %v" : "%T %l %v");
     made->set_level(spdlog::level::trace);
     made->flush_on(spdlog::level::trace);

@@ -9,7 +9,7 @@ namespace {
 
 const char* const kFileName = "manifest.json";
 
-/// The field, which has to have the JSON type that `is_type` asks for.
+/// The field. @throws Error if it is missing or `is_type` is false for it.
 const Json& Field(const Json& json, const char* name, bool (Json::*is_type)() const noexcept) {
   const auto found = json.find(name);
   DAUMIER_CHECK(found != json.end(), "'{}' is missing", name);
@@ -77,8 +77,8 @@ void VerifyChecksums(const fs::path& directory, const Manifest& manifest) {
   for (const auto& [name, checksum] : manifest.checksums) {
     const fs::path path = directory / name;
     DAUMIER_CHECK(fs::is_regular_file(path), "{} is missing though manifest.json lists it; {}", path.string(), remedy);
-    DAUMIER_CHECK(Sha256OfFile(path) == checksum,
-                  "{} is corrupt: its content differs from what manifest.json tells; {}", path.string(), remedy);
+    DAUMIER_CHECK(Sha256OfFile(path) == checksum, "{} is corrupt: its checksum differs from that in manifest.json; {}",
+                  path.string(), remedy);
   }
 }
 

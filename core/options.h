@@ -8,14 +8,13 @@
 #include <type_traits>
 #include <vector>
 
-/// Options are plain structs that tell each field once; parsing, range check, help text and resolved.toml come from
+/// Options are plain structs that define each field once; parsing, range check, help text and resolved.toml come from
 /// that:
 ///
 ///     struct ExaggerationOptions {
 ///       double gamma = 0.2;
 ///       template <class V> void Visit(V&& visit) {
-///         visit("gamma", gamma, Range{0.0, 0.8}, "Exponent of normalised |Gaussian curvature| that scales
-///         gradients.");
+///         visit("gamma", gamma, Range{0.0, 0.8}, "Exponent of |Gaussian curvature| that scales gradients.");
 ///       }
 ///     };
 namespace daumier {

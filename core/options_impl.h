@@ -9,7 +9,7 @@
 
 namespace daumier {
 
-/// What HelpText and OptionsMarkdown tell about one field.
+/// What HelpText and OptionsMarkdown print of one field.
 struct FieldInfo {
   std::string key;      ///< Dotted: "exaggeration.gamma".
   std::string value;    ///< The default, in TOML syntax.
@@ -118,7 +118,7 @@ struct Describer {
   }
 };
 
-/// Fills the struct from JSON; remembers which names it was asked for, so that the rest are unknown keys.
+/// Fills the struct from JSON; records which names were read; the rest are unknown keys.
 class Reader {
  public:
   Reader(const Json& json, std::string_view where, std::string prefix, const std::set<std::string>& all_keys)

@@ -48,7 +48,7 @@ void PrefetchThreads::WorkOnNext(std::unique_lock<std::mutex>& lock) {
 
 void PrefetchThreads::Finish(int64_t i) {
   std::unique_lock lock(mutex_);
-  DAUMIER_CHECK(i < end_, "item {} of {} was asked for", i, end_);
+  DAUMIER_CHECK(i < end_, "item {} requested, expected 0 .. {}", i, end_ - 1);
   if (next_ == i) WorkOnNext(lock);
   item_done_.wait(lock, [&] { return is_done_[Slot(i)]; });
   is_done_[Slot(i)] = false;

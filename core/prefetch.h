@@ -11,8 +11,8 @@
 
 namespace daumier {
 
-/// Runs work(begin), work(begin + 1), ... ahead of use, each once, on threads of its own. The engine of Prefetcher, whose
-/// promises it keeps; work(i) writes slot i % depth, which no other item uses until Release(i).
+/// Runs work(begin), work(begin + 1), ... ahead of use, each once, on threads of its own. The engine of Prefetcher,
+/// whose promises it keeps; work(i) writes slot i % depth, which no other item uses until Release(i).
 class PrefetchThreads {
  public:
   PrefetchThreads(int64_t begin, int64_t end, int depth, int num_threads, std::function<void(int64_t)> work);

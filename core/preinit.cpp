@@ -43,7 +43,7 @@ void RestartWithPassiveWaiting(int, char** argv, char** envp) {
   const ssize_t length = readlink("/proc/self/exe", path, sizeof(path) - 1);
   if (length <= 0) return;
   path[length] = '\0';
-  execve(path, argv, environment);  // Returns only if it fails: then the program goes on as it is.
+  execve(path, argv, environment);  // Returns only on failure; the program then continues unchanged.
 }
 
 __attribute__((section(".preinit_array"), used)) void (*const preinit)(int, char**, char**) = RestartWithPassiveWaiting;

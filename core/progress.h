@@ -54,7 +54,7 @@ class Progress {
 };
 
 /// "sketches: 120/600 faces, 24.0/s, 20 s left": the line of a stage that has run for `seconds` since `first` units
-/// were done. A finished one shows its time.
+/// were done. When finished, it shows the elapsed time.
 std::string ProgressLine(const std::string& stage, int64_t done, int64_t total, const std::string& unit, double seconds,
                          int64_t first = 0);
 

@@ -54,7 +54,7 @@ double Rng::Normal() {
 }
 
 uint64_t Rng::Below(uint64_t count) {
-  DAUMIER_CHECK(count > 0, "asked for a random number below 0");
+  DAUMIER_CHECK(count > 0, "a random number below 0 was requested");
   const uint64_t num_surplus = -count % count;  // 2^64 mod count: without these, every remainder is equally likely.
   uint64_t bits = Bits();
   while (bits < num_surplus) bits = Bits();
@@ -62,7 +62,7 @@ uint64_t Rng::Below(uint64_t count) {
 }
 
 std::vector<int> Rng::Permutation(int count) {
-  DAUMIER_CHECK(count >= 0, "asked for a permutation of {} elements", count);
+  DAUMIER_CHECK(count >= 0, "a permutation of {} elements was requested", count);
   std::vector<int> order(static_cast<size_t>(count));
   std::iota(order.begin(), order.end(), 0);
   for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[Below(i)]);

@@ -39,7 +39,7 @@ inline std::filesystem::path ReportMetrics(const std::filesystem::path& run) {
   return ReportDirectory(run) / "metrics.json";
 }
 
-/// The exported graph of a finished run, beside the weights that it holds.
+/// The exported graph of a finished run, next to the file of its weights.
 inline constexpr const char* kBestGraph = "best/model.onnx";
 
 /// The task that a run was trained for: details.system; of runs of earlier versions details.product, or "sketch".

@@ -2,8 +2,8 @@
 #include <string>
 #include <string_view>
 
-/// What has to be set before a program computes, and what `daumier info` tells about it. Knows nothing of LibTorch,
-/// whose own thread count the tensor room sets.
+/// Settings of the process that precede any computation, and what `daumier info` prints of them. Independent of
+/// LibTorch, whose own thread count the tensor room sets.
 namespace daumier {
 
 /// Cores that this process may use: its CPU affinity, cut by the CPU quotas of its control groups as they were at
@@ -11,7 +11,7 @@ namespace daumier {
 int NumCores();
 
 /// The cores that a cgroup quota allows, rounded up: "200000 100000" (quota and period, in microseconds) is 2. 0 if it
-/// says "max", a quota of -1, or nothing that can be read: no limit.
+/// contains "max", a quota of -1, or nothing readable: no limit.
 int CoresOfQuota(std::string_view quota_and_period);
 
 /// To be called first in main. Sets OpenMP's threads where an OpenMP run-time is loaded (0: one a core), and makes
@@ -19,7 +19,7 @@ int CoresOfQuota(std::string_view quota_and_period);
 /// @throws UsageError if `threads` is negative.
 void SetUpRuntime(int threads);
 
-/// Threads that SetUpRuntime was asked for; all cores before it or where it was asked for 0.
+/// The thread count given to SetUpRuntime; the number of cores before that call or if 0 was given.
 int NumThreads();
 
 /// Who multiplies matrices.

@@ -8,7 +8,8 @@
 namespace daumier {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "safetensors are little-endian and are mapped as they are");
+static_assert(std::endian::native == std::endian::little,
+              "safetensors are little-endian and are mapped without conversion");
 
 constexpr size_t kLengthBytes = 8;
 constexpr uint64_t kMaxHeaderBytes = 100'000'000;  // The limit of the reference implementation.
@@ -157,7 +158,7 @@ SafetensorsFile::SafetensorsFile(const std::filesystem::path& path)
         ParsedArray parsed = ParseArray(name, entry, data, data_start);
         extents.push_back(parsed.extent);
         const bool is_new = arrays_.emplace(name, std::move(parsed.view)).second;
-        DAUMIER_CHECK(is_new, "is there twice");
+        DAUMIER_CHECK(is_new, "occurs twice");
       } catch (const Error& error) {
         throw Error(fmt::format("array '{}': {}", name, error.what()));
       }

@@ -48,7 +48,7 @@ struct ArrayView {
   /// @throws Error if the array holds another type.
   template <class T>
   std::span<const T> As() const {
-    DAUMIER_CHECK(dtype == DtypeOf<T>(), "array has another element type than asked for");
+    DAUMIER_CHECK(dtype == DtypeOf<T>(), "array has another element type than requested");
     return {static_cast<const T*>(data), static_cast<size_t>(size())};
   }
 };
@@ -61,7 +61,7 @@ class SafetensorsFile {
   /// arrays that are not aligned to their element size, unknown dtype, unsupported `format_version` in the metadata.
   explicit SafetensorsFile(const std::filesystem::path& path);
 
-  /// @throws Error naming the file, the array and the arrays that are there.
+  /// @throws Error naming the file, the array and the arrays of the file.
   const ArrayView& at(const std::string& name) const;
   bool contains(const std::string& name) const { return arrays_.count(name) == 1; }
   const std::map<std::string, ArrayView>& arrays() const { return arrays_; }

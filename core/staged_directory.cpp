@@ -15,7 +15,7 @@ void Rename(const fs::path& from, const fs::path& to) {
   DAUMIER_CHECK(!error, "cannot rename {} to {}: {}", from.string(), to.string(), error.message());
 }
 
-fs::path Beside(const fs::path& target, const std::string& extension) {
+fs::path SiblingPath(const fs::path& target, const std::string& extension) {
   return target.parent_path() / ("." + target.filename().string() + extension);
 }
 
@@ -24,7 +24,7 @@ fs::path Beside(const fs::path& target, const std::string& extension) {
 StagedDirectory::StagedDirectory(const fs::path& target, const std::string& kind) {
   target_ = fs::absolute(target).lexically_normal();
   if (target_.filename().empty()) target_ = target_.parent_path();
-  path_ = Beside(target_, ".partial");
+  path_ = SiblingPath(target_, ".partial");
   if (fs::exists(target_)) {
     DAUMIER_CHECK(fs::is_directory(target_), "{} is a file; name a folder to write", target_.string());
     if (!fs::is_empty(target_)) {
@@ -42,7 +42,7 @@ StagedDirectory::~StagedDirectory() {
 }
 
 void StagedDirectory::Commit() {
-  const fs::path old = Beside(target_, ".old");
+  const fs::path old = SiblingPath(target_, ".old");
   fs::remove_all(old);
   if (fs::exists(target_)) Rename(target_, old);
   Rename(path_, target_);

@@ -4,8 +4,8 @@
 
 namespace daumier {
 
-/// A folder that is made whole under another name beside its place, then takes the place by renaming. Without Commit it
-/// goes away.
+/// A folder that is written under a temporary name next to its target and renamed on Commit. Without Commit it is
+/// deleted.
 class StagedDirectory {
  public:
   /// `kind` is the manifest kind of a folder that may be replaced. @throws Error if `target` holds anything else.

@@ -48,7 +48,7 @@ struct Task {
 
   bool cancelled() const { return stop.stop_requested(); }
 
-  /// The message says what is finished and how to resume; it is formatted only if the task is cancelled:
+  /// The message states what is finished and how to resume; it is formatted only if the task is cancelled:
   ///   task.ThrowIfCancelled("{}: stopped after {} shards; the same command resumes", folder, num_done);
   /// @throws Cancelled if the task is cancelled.
   template <class... Args>

@@ -45,22 +45,21 @@ struct TrainerOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("epochs", epochs, Range{1, 1e6}, "Passes over the training samples.");
+    visit("epochs", epochs, Range{1, 1e6}, "Number of passes through the training samples.");
     visit("batch", batch, Range{1, 65536},
           "Samples of a batch; those left over at the end of an epoch are skipped in it.");
-    visit(
-        "accumulate", accumulate, Range{1, 65536},
-        "Batches a step, whose gradients are averaged: without batch norm the same as a batch so many times as large.");
+    visit("accumulate", accumulate, Range{1, 65536},
+          "Batches a step, whose gradients are averaged: without batch norm equal to one batch of their total size.");
     visit("precision", precision, Choices{{"float32", "bfloat16"}},
           "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
           "Weights, losses, validation and all that reads a run are float32.");
     visit("validate_every", validate_every, Range{1, 1e6},
           "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
     visit("patience", patience, Range{0, 1e6},
-          "Stop after so many epochs of the last stage without a better validation; 0: never.");
+          "Stop after this number of epochs of the last stage without a better validation; 0: never.");
     visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
     visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
-          "Steps between checkpoints beside the one after every validation; 0: none.");
+          "Steps between checkpoints, in addition to the one after every validation; 0: none.");
   }
 };
 
@@ -75,7 +74,7 @@ struct TrainingSummary {
   double seconds = 0;  ///< Of training, across resumes.
 };
 
-/// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is not told.
+/// `config`, resolved, with the folders under `data` absolute. @throws UsageError naming `where` if one is missing.
 Json WithAbsoluteData(Json config, const std::string& where);
 
 /// A config of an earlier version, which has `product` in the place of `system`, as one of today; others unchanged.

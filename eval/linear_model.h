@@ -19,9 +19,9 @@ struct LinearModel {
   std::optional<int> ComponentsFor(double share) const;
 };
 
-/// min(num_components, T - 1) components of T training faces. Of 0, 1e-6, 1e-5, ... 1e-1 the ridge weight is the one with
-/// the least mean vertex distance on the validation faces. @throws Error if there are fewer than two training faces or no
-/// validation face, or if a coordinate is not finite.
+/// min(num_components, T - 1) components of T training faces. Of 0, 1e-6, 1e-5, ... 1e-1 the ridge weight is the one
+/// with the least mean vertex distance on the validation faces. @throws Error if there are fewer than two training
+/// faces or no validation face, or if a coordinate is not finite.
 LinearModel FitLinearModel(const CentredRows& training, const FaceRows& validation, int num_components, uint64_t seed);
 
 }  // namespace daumier::eval

@@ -10,7 +10,7 @@
 namespace daumier::eval {
 namespace {
 
-/// Directions beyond the wanted ones, and passes over the vectors: both sharpen the last components.
+/// Oversampling and number of power iterations: both sharpen the last components.
 constexpr Eigen::Index kSpare = 16;
 constexpr int kPasses = 6;
 

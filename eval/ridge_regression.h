@@ -14,9 +14,9 @@ struct SketchSamples {
 };
 
 /// Ridge regression of the vertices on the curve points:
-///   face = mean + B^T z,  z = (x - mean_x) / deviation_x,  B = argmin sum_n ||g_n - mean - B^T z_n||^2 + lambda N
-///   ||B||^2.
-/// Points that never move in training are left out.
+///   face = mean + B^T z,  z = (x - mean_x) / deviation_x,
+///   B = argmin sum_n ||g_n - mean - B^T z_n||^2 + lambda N ||B||^2.
+/// Points that never move in training are ignored.
 struct RidgeRegression {
   Eigen::RowVectorXf point_mean, point_scale;  ///< 2P; scale is 1 / deviation, 0 for a point that never moves.
   Eigen::RowVectorXf mean_face;                ///< 3V

@@ -1,7 +1,7 @@
 #pragma once
 #include "geometry/mesh.h"
 
-/// How good a predicted surface is beside the distances of its vertices (eval/metrics.h), which say nothing of folds.
+/// Quality of a predicted surface in addition to vertex distances (eval/metrics.h), which do not detect folds.
 namespace daumier::eval {
 
 struct SurfaceMetrics {

@@ -15,7 +15,7 @@ namespace daumier::exporting {
 struct ExportedInput {
   std::string name;
   std::vector<int64_t> shape;  ///< Of one sample, without the batch.
-  /// Plausible values to compare answers with, (batch, shape...).
+  /// Plausible inputs for which outputs are compared, (batch, shape...).
   std::function<torch::Tensor(int64_t batch, Rng& rng)> sample;
   bool batched = true;  ///< Otherwise it has that shape whatever the batch is.
 };

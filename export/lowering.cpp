@@ -16,7 +16,7 @@ namespace {
 using torch::jit::Node;
 using torch::jit::Value;
 
-/// @throws Error: whoever asks needs a number that is known when the graph is written.
+/// @throws Error if the value is not constant in the trace.
 c10::IValue Constant(const Value* value) {
   const auto constant = torch::jit::toIValue(value);
   DAUMIER_CHECK(constant.has_value(), "an argument depends on the input, ONNX needs a constant there");
@@ -43,11 +43,11 @@ bool IsAbsent(const Value* value) {
 
 int64_t Rank(const Value* value) {
   const auto sizes = value->type()->expect<c10::TensorType>()->sizes().concrete_sizes();
-  DAUMIER_CHECK(sizes.has_value(), "the trace does not know the shape of %{}", value->debugName());
+  DAUMIER_CHECK(sizes.has_value(), "the trace has no shape of %{}", value->debugName());
   return static_cast<int64_t>(sizes->size());
 }
 
-/// LibTorch takes one number for all spatial dimensions where ONNX Runtime asks for one each.
+/// LibTorch takes one number for all spatial dimensions, ONNX Runtime requires one each.
 std::vector<int64_t> Spatial(const Value* argument, const Value* image) {
   auto numbers = Integers(argument);
   if (numbers.size() == 1) numbers.assign(Rank(image) - 2, numbers[0]);
@@ -92,7 +92,7 @@ std::string LowerMaxPool(const Node& node, LoweringContext& context) {
 }
 
 // amax(input, dim, keepdim)
-std::string LowerGreatest(const Node& node, LoweringContext& context) {
+std::string LowerAmax(const Node& node, LoweringContext& context) {
   return context.graph().AddNode(
       "ReduceMax", {context.Name(node.input(0))},
       {{"axes", Integers(node.input(1))}, {"keepdims", int64_t{Constant(node.input(2)).toBool()}}});
@@ -165,7 +165,7 @@ std::string LowerSqueeze(const Node& node, LoweringContext& context) {
                                  {context.Name(node.input(0)), context.graph().AddIntegers({Integer(node.input(1))})});
 }
 
-// addmm(bias, a, b, beta, alpha); a Linear layer hands its weight over as t(weight), which Gemm takes as it is stored.
+// addmm(bias, a, b, beta, alpha); a Linear layer passes t(weight), which Gemm reads as stored.
 std::string LowerAddmm(const Node& node, LoweringContext& context) {
   const std::string stored = context.NameBeforeTranspose(node.input(2));
   const std::string b = stored.empty() ? context.Name(node.input(2)) : stored;
@@ -252,7 +252,7 @@ const std::map<std::string, LoweringFunction>& LoweringTable() {
       {"aten::_convolution", LowerConvolution},
       {"aten::add", LowerAdd},
       {"aten::addmm", LowerAddmm},
-      {"aten::amax", LowerGreatest},
+      {"aten::amax", LowerAmax},
       {"aten::batch_norm", LowerBatchNorm},
       {"aten::cat", LowerConcatenation},
       {"aten::div", LowerDiv},
@@ -285,13 +285,13 @@ void LowerNode(const Node& node, LoweringContext& context) {
   const auto entry = LoweringTable().find(kind.toQualString());
   DAUMIER_CHECK(
       entry != LoweringTable().end(),
-      "operator {} cannot be exported to ONNX: it has no entry in LoweringTable() of export/lowering.cpp. It stands in "
+      "operator {} cannot be exported to ONNX: it has no entry in LoweringTable() of export/lowering.cpp. It occurs in "
       "this line of the trace:\n{}",
       kind.toQualString(), line.str());
   try {
     context.SetName(node.output(), entry->second(node, context));
   } catch (const Error& error) {
-    throw Error(fmt::format("operator {} cannot be exported to ONNX: {}. It stands in this line of the trace:\n{}",
+    throw Error(fmt::format("operator {} cannot be exported to ONNX: {}. It occurs in this line of the trace:\n{}",
                             kind.toQualString(), error.what(), line.str()));
   }
 }

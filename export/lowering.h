@@ -14,7 +14,7 @@ struct Value;
 
 namespace daumier::exporting {
 
-/// What a lowering knows: which ONNX value stands for which value of the trace. Weights enter the graph when they are
+/// State of a lowering: the ONNX value of each value of the trace. Weights enter the graph when they are
 /// first used.
 class LoweringContext {
  public:
@@ -22,7 +22,7 @@ class LoweringContext {
 
   OnnxGraph& graph() { return graph_; }
 
-  /// Told before the nodes are lowered: the value is an input of the graph, or a weight.
+  /// Called before the nodes are lowered: the value is an input of the graph, or a weight.
   void SetName(const torch::jit::Value* value, const std::string& name) { names_[value] = name; }
   void SetWeight(const torch::jit::Value* value, const std::string& name, const torch::Tensor& weight);
 

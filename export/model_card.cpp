@@ -9,7 +9,7 @@ std::string Text(const Json& json) {
   return json.is_string() ? json.get<std::string>() : json.dump();
 }
 
-/// A field of a source's entry; "unknown" where the entry does not tell it.
+/// A field of a source's entry; "unknown" where the entry lacks it.
 std::string Field(const Json& entry, const char* name) {
   return entry.contains(name) ? Text(entry[name]) : "unknown";
 }
@@ -43,7 +43,7 @@ std::string Exactness(const ParityReport& parity) {
            "which was not installed.\n\n";
   }
   return fmt::format(
-      "## Exactness of the export\n\nOpset {}. The answers of {} and of LibTorch differ by at most {:.2g} "
+      "## Exactness of the export\n\nOpset {}. The outputs of {} and of LibTorch differ by at most {:.2g} "
       "(`parity.json`).\n\n",
       kOpset, *parity.runtime, parity.max_abs_diff());
 }

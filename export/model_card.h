@@ -17,7 +17,7 @@ struct CardText {
 };
 
 /// The model card of an exported run: the text of its system, what it was trained on with the licence of every source
-/// in the run's manifest, its errors where `metrics` (report/metrics.json) is there, how exact the export is, limits.
+/// in the run's manifest, its errors if `metrics` (report/metrics.json) is given, how exact the export is, limits.
 std::string ModelCard(const CardText& text, const Manifest& run, const ParityReport& parity,
                       const std::optional<Json>& metrics);
 

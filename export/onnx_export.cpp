@@ -21,8 +21,8 @@ struct Trace {
   std::vector<torch::Tensor> inputs, outputs;
 };
 
-/// Weights are inputs of the trace beside `function`'s own, in the order of `weights`: the tracer knows a tensor by its
-/// identity.
+/// Weights are inputs of the trace in addition to `function`'s own, in the order of `weights`: the tracer identifies
+/// tensors by address.
 Trace TraceAt(int64_t batch, const ExportedFunction& function, const tensor::NamedTensors& weights) {
   at::NoGradGuard no_grad;
   Trace trace;

@@ -29,7 +29,7 @@ class OnnxGraph {
   void AddInput(const std::string& name, const torch::Tensor& example, bool batched = true);
   /// Makes `value` an output of that name, of the shape of `example`, dimension 0 free.
   void AddOutput(const std::string& name, const std::string& value, const torch::Tensor& example);
-  /// Stores a tensor once a name. @throws Error if its element type is none of float32, int64.
+  /// Stores a tensor once a name. @throws Error if its element type is neither float32 nor int64.
   std::string AddInitializer(const std::string& name, const torch::Tensor& tensor);
   /// A constant list of integers, as shapes and axes are given.
   std::string AddIntegers(const std::vector<int64_t>& values);

@@ -20,8 +20,8 @@ std::optional<fs::path> NpmFolder() {
   const auto is_installed = [](const fs::path& folder) {
     return fs::exists(folder / "run_onnx.mjs") && fs::exists(folder / "node_modules/onnxruntime-node/package.json");
   };
-  if (const char* told = std::getenv("DAUMIER_NPM"); told != nullptr) {
-    return is_installed(told) ? std::optional<fs::path>(told) : std::nullopt;
+  if (const char* folder = std::getenv("DAUMIER_NPM"); folder != nullptr) {
+    return is_installed(folder) ? std::optional<fs::path>(folder) : std::nullopt;
   }
   std::error_code error;
   fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -33,7 +33,7 @@ std::optional<fs::path> NpmFolder() {
 }
 
 void WriteRaw(const fs::path& file, const torch::Tensor& tensor) {
-  DAUMIER_CHECK(tensor.scalar_type() == torch::kFloat32, "ONNX Runtime is asked with {}, expected float32",
+  DAUMIER_CHECK(tensor.scalar_type() == torch::kFloat32, "an input of ONNX Runtime is {}, expected float32",
                 c10::toString(tensor.scalar_type()));
   const auto plain = tensor.detach().cpu().contiguous();
   WriteFileAtomically(file, {static_cast<const char*>(plain.data_ptr()), plain.nbytes()});
@@ -48,7 +48,7 @@ torch::Tensor ReadRaw(const fs::path& file, const std::vector<int64_t>& shape) {
   return tensor;
 }
 
-/// Writes the inputs beside the request that tools/npm/run_onnx.mjs reads.
+/// Writes the inputs next to the request that tools/npm/run_onnx.mjs reads.
 Json MakeRequest(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
                  const std::vector<std::string>& output_names, const fs::path& scratch, int timed_runs) {
   Json request = {{"model", fs::absolute(model).string()}, {"runs", Json::array()}, {"timed_runs", timed_runs}};
@@ -68,7 +68,7 @@ Json MakeRequest(const fs::path& model, const std::vector<tensor::NamedTensors>&
   return request;
 }
 
-std::optional<OnnxAnswers> RunInNode(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
+std::optional<OnnxOutputs> RunInNode(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
                                      const std::vector<std::string>& output_names, const fs::path& scratch,
                                      int timed_runs) {
   const auto npm = NpmFolder();
@@ -81,20 +81,20 @@ std::optional<OnnxAnswers> RunInNode(const fs::path& model, const std::vector<te
   DAUMIER_CHECK(child->exit_code == 0, "ONNX Runtime cannot run {}: {}", model.string(), child->err);
 
   const Json reply = Json::parse(child->out);
-  OnnxAnswers answers{.runtime = reply.at("runtime"), .outputs = {}, .milliseconds = reply.at("milliseconds")};
+  OnnxOutputs result{.runtime = reply.at("runtime"), .outputs = {}, .milliseconds = reply.at("milliseconds")};
   for (size_t run = 0; run < runs.size(); ++run) {
-    tensor::NamedTensors& outputs = answers.outputs.emplace_back();
+    tensor::NamedTensors& outputs = result.outputs.emplace_back();
     for (const Json& output : request["runs"][run]["outputs"]) {
       const std::string name = output["name"];
       outputs[name] = ReadRaw(output["file"].get<std::string>(), reply.at("outputs")[run].at(name));
     }
   }
-  return answers;
+  return result;
 }
 
 }  // namespace
 
-std::optional<OnnxAnswers> RunInOnnxRuntime(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
+std::optional<OnnxOutputs> RunInOnnxRuntime(const fs::path& model, const std::vector<tensor::NamedTensors>& runs,
                                             const std::vector<std::string>& output_names, const fs::path& scratch,
                                             int timed_runs) {
   if (HasNativeOnnxRuntime()) return RunInNativeOnnxRuntime(model, runs, output_names, timed_runs);

@@ -8,7 +8,7 @@
 
 namespace daumier::exporting {
 
-struct OnnxAnswers {
+struct OnnxOutputs {
   std::string runtime;                        ///< Name and version: "onnxruntime-node 1.30.0".
   std::vector<tensor::NamedTensors> outputs;  ///< One a run.
   std::vector<double> milliseconds = {};      ///< Median time of each run; empty unless runs were timed.
@@ -19,7 +19,7 @@ struct OnnxAnswers {
 /// in `scratch`. The package is looked for in $DAUMIER_NPM, else in tools/npm of the nearest folder above the program
 /// that has it. With `timed_runs` every run is repeated so often after a first time. Nothing where there is neither.
 /// @throws Error with ONNX Runtime's message if the model cannot be loaded or run.
-std::optional<OnnxAnswers> RunInOnnxRuntime(const std::filesystem::path& model,
+std::optional<OnnxOutputs> RunInOnnxRuntime(const std::filesystem::path& model,
                                             const std::vector<tensor::NamedTensors>& runs,
                                             const std::vector<std::string>& output_names,
                                             const std::filesystem::path& scratch, int timed_runs = 0);

@@ -39,14 +39,14 @@ bool HasNativeOnnxRuntime() {
   return true;
 }
 
-OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path& model, const std::vector<tensor::NamedTensors>& runs,
+OnnxOutputs RunInNativeOnnxRuntime(const std::filesystem::path& model, const std::vector<tensor::NamedTensors>& runs,
                                    const std::vector<std::string>& output_names, int timed_runs) {
   try {
     Ort::Env environment(ORT_LOGGING_LEVEL_ERROR, "daumier");
     Ort::Session session(environment, model.c_str(), Ort::SessionOptions());
     std::vector<const char*> wanted;
     for (const auto& name : output_names) wanted.push_back(name.c_str());
-    OnnxAnswers answers{fmt::format("onnxruntime {}", OrtGetApiBase()->GetVersionString()), {}};
+    OnnxOutputs result{fmt::format("onnxruntime {}", OrtGetApiBase()->GetVersionString()), {}};
     for (const auto& run : runs) {
       std::vector<torch::Tensor> kept;
       std::vector<const char*> names;
@@ -56,15 +56,15 @@ OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path& model, const std
         names.push_back(name.c_str());
         values.push_back(ViewAsValue(kept.back()));
       }
-      const auto answer = [&] {
+      const auto run_session = [&] {
         return session.Run(Ort::RunOptions(), names.data(), values.data(), values.size(), wanted.data(), wanted.size());
       };
-      auto results = answer();
-      if (timed_runs > 0) answers.milliseconds.push_back(MedianMilliseconds(timed_runs, answer));
-      tensor::NamedTensors& outputs = answers.outputs.emplace_back();
+      auto results = run_session();
+      if (timed_runs > 0) result.milliseconds.push_back(MedianMilliseconds(timed_runs, run_session));
+      tensor::NamedTensors& outputs = result.outputs.emplace_back();
       for (size_t i = 0; i < results.size(); ++i) outputs[output_names[i]] = CopyOfValue(results[i]);
     }
-    return answers;
+    return result;
   } catch (const Ort::Exception& error) {
     throw Error(fmt::format("ONNX Runtime cannot run {}: {}", model.string(), error.what()));
   }
@@ -80,7 +80,7 @@ bool HasNativeOnnxRuntime() {
   return false;
 }
 
-OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path&, const std::vector<tensor::NamedTensors>&,
+OnnxOutputs RunInNativeOnnxRuntime(const std::filesystem::path&, const std::vector<tensor::NamedTensors>&,
                                    const std::vector<std::string>&, int) {
   throw Error("this build has no native ONNX Runtime");
 }

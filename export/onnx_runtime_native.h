@@ -7,7 +7,7 @@ namespace daumier::exporting {
 bool HasNativeOnnxRuntime();
 
 /// As RunInOnnxRuntime, in this process. @throws Error if this build has no native ONNX Runtime.
-OnnxAnswers RunInNativeOnnxRuntime(const std::filesystem::path& model, const std::vector<tensor::NamedTensors>& runs,
+OnnxOutputs RunInNativeOnnxRuntime(const std::filesystem::path& model, const std::vector<tensor::NamedTensors>& runs,
                                    const std::vector<std::string>& output_names, int timed_runs = 0);
 
 }  // namespace daumier::exporting

@@ -15,9 +15,10 @@ namespace {
 constexpr int kFormatVersion = 1;
 
 /// Not a number if either is not a number somewhere.
-double MaxAbsDiff(const torch::Tensor& answer, const torch::Tensor& reference) {
-  DAUMIER_CHECK(answer.sizes() == reference.sizes(), "ONNX Runtime answers another shape than LibTorch");
-  return (answer - reference).abs().max().item<double>();
+double MaxAbsDiff(const torch::Tensor& output, const torch::Tensor& reference) {
+  DAUMIER_CHECK(output.sizes() == reference.sizes(),
+                "the output of ONNX Runtime has another shape than that of LibTorch");
+  return (output - reference).abs().max().item<double>();
 }
 
 }  // namespace
@@ -37,10 +38,10 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
     tensor::NamedTensors& run = runs.emplace_back();
     for (const ExportedInput& input : function.inputs) run[input.name] = input.sample(batch, rng);
   }
-  const auto answers = RunInOnnxRuntime(model, runs, function.output_names, scratch);
-  if (!answers.has_value()) return report;
+  const auto exported = RunInOnnxRuntime(model, runs, function.output_names, scratch);
+  if (!exported.has_value()) return report;
 
-  report.runtime = answers->runtime;
+  report.runtime = exported->runtime;
   report.max_abs_diffs.assign(function.output_names.size(), 0.0);
   for (size_t run = 0; run < runs.size(); ++run) {
     std::vector<torch::Tensor> given;
@@ -48,7 +49,7 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
     const auto references = function.forward(given);
     for (size_t i = 0; i < references.size(); ++i) {
       const auto& name = function.output_names[i];
-      const double difference = MaxAbsDiff(answers->outputs[run].at(name), references[i]);
+      const double difference = MaxAbsDiff(exported->outputs[run].at(name), references[i]);
       DAUMIER_CHECK(difference <= kParityTolerance,
                     "{} and LibTorch differ by {:.3g} in output '{}' at batch size {}; at most {:g} is allowed",
                     *report.runtime, std::abs(difference), name, report.batch_sizes[run], kParityTolerance);

@@ -10,7 +10,7 @@
 
 namespace daumier::exporting {
 
-/// No output may differ by more: the answers of LibTorch and of ONNX Runtime, in the output's own unit.
+/// Largest difference allowed between an output of LibTorch and of ONNX Runtime, in the output's own unit.
 inline constexpr double kParityTolerance = 1e-4;
 
 struct ParityReport {
@@ -22,8 +22,8 @@ struct ParityReport {
   double max_abs_diff() const;
 };
 
-/// Answers of LibTorch and of ONNX Runtime to the same samples of the function's inputs, at batch sizes 1, 2 and 5.
-/// Deterministic in seed. `scratch` is a folder for files in between.
+/// Compares the outputs of LibTorch and of ONNX Runtime for the same samples of the function's inputs, at batch sizes
+/// 1, 2 and 5. Deterministic in seed. `scratch` is a folder for files in between.
 /// @throws Error naming the output, the difference and the batch size if one exceeds kParityTolerance or is not a
 /// number.
 ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunction& function, uint64_t seed,

@@ -14,7 +14,7 @@
 
 namespace daumier::exporting {
 
-/// A finished run as it is exported, of whatever task.
+/// The export of a finished run of any task.
 struct RunExport {
   std::filesystem::path run_directory;
   Manifest run_manifest;
@@ -29,7 +29,7 @@ struct RunExport {
 
 /// Writes `out_directory`: model.onnx, parity.json, model_card.md, the files of write_rest and manifest.json
 /// (kind "export", sources and licences of the run). Warns where there is no ONNX Runtime to compare
-/// with. Returns what stands in parity.json. An earlier export at that place is replaced.
+/// with. Returns the content of parity.json. An earlier export at that place is replaced.
 /// @throws Error as ExportToOnnx and CheckParity, and if `out_directory` holds anything but an export; nothing is left
 /// behind and nothing is replaced then.
 Json WriteExport(const RunExport& run, const std::filesystem::path& out_directory);

@@ -31,7 +31,7 @@ geometry::VertexMap Crop(const SourceMesh& mesh, const AnnotationFile& file, int
     if (cut.mirror_of.empty()) {
       traced[cut.name] = mesh.Trace(cut.waypoints, true, what);
     } else {
-      DAUMIER_CHECK(traced.count(cut.mirror_of), "annotation: {} mirrors '{}', which does not stand before it", what,
+      DAUMIER_CHECK(traced.count(cut.mirror_of), "annotation: {} mirrors '{}', which does not precede it", what,
                     cut.mirror_of);
       traced[cut.name] = mesh.Mirrored(traced[cut.mirror_of], what);
     }
@@ -94,7 +94,7 @@ std::vector<FeatureCurve> TraceCurves(const FaceTemplate& face, const Annotation
     if (!rule.mirror) continue;
     DAUMIER_CHECK(
         !face.annotation.mirror.empty(),
-        "annotation of {}, {}: the mesh is not its own mirror image; tell both sides instead of mirroring one",
+        "annotation of {}, {}: the mesh is not its own mirror image; specify both sides instead of mirroring one",
         face.source, what);
     FeatureCurve other = rule.curve;
     other.name = SwapSides(other.name);
@@ -116,7 +116,7 @@ std::map<std::string, std::vector<int>> FillRegions(const SourceMesh& mesh, cons
       region.resize(rule.range->second - rule.range->first + 1);
       std::iota(region.begin(), region.end(), rule.range->first);
     } else if (!rule.mirror_of.empty()) {
-      DAUMIER_CHECK(regions.count(rule.mirror_of), "annotation: {} mirrors '{}', which does not stand before it", what,
+      DAUMIER_CHECK(regions.count(rule.mirror_of), "annotation: {} mirrors '{}', which does not precede it", what,
                     rule.mirror_of);
       region = mesh.Mirrored(regions[rule.mirror_of], what);
     } else if (!rule.vertices.empty()) {
@@ -177,15 +177,14 @@ void CheckFrame(const FaceTemplate& face) {
   const double height = face.neutral(face.annotation.hairline_vertex, 1) - at(8).y();
   constexpr double kLeast = 5, kMost = 60;
   DAUMIER_CHECK(height > 0 && at(30).z() > std::min(at(0).z(), at(16).z()) && at(16).x() > at(0).x(),
-                "annotation of {}: the face has to stand upright (y up) and look to +z, with its own left at +x: the "
+                "annotation of {}: the face has to be upright (y up) and look to +z, with its own left at +x: the "
                 "hairline above landmark 8, landmark 30 before 0 and 16, and 16 to the left of 0; turn the meshes or "
                 "correct the landmarks",
                 face.source);
-  DAUMIER_CHECK(
-      height >= kLeast && height <= kMost,
-      "annotation of {}: the mean face measures {:.4g} cm from chin to hairline; tell the length of a unit by "
-      "'cm_per_unit' so that it is between {} and {}",
-      face.source, height, kLeast, kMost);
+  DAUMIER_CHECK(height >= kLeast && height <= kMost,
+                "annotation of {}: the mean face measures {:.4g} cm from chin to hairline; set the length of a unit by "
+                "'cm_per_unit' so that it is between {} and {}",
+                face.source, height, kLeast, kMost);
 }
 
 }  // namespace

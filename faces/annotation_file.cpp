@@ -11,7 +11,7 @@ namespace daumier::faces {
 
 namespace {
 
-/// One JSON object of an annotation file, with messages that say where in the file it stands.
+/// One JSON object of an annotation file, whose messages contain its position in the file.
 class Entry {
  public:
   Entry(const Json& json, std::string where, const std::set<std::string>& known)
@@ -90,8 +90,8 @@ CurveRule ParseCurve(const Json& json, const std::string& where) {
   rule.curve.name = entry.get<std::string>("name");
   rule.curve.kind = entry.get<std::string>("kind");
   const auto& kinds = CurveKinds();
-  DAUMIER_CHECK(std::find(kinds.begin(), kinds.end(), rule.curve.kind) != kinds.end(), "{}: kind '{}' is none of {}",
-                where, rule.curve.kind, fmt::join(kinds, ", "));
+  DAUMIER_CHECK(std::find(kinds.begin(), kinds.end(), rule.curve.kind) != kinds.end(),
+                "{}: unknown kind '{}', expected one of {}", where, rule.curve.kind, fmt::join(kinds, ", "));
   const std::string view = entry.get<std::string>("view");
   DAUMIER_CHECK(view == "frontal" || view == "side", "{}: view '{}' is neither frontal nor side", where, view);
   rule.curve.view = view == "side" ? View::kSide : View::kFrontal;

@@ -34,7 +34,7 @@ struct CurveRule {
   bool mirror = false;  ///< Also its mirror image, with left and right exchanged in the name.
 };
 
-/// What a person told about a topology, in the source's own vertex numbers: faces/annotations/<source>.json, or a file
+/// Manual annotation of a topology, in the source's own vertex numbers: faces/annotations/<source>.json, or a file
 /// of the user's. docs/annotation.md describes the format.
 struct AnnotationFile {
   static constexpr int kFormat = 1;

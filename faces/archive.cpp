@@ -59,9 +59,9 @@ void ForEachFile(const std::filesystem::path& folder_or_archive,
     const std::string path = archive_entry_pathname(entry);
     if (archive_entry_filetype(entry) != AE_IFREG || !wanted(path)) continue;
     const int64_t size = archive_entry_size(entry);
-    constexpr int64_t kLargest = int64_t{1} << 32;  // no face data comes near it; a hostile header asks for more
+    constexpr int64_t kLargest = int64_t{1} << 32;  // far above any face data; a hostile header may claim more
     DAUMIER_CHECK(size >= 0 && size <= kLargest, "{}: {} claims {} bytes", folder_or_archive.string(), path, size);
-    // Grows with what is there, not with what the header claims.
+    // Grows with the bytes read, not with the size that the header claims.
     content.clear();
     for (la_ssize_t got = 1; got > 0;) {
       const size_t begin = content.size();

@@ -43,7 +43,7 @@ using FaceReader = std::function<std::span<const float>(int identity, int expres
 
 /// Truncated N-mode SVD [De Lathauwer et al. 2000] of the 3V x I x E tensor through the Gram matrices of its identity
 /// and expression modes. Memory stays flat: blocks of coordinates of at most 64 MB a thread. A face that is held out is
-/// imputed by a_i + b_e, the additive model that is nearest to the faces that are there in the least-squares sense
+/// imputed by a_i + b_e, the additive model that is nearest to the present faces in the least-squares sense
 /// (without holes: mean_i + mean_e - mean). Signs are fixed: the entry of largest magnitude of a factor column is
 /// positive. The result does not depend on the number of threads.
 /// @throws Error if a mode is smaller than its rank, an identity or an expression has no face at all, or a face has

@@ -5,7 +5,7 @@
 namespace daumier::faces {
 namespace {
 
-/// Below this share of the factors' size a standard deviation says that a factor never changed.
+/// Below this share of the factors' size a standard deviation means that a factor is constant.
 constexpr float kLeastDeviation = 1e-3f;
 
 Eigen::VectorXf DeviationOf(const Eigen::MatrixXf& factors, const Eigen::VectorXf& mean) {
@@ -29,7 +29,7 @@ CoefficientPrior CentredPrior(const CoefficientPrior& prior, const Eigen::Vector
   DAUMIER_CHECK(u.size() == prior.u_mean.size() && v.size() == prior.v_mean.size(),
                 "u and v have {} and {} numbers, their prior {} and {}", u.size(), v.size(), prior.u_mean.size(),
                 prior.v_mean.size());
-  DAUMIER_CHECK(share > 0, "a prior with {} times its deviations was asked for", share);
+  DAUMIER_CHECK(share > 0, "a prior with {} times its deviations, expected a positive factor", share);
   return {.u_mean = u,
           .u_deviation = float(share) * prior.u_deviation,
           .v_mean = v,

@@ -13,7 +13,7 @@ struct CoefficientPrior {
 /// length of its mean vector.
 CoefficientPrior PriorOf(const BilinearModel& model);
 
-/// The prior of somebody who has been told u and v: they are its means, and the deviations are `share` times as large.
+/// A Gaussian prior centred on given u and v, with standard deviations scaled by `share`.
 /// @throws Error if u or v has the wrong length or the share is not positive.
 CoefficientPrior CentredPrior(const CoefficientPrior& prior, const Eigen::VectorXf& u, const Eigen::VectorXf& v,
                               double share);

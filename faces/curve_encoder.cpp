@@ -12,7 +12,7 @@ namespace {
 
 using CurveRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Neighbouring points of a curve say about the same: where twice as many are there, some are left out.
+/// Neighbouring points of a curve are redundant: where twice as many are visible, they are subsampled.
 constexpr int kEnoughPoints = 150;
 
 /// argmin_x |W (A^T x - points)|^2 / deviation_px^2 + |(x - mean) / deviation|^2; rows of `basis` are those of A,

@@ -14,8 +14,9 @@ struct CurveEncoderOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("deviation_px", deviation_px, Range{1e-3, 100},
-          "How far drawn points stray from the model, pixels; the larger, the more the prior of u and v counts.");
+    visit(
+        "deviation_px", deviation_px, Range{1e-3, 100},
+        "Standard deviation of drawn points from the model, pixels; the larger, the more the prior of u and v counts.");
     visit("rounds", rounds, Range{1, 100}, "Alternations between u and v.");
   }
 };
@@ -40,9 +41,9 @@ class CurveEncoder {
   /// With another prior. @throws Error if it has other lengths.
   CurveEncoder(const BilinearModel& model, const CoefficientPrior& prior, const CurveEncoderOptions& options = {});
 
-  /// points: 2K (x0 y0 x1 ...); weights: K. A point of weight 0 is not looked at; where 300 and more count, only every
-  /// second, third, ... of them is looked at, and stands for the others. Starts from `start` where one is given,
-  /// otherwise from the prior's means. @throws Error if a number of points differs.
+  /// points: 2K (x0 y0 x1 ...); weights: K. Points of weight 0 are ignored. 300 points or more are subsampled by 2, 3,
+  /// ..., each with that weight. Starts from `start` where one is given, otherwise from the prior's means. @throws
+  /// Error if a number of points differs.
   CurveCode Encode(std::span<const float> points, std::span<const float> weights,
                    const CurveCode* start = nullptr) const;
 

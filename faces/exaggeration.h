@@ -25,7 +25,7 @@ struct ExaggerationOptions {
   }
 };
 
-/// V: how strongly the gradients around each vertex of a neutral face (V x 3, cm) answer to curvature,
+/// V: sensitivity to curvature of the gradients around each vertex of a neutral face (V x 3, cm),
 ///   e = d log(|K| / Kbar),
 /// K the Gaussian curvature (angle defect over area), |K| averaged over rings and clamped to [Kbar / ratio, ratio
 /// Kbar], Kbar the area-weighted geometric mean of |K| over what is free to move, d the damping (ear_damping on the

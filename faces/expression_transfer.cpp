@@ -26,7 +26,7 @@ ExpressionTransfer::ExpressionTransfer(const FaceModel& model, const std::vector
     poses.push_back(VerticesOf(model, expression));
     gradients_.push_back(geometry::ComputeDeformationGradients(rest, poses.back(), kUnchanged));
   }
-  pinned_ = geometry::StillVertices(rest.vertices, poses, kPinnedCm);
+  pinned_ = geometry::StaticVertices(rest.vertices, poses, kPinnedCm);
   if (!pinned_.empty()) return;
   linear_offsets_.resize(model.expression_shapes.rows(), expressions.size());
   for (size_t e = 0; e < expressions.size(); ++e)

@@ -97,12 +97,12 @@ SafetensorsFile OpenShard(const std::filesystem::path& path, const std::vector<i
   SafetensorsFile shard(path);
   const ArrayView& array = shard.at("vertices");
   DAUMIER_CHECK(array.shape == shape && array.dtype == Dtype::kF32,
-                "{}: vertices have the shape {}, the manifest says {} of float32", path.string(),
+                "{}: vertices have the shape {}, expected {} of float32 as in the manifest", path.string(),
                 Json(array.shape).dump(), Json(shape).dump());
   return shard;
 }
 
-/// @throws Error if the shard tells distances to a mesh, but not one a vertex.
+/// @throws Error if the shard holds distances to a mesh, but not one a vertex.
 void CheckDistances(const SafetensorsFile& shard, const std::filesystem::path& path, int num_vertices) {
   if (!shard.contains("distances")) return;
   const size_t count = shard.at("distances").As<float>().size();
@@ -115,7 +115,7 @@ std::vector<int> NumberGroups(const Json& details, int num_persons, const std::f
   std::iota(groups.begin(), groups.end(), 0);
   if (!details.contains("groups")) return groups;
   const auto labels = details.at("groups").get<std::vector<std::string>>();
-  DAUMIER_CHECK(labels.size() == groups.size(), "{}: its manifest tells the groups of {} persons, there are {}",
+  DAUMIER_CHECK(labels.size() == groups.size(), "{}: its manifest lists the groups of {} persons, expected {}",
                 directory.string(), labels.size(), num_persons);
   std::map<std::string, int> numbers;
   for (size_t person = 0; person < labels.size(); ++person)

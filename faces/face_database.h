@@ -21,10 +21,10 @@ struct FaceId {
 /// A folder of faces on disk: manifest.json (kind "faces"), template.safetensors, template.json, and a shard a person
 /// (shards/person-00000.safetensors: `vertices` (levels, expressions, V, 3) float32 in cm, `identity_weights`, and
 /// where faces were registered `distances`). Face index = (person * num_levels + level) * num_expressions + expression.
-/// Behind these, the grid, stand faces that were interpolated between two of them
+/// These are the grid. Faces that were interpolated between two of them follow
 /// (shards/interpolated-00000.safetensors), as many a shard as a person has. The manifest holds counts {persons,
 /// levels, expressions, faces, vertices} and details {source, gammas, expressions}, and where faces were imported also
-/// {names, groups}: a name of each person, and whom it shows in truth.
+/// {names, groups}: a name of each person, and a label that persons of the same identity share.
 class FaceDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its
@@ -45,11 +45,11 @@ class FaceDatabase {
   /// Exaggeration of each level, num_levels.
   std::vector<double> gammas() const { return manifest_.details.at("gammas").get<std::vector<double>>(); }
   /// A number of each person, num_persons: equal for persons that show the same real one, 0, 1, ... in order of the
-  /// first of them. Where the manifest tells no groups every person is its own.
+  /// first of them. Without groups in the manifest every person is its own.
   const std::vector<int>& groups() const { return groups_; }
   /// Weights of the source's identity shapes that made a person; none where faces were imported.
   std::span<const float> identity_weights(int person) const;
-  /// Whom a face shows: one person of the grid, or the two between whom it was interpolated.
+  /// The person shown, or both parents of an interpolated face.
   std::vector<int> persons(int face) const;
   /// The group of these, which is always the same one.
   int group(int face) const { return groups_[persons(face).front()]; }
@@ -59,8 +59,8 @@ class FaceDatabase {
   std::span<const float> vertices(int face) const;
   geometry::Points points(int face) const;
   /// Of a registered face the distance of each vertex to the mesh that it was registered onto, V, cm; NaN where the
-  /// mesh has no match, so that the vertex follows the rest and tells nothing of the mesh. Empty where faces were not
-  /// registered.
+  /// mesh has no match, so that the vertex follows its neighbours and carries no information on the mesh. Empty where
+  /// faces were not registered.
   std::span<const float> match_distances(int face) const;
 
   const FaceTemplate& face_template() const { return face_template_; }

@@ -16,7 +16,7 @@ struct FaceHoles {
 FaceHoles FindHoles(const FaceTemplate& face);
 
 /// Fills closing_triangles and num_eye_closing_triangles: the two sides of each eye and of the mouth are zipped from
-/// one corner to the other, always along the shorter next diagonal. A hole that is not there is passed over.
+/// one corner to the other, always along the shorter next diagonal. A missing hole is skipped.
 void CloseHoles(const FaceHoles& holes, FaceTemplate& face);
 
 }  // namespace daumier::faces

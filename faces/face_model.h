@@ -19,7 +19,7 @@ struct FaceTemplate {
   geometry::Triangles triangles;  ///< The open surface: holes at lips, eyes and neck.
   geometry::Triangles
       closing_triangles;  ///< Close lips and eyes for rendering; never part of a metric. Uses existing vertices.
-  int num_eye_closing_triangles = 0;  ///< The first so many of closing_triangles close the eyes, the rest the mouth.
+  int num_eye_closing_triangles = 0;  ///< closing_triangles begins with these; the rest closes the mouth.
   Annotation annotation;
   geometry::TextureCoordinates uv{};   ///< T x 2; empty where the source has no UV. closing_triangles have none.
   geometry::Triangles uv_triangles{};  ///< Row of `uv` at each corner, parallel to `triangles`.
@@ -72,7 +72,7 @@ struct FaceModel {
 /// Identity weights of a random person, S. `spread` multiplies every sigma.
 Eigen::VectorXf DrawIdentity(const FaceModel& model, Rng& rng, double spread = 1.0);
 
-/// Neutral face of an identity, aligned if the model asks for it. @throws Error if the number of weights differs.
+/// Neutral face of an identity, aligned if the model requires it. @throws Error if the number of weights differs.
 geometry::Points IdentityFace(const FaceModel& model, const Eigen::VectorXf& identity_weights);
 
 /// The displacement of an expression, 3V. @throws Error if the number of weights differs.

@@ -16,8 +16,8 @@ struct FaceParts {
 /// nose, chin, mouth, forehead, and left and right of jaw, cheek, brow, eye and ear, in the order of FaceParts::names.
 const std::vector<std::string>& FacePartNames();
 
-/// Every vertex of the annotation's region `face` belongs to the part whose seeds, told by the 68 landmarks, are
-/// nearest; the regions nose and ears are parts as they are; the neck's border and what is outside of the face belong
+/// Every vertex of the annotation's region `face` belongs to the part whose seeds, among the 68 landmarks, are
+/// nearest; the regions nose and ears are parts unchanged; the neck's border and what is outside of the face belong
 /// to none. Then weights are averaged `blend_rings` times over neighbours, so that parts pass into each other.
 /// Promises: weights are symmetric where the template is; a row never sums to more than 1.
 /// @throws Error naming a region that the annotation lacks.

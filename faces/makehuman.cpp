@@ -214,8 +214,8 @@ void AddExpressions(const MakeHumanFiles& files, const geometry::VertexMap& map,
       ParseExpressionFile(EmbeddedAnnotation("makehuman_expressions"), "makehuman_expressions.json"), model);
 }
 
-/// Puts the bridge of the nose at height and depth 0: a body stands on the floor, and coordinates of a head 75 cm up
-/// would cost float32 two decimal digits.
+/// Puts the bridge of the nose at height and depth 0: the origin of a body is on the floor, and coordinates of a head
+/// 75 cm up would cost float32 two decimal digits.
 void MoveToBridge(const AnnotationFile& annotation, geometry::Points& points) {
   const int bridge = annotation.landmarks[27];
   DAUMIER_CHECK(bridge >= 0 && bridge < points.rows(), "makehuman.json: landmark 27 is vertex {}", bridge);

@@ -17,7 +17,7 @@ struct ModelFrame {
 };
 
 /// The frame in which a template's neutral head is `head_height` units high, from the chin (landmark 8) to its top
-/// along y, and stands as the template of [Jung et al. 2022] does, whose head is 2.1 units high: the chin at y = -0.71,
+/// along y, and placed like the template of [Jung et al. 2022], whose head is 2.1 units high: the chin at y = -0.71,
 /// the foremost vertex at z = 0.63, both times head_height / 2.1, and the middle of the bounding box at x = 0.
 /// @throws Error if the chin is the highest vertex or head_height is not positive.
 ModelFrame HeadFrame(const FaceTemplate& face_template, double head_height);

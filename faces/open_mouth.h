@@ -14,7 +14,7 @@ struct LipContours {
 LipContours FindLipContours(const FaceTemplate& face_template);
 
 /// The neutral face, V x 3 cm, with its lips apart: no two vertices that must move apart when a mouth opens share a
-/// place, where a continuous map of positions could not tell them.
+/// place, where a continuous map of positions could not separate them.
 /// A vertex of the lower contour goes straight down until the upper contour is, at its x, at least
 ///   gap_cm (1 - t^2)
 /// above it along y, t the share of its way from the middle (landmark 66) to the corner of its side. The upper contour

@@ -17,30 +17,30 @@ double DrawNormal(Rng& rng) {
 }
 
 /// Curvature at the borders of lids and lips is not stable [Han et al. 2017, section 4.1].
-bool AnswersToCurvature(const std::string& part) {
+bool DependsOnCurvature(const std::string& part) {
   return part != "mouth" && !part.starts_with("eye_");
 }
 
-/// `stretched` moved by the lumps. Where triangles of `face` would flip, the lumps around them are halved, again and
+/// `stretched` moved by the bumps. Where triangles of `face` would flip, the bumps around them are halved, again and
 /// again.
-geometry::Points WithLumps(const geometry::Points& face, const geometry::Triangles& triangles,
-                           const geometry::Points& stretched, std::vector<Lump> lumps) {
+geometry::Points WithBumps(const geometry::Points& face, const geometry::Triangles& triangles,
+                           const geometry::Points& stretched, std::vector<GaussianBump> bumps) {
   constexpr int kMaxRounds = 8;
-  constexpr double kReach = 2.0;  // Radii within which a lump has a part in a flip.
+  constexpr double kReach = 2.0;  // Radii within which a bump has a part in a flip.
   geometry::Points result;
   for (int round = 0; round <= kMaxRounds; ++round) {
     result = stretched;
-    for (const Lump& lump : lumps) {
-      const Eigen::ArrayXd squared = (face.rowwise() - face.row(lump.vertex)).rowwise().squaredNorm();
-      result += (-0.5 / (lump.radius * lump.radius) * squared).exp().matrix() * lump.offset.transpose();
+    for (const GaussianBump& bump : bumps) {
+      const Eigen::ArrayXd squared = (face.rowwise() - face.row(bump.vertex)).rowwise().squaredNorm();
+      result += (-0.5 / (bump.radius * bump.radius) * squared).exp().matrix() * bump.offset.transpose();
     }
     const std::vector<int> flipped = geometry::FlippedTriangles(face, result, triangles);
     if (flipped.empty()) break;
-    for (Lump& lump : lumps) {
+    for (GaussianBump& bump : bumps) {
       const auto is_near = [&](int f) {
-        return (face.row(triangles(f, 0)) - face.row(lump.vertex)).norm() < kReach * lump.radius;
+        return (face.row(triangles(f, 0)) - face.row(bump.vertex)).norm() < kReach * bump.radius;
       };
-      if (std::any_of(flipped.begin(), flipped.end(), is_near)) lump.offset *= 0.5;
+      if (std::any_of(flipped.begin(), flipped.end(), is_near)) bump.offset *= 0.5;
     }
   }
   return result;
@@ -56,7 +56,7 @@ PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FacePar
     const Eigen::Index other = parts.mirror[p];
     const bool is_shared = other < p;  // Drawn with the part of the other side already.
     const double curvature = rng.Uniform(0.0, 2.0 * options.curvature) * gamma;
-    if (AnswersToCurvature(parts.names[p])) strengths.gammas[p] = is_shared ? strengths.gammas[other] : curvature;
+    if (DependsOnCurvature(parts.names[p])) strengths.gammas[p] = is_shared ? strengths.gammas[other] : curvature;
     for (int k = 0; k < 3; ++k) {
       const double stretch = options.stretch * gamma * DrawNormal(rng);
       strengths.log_stretches(p, k) =
@@ -64,15 +64,15 @@ PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FacePar
     }
   }
   for (int i = 0; i < options.num_lumps; ++i) {
-    Lump lump{.vertex = static_cast<int>(rng.Below(face_template.num_vertices())),
-              .radius = rng.Uniform(options.lump_radius / 3, options.lump_radius),
-              .offset = {}};
-    for (double& offset : lump.offset) offset = options.lump_offset * gamma * lump.radius * DrawNormal(rng);
-    strengths.lumps.push_back(lump);
+    GaussianBump bump{.vertex = static_cast<int>(rng.Below(face_template.num_vertices())),
+                      .radius = rng.Uniform(options.lump_radius / 3, options.lump_radius),
+                      .offset = {}};
+    for (double& offset : bump.offset) offset = options.lump_offset * gamma * bump.radius * DrawNormal(rng);
+    strengths.bumps.push_back(bump);
     if (i % 2 == 1 || face_template.annotation.mirror.empty()) continue;
-    lump.vertex = face_template.annotation.mirror[lump.vertex];
-    lump.offset.x() *= -1;
-    strengths.lumps.push_back(lump);
+    bump.vertex = face_template.annotation.mirror[bump.vertex];
+    bump.offset.x() *= -1;
+    strengths.bumps.push_back(bump);
   }
   return strengths;
 }
@@ -90,7 +90,7 @@ geometry::Points ExaggerateParts(const FaceTemplate& face_template, const FacePa
   log_scales.colwise() += (parts.weights * strengths.gammas).cwiseProduct(exponent);
   const geometry::Points stretched = GradientScaling({face, face_template.triangles}, regions.at("neck_border"))
                                          .RebuildWithoutFlips(log_scales, options.blend_rings);
-  const geometry::Points result = WithLumps(face, face_template.triangles, stretched, strengths.lumps);
+  const geometry::Points result = WithBumps(face, face_template.triangles, stretched, strengths.bumps);
   Eigen::VectorXd in_face = Eigen::VectorXd::Zero(face.rows());
   for (const int v : regions.at("face")) in_face[v] = 1;
   return geometry::AlignSimilarity(result, face, in_face).Apply(result);

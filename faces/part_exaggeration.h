@@ -22,20 +22,20 @@ struct PartExaggerationOptions {
         "stretch", stretch, Range{0.0, 5.0},
         "Standard deviation of the logarithm of a part's width, height and depth, in multiples of the level's gamma.");
     visit("asymmetry", asymmetry, Range{0.0, 1.0}, "How far left and right differ, as a share of that deviation.");
-    visit("num_lumps", num_lumps, Range{0, 200}, "Lumps and hollows anywhere on the head.");
+    visit("num_lumps", num_lumps, Range{0, 200}, "Bumps and hollows anywhere on the head.");
     visit("lump_radius", lump_radius, Range{0.3, 20.0},
-          "The largest radius of a lump in cm; the least is a third of it.");
+          "The largest radius of a bump in cm; the least is a third of it.");
     visit("lump_offset", lump_offset, Range{0.0, 5.0},
-          "Standard deviation of how far a lump moves along each axis, in multiples of its radius and the level's "
+          "Standard deviation of how far a bump moves along each axis, in multiples of its radius and the level's "
           "gamma.");
     visit("blend_rings", blend_rings, Range{0, 40}, "Rings over which parts pass into each other.");
   }
 };
 
-/// A lump, hollow or shift that no part names: what lies at distance d of a vertex is moved by
+/// A bump, hollow or shift that no part names: what lies at distance d of a vertex is moved by
 /// exp(-d^2 / 2 radius^2) offset. A warp of space: layers that lie over each other, as lids and nostrils, move
 /// together.
-struct Lump {
+struct GaussianBump {
   int vertex;
   double radius;             ///< cm
   geometry::Vector3 offset;  ///< cm
@@ -45,12 +45,12 @@ struct Lump {
 struct PartStrengths {
   Eigen::VectorXd gammas;          ///< P: exponent of curvature.
   geometry::Points log_stretches;  ///< P x 3: logarithm of the scale of width, height and depth.
-  std::vector<Lump> lumps;
+  std::vector<GaussianBump> bumps;
 };
 
 /// Random strengths of a level. Width, height and depth of a part are stretched by exp(N(0, stretch * gamma)), cut at
 /// two deviations; its exponent of curvature is uniform in [0, 2 * curvature * gamma], and 0 on eyes and mouth; left
-/// and right parts share their strengths and differ by asymmetry. Lumps stand at random vertices, half of
+/// and right parts share their strengths and differ by asymmetry. Bumps lie at random vertices, half of
 /// them also mirrored, with a radius uniform in a third of lump_radius to all of it, and offsets of N(0, lump_offset *
 /// gamma * radius) cut at two deviations. gamma 0 gives strengths of 0.
 PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FaceParts& parts, double gamma,
@@ -59,7 +59,7 @@ PartStrengths DrawPartStrengths(const FaceTemplate& face_template, const FacePar
 /// Exaggerates each part of a neutral face (V x 3, cm) by its own strength: the surface is rebuilt by
 /// GradientScaling::RebuildWithoutFlips from gradients whose coordinate k is scaled by
 ///   exp(sum_p weight_p (gamma_p e + log_stretch_pk)),  e the face's CurvatureExponent,
-/// then moved by the lumps (distances measured on the input; lumps around a triangle that would flip are halved, at
+/// then moved by the bumps (distances measured on the input; bumps around a triangle that would flip are halved, at
 /// most eight times) and similarity-aligned to the face it came from over the region `face`. Eyes and mouth are carried
 /// along.
 /// Promises: strengths of 0 return the input; strengths that are equal on left and right keep a symmetric face

@@ -16,7 +16,7 @@ namespace {
 AnnotationFile ReadAnnotation(const SourceOptions& options) {
   if (options.annotation.empty()) {
     throw UsageError(fmt::format(
-        "source {} needs source.annotation: a JSON file that tells at least landmarks and hairline of its topology "
+        "source {} needs source.annotation: a JSON file that specifies at least landmarks and hairline of its topology "
         "(docs/annotation.md)",
         options.name));
   }

@@ -30,17 +30,17 @@ struct SourceOptions {
         "annotation", annotation, Text{},
         "What is known about the topology, a JSON file (docs/annotation.md); makehuman and ict have theirs built in.");
     visit("template_mesh", template_mesh, Text{},
-          "facewarehouse: a mesh that tells the polygons, where no OBJ lies beside shape.bs.");
+          "facewarehouse: a mesh with the polygons, where no OBJ lies next to shape.bs.");
     visit("person", person, Choices{{"file", "folder"}},
-          "meshes: whom a mesh shows, a person of its own or the same as the others of its folder.");
+          "meshes: a mesh shows a person of its own (file) or the same person as the others of its folder.");
     visit("licence", licence, Text{}, "meshes: their licence, copied into every manifest and model card.");
   }
 };
 
-/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or faces as they are. Reads
+/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or given faces. Reads
 /// nothing but what the options name.
 /// @throws Error naming what is missing, truncated or of another topology, and how to get it; UsageError if the path or
-/// the annotation is needed and not told.
+/// the annotation is required and missing.
 std::variant<FaceModel, GivenFaces> LoadSource(const SourceOptions& options);
 
 /// The face model of a source. @throws Error as LoadSource, and UsageError if the source gives no model.

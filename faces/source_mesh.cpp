@@ -65,9 +65,10 @@ std::vector<int> SourceMesh::Trace(const std::vector<int>& waypoints, bool close
 }
 
 std::vector<int> SourceMesh::Mirrored(std::vector<int> vertices, const std::string& what) const {
-  DAUMIER_CHECK(mirror_.has_value(),
-                "annotation of {}, {}: the mesh is not its own mirror image; tell both sides instead of mirroring one",
-                source_, what);
+  DAUMIER_CHECK(
+      mirror_.has_value(),
+      "annotation of {}, {}: the mesh is not its own mirror image; specify both sides instead of mirroring one",
+      source_, what);
   for (int& vertex : vertices) vertex = (*mirror_)[vertex];
   return vertices;
 }

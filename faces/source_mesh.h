@@ -10,7 +10,7 @@
 
 namespace daumier::faces {
 
-/// A source's polygons with what an annotation asks of them again and again. Keeps a reference to the mesh. Messages
+/// A source's polygons with the queries that an annotation needs repeatedly. Keeps a reference to the mesh. Messages
 /// name the source and `what`, the entry of the annotation at hand.
 class SourceMesh {
  public:

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # oneDNN 2.6.3 (Debian 12: libdnnl-dev 2.6.3-1), CPU: NaN through activations and max pooling.
 #
-# Expected: NaN in, NaN out, as in IEEE arithmetic and in LibTorch's relu and max_pool2d, so that a NaN in weights or input is
+# Expected: NaN in, NaN out, as in IEEE arithmetic and in LibTorch's relu and max_pool2d, so that a NaN in weights or
+# input is
 #   seen in the result of a network.
-# Behaviour: relu(NaN) = 0, and max pooling skips a NaN beside a number. Leaky ReLU, tanh and the logistic function keep it. A network
+# Behaviour: relu(NaN) = 0, and max pooling skips a NaN next to a number. Leaky ReLU, tanh and the logistic function
+# keep it. A network
 #   of convolutions with ReLU thus returns finite numbers where a part of it is NaN.
 # Output seen:
 #   relu(NaN) = 0, leaky relu nan, tanh nan, logistic -nan

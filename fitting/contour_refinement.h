@@ -34,11 +34,11 @@ struct PredictedFace {
 };
 
 /// Contour matching after a network: the drawing is placed on the feature curves of the predicted face, as the camera
-/// sees them (PlaceOnCurves), since hands do not draw in a camera's frame; the curves snap to its strokes, which have
-/// no labels (FollowStrokes), and u and v are fitted to them with a normal prior about the network's own answer. The
-/// predicted face may stray from the bilinear model by a residual, which stays what it is:
+/// projects them (PlaceOnCurves), since drawings are not in a camera's frame; the curves snap to its strokes, which
+/// have no labels (FollowStrokes), and u and v are fitted to them with a normal prior about the network's own
+/// prediction. The predicted face may differ from the bilinear model by a residual, which is unchanged:
 ///   face(u', v') = predicted face + C x2 u' x3 v' - C x2 u x3 v.
-/// Where no stroke is within reach, the prediction comes back as it is.
+/// Where no stroke is within reach, the prediction is returned unchanged.
 class ContourRefiner {
  public:
   /// Keeps a reference to the model. @throws Error as ProjectModel.

@@ -27,7 +27,7 @@ struct CurveRecoveryOptions {
 /// nearest point of a drawn stroke that runs in about its direction, with the weight (1 - (d / reach)^2)^2 of Tukey's
 /// biweight and 0 beyond reach; the encoder finds u and v for these points, and its curves snap again. `start.points` +
 /// constant are where the curves are at first, on the canvas; `constant` (2K, or empty for 0) is what the model leaves
-/// out of its points. Once no point is within reach of a stroke, the last answer (at first the start) stands.
+/// out of its points. Once no point is within reach of a stroke, the last result (at first the start) is returned.
 /// @throws Error if a number of points differs.
 faces::CurveCode FollowStrokes(const faces::CurveEncoder& encoder, const CurveOffsets& offsets,
                                const faces::CurveCode& start, const std::vector<render::Stroke>& strokes,
@@ -35,13 +35,13 @@ faces::CurveCode FollowStrokes(const faces::CurveEncoder& encoder, const CurveOf
 
 /// The strokes turned, scaled and shifted as one [Umeyama 1991, in the plane], so that where curves snap to them
 /// (FollowStrokes) they lie on the curves in the least-squares sense; the curves snap again `rounds` times. curves: 2K
-/// coordinates on the canvas. With too few points within reach to tell a similarity the strokes stay.
+/// coordinates on the canvas. With too few points within reach to determine a similarity the strokes stay.
 /// @throws Error if a number of points differs.
 std::vector<render::Stroke> PlaceOnCurves(const std::vector<render::Stroke>& strokes, const CurveOffsets& offsets,
                                           std::span<const float> curves, const CurveRecoveryOptions& options,
                                           int rounds);
 
-/// The shape-level numbers of a drawing whose strokes carry no labels: projected curves that a network predicts follow
+/// The curve coefficients of a drawing whose strokes carry no labels: projected curves that a network predicts follow
 /// the strokes (FollowStrokes), by the 2-D bilinear model of curves. predicted: 2K coordinates on the canvas. With
 /// snaps = 0 the prediction itself is encoded.
 /// @throws Error if a number of points differs.

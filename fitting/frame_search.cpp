@@ -14,7 +14,7 @@ constexpr double kAspect = 0.8;
 /// The first steps around a frame: of scale, and of shift in pixels of the canvas.
 constexpr double kScaleStep = 0.12, kShiftStep = 10.0;
 
-struct Tried {
+struct Candidate {
   Placement placement;
   double distance_px;
 };
@@ -29,7 +29,7 @@ Placement Moved(const Placement& placement, const Vector2d& by) {
 }
 
 /// From 0 to 1; a half if there is one alone.
-double Place(int index, int count) {
+double GridPosition(int index, int count) {
   return count == 1 ? 0.5 : double(index) / (count - 1);
 }
 
@@ -43,8 +43,8 @@ std::vector<Placement> CoarseFrames(const render::FramedDrawing& drawing, const 
         (enlarged.scale * drawing.box.sizes() - Vector2d(kAspect * face_height, face_height)).cwiseMax(0.0);
     for (int x = 0; x < (slack.x() > 0 ? options.places_x : 1); ++x) {
       for (int y = 0; y < (slack.y() > 0 ? options.places_y : 1); ++y) {
-        const Vector2d place(slack.x() > 0 ? Place(x, options.places_x) : 0.5,
-                             slack.y() > 0 ? Place(y, options.places_y) : 0.5);
+        const Vector2d place(slack.x() > 0 ? GridPosition(x, options.places_x) : 0.5,
+                             slack.y() > 0 ? GridPosition(y, options.places_y) : 0.5);
         frames.push_back(Moved(enlarged, (Vector2d::Constant(0.5) - place).cwiseProduct(slack)));
       }
     }
@@ -69,24 +69,24 @@ FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketche
                      const FrameSearchOptions& options) {
   const auto try_all = [&](const std::vector<Placement>& frames) {
     std::vector<std::vector<render::Stroke>> sketches;
-    for (const Placement& frame : frames) sketches.push_back(render::Place(drawing.strokes, frame));
+    for (const Placement& frame : frames) sketches.push_back(render::MapToCanvas(drawing.strokes, frame));
     const auto curves = predict(sketches);
-    std::vector<Tried> tried;
+    std::vector<Candidate> candidates;
     for (size_t i = 0; i < frames.size(); ++i) {
       const auto distance = DistanceBetween(sketches[i], curves[i], options.drawn_trim, options.projected_trim);
-      tried.push_back({frames[i], distance.two_way()});
+      candidates.push_back({frames[i], distance.two_way()});
     }
-    return tried;
+    return candidates;
   };
-  const auto nearer = [](const Tried& a, const Tried& b) { return a.distance_px < b.distance_px; };
+  const auto nearer = [](const Candidate& a, const Candidate& b) { return a.distance_px < b.distance_px; };
 
   std::vector<Placement> coarse = CoarseFrames(drawing, options);
   coarse.insert(coarse.begin(), drawing.placement);
-  std::vector<Tried> tried = try_all(coarse);
-  const double start_distance_px = tried.front().distance_px;
-  std::stable_sort(tried.begin(), tried.end(), nearer);
-  tried.resize(std::min(tried.size(), size_t(options.starts)));
-  for (Tried& best : tried) {
+  std::vector<Candidate> candidates = try_all(coarse);
+  const double start_distance_px = candidates.front().distance_px;
+  std::stable_sort(candidates.begin(), candidates.end(), nearer);
+  candidates.resize(std::min(candidates.size(), size_t(options.starts)));
+  for (Candidate& best : candidates) {
     double step = 1.0;
     for (int halving = 0; halving < options.halvings;) {
       const auto around = try_all(FramesAround(best.placement, step));
@@ -98,7 +98,7 @@ FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketche
       }
     }
   }
-  const Tried& best = *std::min_element(tried.begin(), tried.end(), nearer);
+  const Candidate& best = *std::min_element(candidates.begin(), candidates.end(), nearer);
   return {.placement = best.placement, .distance_px = best.distance_px, .start_distance_px = start_distance_px};
 }
 

@@ -38,14 +38,14 @@ using CurvesOfSketches =
 
 struct FoundFrame {
   render::Placement placement;
-  double distance_px = 0.0;        ///< Trimmed and two-way, where the drawing stands now.
+  double distance_px = 0.0;        ///< Trimmed and two-way, at `placement`.
   double start_distance_px = 0.0;  ///< The same of the frame of the bounding box.
 };
 
-/// Where a drawing has to stand on the canvas for a network that knows faces of one size and place: of the frames that
-/// are tried, the one whose predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Tried are
-/// the frame of the bounding box; faces that take a share of the drawing's height, at some places of its box; and
-/// around the best of these, steps of scale and shift that are halved whenever none is better.
+/// Finds the scale and shift that align a drawing with the training sketches: of all candidates, the one whose
+/// predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Candidates are the frame of the
+/// bounding box; faces that take a share of the drawing's height, at some places of its box; and around the best of
+/// these, steps of scale and shift that are halved whenever none is better.
 /// @throws Error as DistanceBetween and what `predict` throws.
 FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketches& predict,
                      const FrameSearchOptions& options = {});

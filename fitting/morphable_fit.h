@@ -18,7 +18,7 @@ struct MorphableFitOptions {
   void Visit(V&& visit) {
     visit("prior", prior, Flag{}, "Whether u and v keep near to those of the training faces.");
     visit("deviation_px", deviation_px, Range{1e-3, 100},
-          "How far labelled points stray from the model, pixels; the larger, the more the prior counts.");
+          "Standard deviation of labelled points from the model, pixels; the larger, the more the prior counts.");
     visit("iterations", iterations, Range{1, 10000}, "Steps of the solver at most.");
   }
 };
@@ -32,9 +32,9 @@ struct MorphableFit {
 /// Morphable model fitting [Han et al. 2017, section 6.3, row MMfitting; Cao et al. 2014]: the face whose key vertices,
 /// seen by a known orthographic camera, are nearest to their labelled 2-D points,
 ///   min  sum_k w_k |P_k(u, v) - p_k|^2 / deviation^2  [ + |(u - mean) / sigma|^2 + |(v - mean) / sigma|^2 ]
-/// over u and v together (Levenberg-Marquardt), from the means of faces::PriorOf. The bracket is there with `prior`;
+/// over u and v together (Levenberg-Marquardt), from the means of faces::PriorOf. The bracket applies with `prior`;
 /// without it nothing is known of the depth, and the free scale between u and v is set so that v is as long as the
-/// prior's mean. points: 2K in pixels; weights: K, >= 0; a point of weight 0 is not looked at.
+/// prior's mean. points: 2K in pixels; weights: K, >= 0; a point of weight 0 is ignored.
 /// @throws Error if a number of points differs, a weight is negative, or no point counts.
 MorphableFit FitMorphable(const ProjectedModel& model, std::span<const float> points, std::span<const float> weights,
                           const MorphableFitOptions& options = {});

@@ -15,7 +15,7 @@ namespace daumier::fitting {
 /// A template's curves as a list of points: curve c has the points offsets[c] .. offsets[c + 1] - 1.
 using CurveOffsets = std::vector<int>;
 
-/// Curves of a template as a camera sees them. A closed curve comes back to its first vertex.
+/// Curves of a template as a camera projects them. A closed curve returns to its first vertex.
 struct ProjectedCurves {
   std::vector<int> vertices;  ///< Of each curve point, K.
   CurveOffsets offsets;

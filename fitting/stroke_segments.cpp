@@ -42,7 +42,7 @@ std::vector<Segment> SegmentsOf(const std::vector<render::Stroke>& strokes) {
 
 SegmentGrid::SegmentGrid(std::vector<Segment> segments, float reach)
     : reach_(reach), cell_(std::max(reach, 2.0f)), segments_(std::move(segments)) {
-  DAUMIER_CHECK(reach > 0, "a reach of {} pixels was asked for", reach);
+  DAUMIER_CHECK(reach > 0, "a reach of {} pixels, expected a positive number", reach);
   side_ = static_cast<int>(std::ceil(render::kSketchCanvas / cell_)) + 2;
   cells_.resize(size_t(side_) * size_t(side_));
   for (size_t index = 0; index < segments_.size(); ++index) {

@@ -23,7 +23,7 @@ Similarity AlignSimilarity(const Points& source, const Points& target, const Eig
   const Eigen::Matrix3d source_moments = p.transpose() * w.asDiagonal() * p / total;
   const Eigen::Matrix3d covariance = q.transpose() * w.asDiagonal() * p / total;
   const Eigen::Vector3d spread = source_moments.jacobiSvd().singularValues();
-  DAUMIER_CHECK(spread[1] > 1e-12 * spread[0], "the source points lie in one line: no rotation can be told");
+  DAUMIER_CHECK(spread[1] > 1e-12 * spread[0], "the source points lie in one line: the rotation is not determined");
 
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   DAUMIER_CHECK(svd.singularValues()[0] > 0, "the target points lie in one point");

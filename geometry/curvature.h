@@ -12,7 +12,7 @@ Eigen::VectorXd AngleDefects(const TriangleMesh& mesh);
 Eigen::VectorXd GaussianCurvature(const TriangleMesh& mesh);
 
 /// Replaces `rounds` times each value by the area-weighted mean over its vertex and the vertices one edge away.
-/// Constants stay as they are; the range of the values never grows. @throws Error if a size disagrees.
+/// Constants are unchanged; the range of the values never grows. @throws Error if a size disagrees.
 Eigen::VectorXd SmoothOverRings(const Eigen::VectorXd& values, const Eigen::VectorXd& vertex_areas,
                                 const Adjacency& neighbours, int rounds);
 

@@ -34,7 +34,7 @@ DeformationGradients ComputeDeformationGradients(const TriangleMesh& reference, 
   return gradients;
 }
 
-std::vector<int> StillVertices(const Points& reference, const std::vector<Points>& poses, double tolerance) {
+std::vector<int> StaticVertices(const Points& reference, const std::vector<Points>& poses, double tolerance) {
   Eigen::VectorXd farthest = Eigen::VectorXd::Zero(reference.rows());
   for (const Points& pose : poses) {
     DAUMIER_CHECK(pose.rows() == reference.rows(), "the reference has {} vertices, a pose {}", reference.rows(),

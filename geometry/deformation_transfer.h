@@ -21,13 +21,13 @@ DeformationGradients ComputeDeformationGradients(const TriangleMesh& reference, 
 
 /// The vertices that none of the poses moves by more than `tolerance` cm from the reference, ascending.
 /// @throws Error if a number of vertices differs.
-std::vector<int> StillVertices(const Points& reference, const std::vector<Points>& poses, double tolerance);
+std::vector<int> StaticVertices(const Points& reference, const std::vector<Points>& poses, double tolerance);
 
 /// Carries deformations of one mesh to another one that is registered to it, that is, has the same triangles
 /// [Sumner and Popovic 2004, section 3]: the vertices x' of the target that minimise
 ///   sum_f A_f |S_f - T_f(x')|^2  over the tangent plane of f,
 /// T_f the target's own deformation gradients, A_f its rest areas, with the pinned vertices where they are. The part of
-/// S_f along the normal is what a free fourth vertex takes up exactly, so that this is the paper's eq. 8 with the
+/// S_f along the normal is absorbed exactly by a free fourth vertex, so that this is the paper's eq. 8 with the
 /// triangles weighted by area [Botsch et al. 2006]; its matrix is the (unclamped) cotangent Laplacian of the target,
 /// factorised once here for all deformations.
 /// Promises: no deformation returns the target; a deformation carried to its own reference returns the deformed mesh,

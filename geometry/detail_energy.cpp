@@ -58,7 +58,7 @@ SparseMatrix GraphLaplacian(const std::vector<DetailEnergy::Tie>& ties, int num_
   return matrix;
 }
 
-/// What tells a similarity: sum of q p^T and of |p|^2 over ways p at rest and q now.
+/// Moments that determine a similarity: sum of q p^T and of |p|^2 over edges p at rest and q now.
 struct Moments {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double spread = 0;

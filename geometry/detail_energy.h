@@ -15,11 +15,11 @@ struct DetailOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("edges", edges, Range{0.0, 1e3}, "Weight of an edge beside a vertex's Laplacian detail, which weighs 1.");
+    visit("edges", edges, Range{0.0, 1e3}, "Weight of an edge; a vertex's Laplacian detail weighs 1.");
     visit("thickness", thickness, Range{0.0, 1e3},
           "The same of a tie through the body, from a vertex to the far side.");
     visit("max_thickness", max_thickness, Range{0.0, 1e3}, "Longest such tie, cm.");
-    visit("max_scale", max_scale, Range{1.0, 1e3}, "A place may grow or shrink so many times before it resists.");
+    visit("max_scale", max_scale, Range{1.0, 1e3}, "Factor by which a place may grow or shrink before it resists.");
   }
 };
 
@@ -28,7 +28,7 @@ struct DetailOptions {
 ///           + w_t the same sum over ties ij,
 /// d_i = x_i minus the mean of its neighbours, T_i the similarity (scale within [1 / max_scale, max_scale]) that fits
 /// best how the places around i have moved, over two rings and the ties, T_ij = (T_i + T_j) / 2. The details bend the
-/// surface smoothly [Sorkine et al. 2004, with T_i told by the last x' as in Sorkine and Alexa 2007], the edges keep
+/// surface smoothly [Sorkine et al. 2004, with T_i fitted to the last x' as in Sorkine and Alexa 2007], the edges keep
 /// cavities from bulging, and a tie joins a vertex to the nearest one that it sees through the inside of the body, so
 /// that lids, lips, ears and the wings of the nose keep a thickness and what lies behind them does not come through.
 /// With T held, E is quadratic with the matrix() (V x V for each axis), least where matrix() x' = Pull(x').

@@ -19,7 +19,7 @@ constexpr double kLeastHandlePivot = 1e-11;
 /// points could follow almost any move of theirs, and the border would be loose.
 constexpr size_t kFewNeighbours = 4;
 
-/// The vertices whose move tells T_i.
+/// The vertices whose displacements determine T_i.
 std::set<int> Ring(const Adjacency& neighbours, int i) {
   std::set<int> ring(neighbours[i].begin(), neighbours[i].end());
   if (ring.size() < kFewNeighbours) {

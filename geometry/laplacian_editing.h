@@ -12,7 +12,7 @@ namespace daumier::geometry {
 ///   sum_i |T_i d_i - (x'_i - m'_i)|^2 + sum_k w_k |x'_k - u_k|^2,   d_i = x_i - m_i,
 /// m_i the mean of the neighbours of vertex i, u_k the targets of the handles and T_i = s_i I + [h_i]x the linearised
 /// similarity that maps vertex i and its neighbours to their new places best, itself linear in x'. So turning and
-/// scaling are free where the surface wants them. The system (3V x 3V) is factorised once.
+/// scaling are free unknowns. The system (3V x 3V) is factorised once.
 /// A vertex with fewer than four neighbours, on a border, is fitted over two rings: so few points would follow almost
 /// any move of theirs, and the tip of a border would be loose. Promises: targets at the handles' own places give the
 /// mesh back; targets that are moved by one map x -> s x + h x x + t (scales, shifts, and rotations to first order)

@@ -31,7 +31,7 @@ struct SurfacePoint {
   int triangle;
   Vector3 barycentric;
   Vector3 position;
-  double distance;  ///< From the point asked for, cm.
+  double distance;  ///< From the query point, cm.
 };
 
 /// The point of one triangle that is nearest to `point`.

@@ -10,7 +10,7 @@ namespace daumier::geometry {
 /// or v/vt/vn, where an empty or zero vt or vn is absent; negative indices count back from the last line read so far.
 /// Lines may be indented; the last may lack its line end; a byte order mark is skipped. Normal, group and material
 /// lines are skipped. Repeated vertices and missing UV: as PolygonCollector. vt of corners is ignored in a text without
-/// `vt` lines. `name` stands for the text in messages, for example a file.
+/// `vt` lines. `name` names the text in messages, for example a file.
 /// @throws Error "name:line: cause" on a malformed line, a position that is not finite or a corner that is no vertex,
 /// and if there is no vertex or no polygon at all.
 PolygonMesh ParseObj(std::string_view text, std::string_view name);

@@ -12,7 +12,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// The least cotangent that enters the cotangent Laplacian: angles beyond 88.9 degrees count as 88.9 degrees, which
 /// keeps all edge weights positive and the solution free of spikes on meshes with obtuse triangles.
 inline constexpr double kMinCotangent = 0.02;
-/// Leaves all cotangents as they are: the exact finite-element Laplacian.
+/// Clamps no cotangent: the exact finite-element Laplacian.
 inline constexpr double kUnclamped = -std::numeric_limits<double>::infinity();
 
 /// F x 3: the cotangent of the angle at each corner, raised to `min_cotangent` where it is less.
@@ -20,8 +20,8 @@ inline constexpr double kUnclamped = -std::numeric_limits<double>::infinity();
 Points CornerCotangents(const TriangleMesh& mesh, double min_cotangent = kMinCotangent);
 
 /// V x V, symmetric positive semidefinite, rows sum to 0:
-///   (L x)_i = sum_j w_ij (x_i - x_j),  w_ij = 1/2 sum over the triangles f at edge ij of s_f cot(angle opposite to
-///   ij),
+///   (L x)_i = sum_j w_ij (x_i - x_j),
+///   w_ij = 1/2 sum over the triangles f at edge ij of s_f cot(angle opposite to ij),
 /// with every cotangent raised to `min_cotangent`. `triangle_scales` (F, or empty for ones) are the s_f: Lx with scales
 /// s is the divergence of the gradient of x scaled by s_f in each triangle, if nothing is clamped.
 /// @throws Error as CornerCotangents, or if the number of scales differs.

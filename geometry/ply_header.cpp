@@ -78,8 +78,8 @@ class HeaderParser {
   }
 
  private:
-  /// The first line also tells how lines end: a CR alone only if that is how it ends itself, so that the first byte of
-  /// binary data is never taken for half of a line end.
+  /// The first line also sets the line ending: a CR alone only if the line itself ends so. Thus the first byte of
+  /// binary data is never read as half of a line end.
   void CheckMagic() {
     const size_t end = bytes_.substr(0, 3) == "ply" ? bytes_.find_first_not_of(" \t", 3) : bytes_.npos;
     const bool is_ply = end != bytes_.npos && (bytes_[end] == '\n' || bytes_[end] == '\r');

@@ -23,7 +23,7 @@ struct PlyProperty {
 
 struct PlyElement {
   std::string name;
-  uint64_t count = 0;  ///< Rows, as the header says; a damaged file can say anything.
+  uint64_t count = 0;  ///< Rows that the header claims; a damaged file can claim any number.
   std::vector<PlyProperty> properties{};
 
   /// Index of a property, of several with the name the first.

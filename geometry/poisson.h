@@ -16,7 +16,7 @@ class PoissonSolver {
   /// @throws Error if L is not square, an id is out of range or repeated, or a part of the surface has no fixed vertex.
   PoissonSolver(const SparseMatrix& laplacian, const std::vector<int>& fixed_ids);
 
-  /// rhs: V x N (rows of fixed vertices are not looked at), fixed_values: as many rows as fixed ids, in their order, x
+  /// rhs: V x N (rows of fixed vertices are ignored), fixed_values: as many rows as fixed ids, in their order, x
   /// N. Returns V x N with the fixed values unchanged. @throws Error if a shape disagrees.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rhs, const Eigen::MatrixXd& fixed_values) const;
 

@@ -13,7 +13,7 @@
 namespace daumier::geometry {
 namespace {
 
-/// What the trust in a match is multiplied by, at each iteration, at a corner of a flipped triangle and beside one.
+/// Factors of the weight of a match, per iteration, at a corner of a flipped triangle and at a neighbour of one.
 constexpr double kCornerTrust = 0.5, kNeighbourTrust = 0.8;
 /// The least pivot, as a share of the largest, of a system that is not singular.
 constexpr double kLeastMatchPivot = 1e-12;
@@ -70,7 +70,7 @@ class Solver {
 
 }  // namespace
 
-Registrar::Registrar(RegistrationTemplate source, const RegistrationOptions& options)
+NonRigidRegistration::NonRigidRegistration(RegistrationTemplate source, const RegistrationOptions& options)
     : source_(std::move(source)), options_(options), energy_(source_.mesh, options.detail) {
   const int num_vertices = static_cast<int>(source_.mesh.vertices.rows());
   Mark(source_.landmarks, num_vertices, "a landmark");
@@ -82,7 +82,7 @@ Registrar::Registrar(RegistrationTemplate source, const RegistrationOptions& opt
                 source_.landmarks.size());
 }
 
-Registration Registrar::Register(const TriangleMesh& target, const Points& landmark_targets) const {
+Registration NonRigidRegistration::Register(const TriangleMesh& target, const Points& landmark_targets) const {
   const std::vector<int>& ids = source_.landmarks;
   DAUMIER_CHECK(landmark_targets.rows() == static_cast<Eigen::Index>(ids.size()),
                 "{} landmarks on the target, expected {}", landmark_targets.rows(), ids.size());

@@ -31,7 +31,7 @@ struct RegistrationOptions {
     visit("num_rounds", num_rounds, Range{1, 100}, "Rounds; stiffness, weights and limits go from start to end.");
     visit("iterations", iterations, Range{1, 100}, "Closest-point iterations a round.");
     visit("repair_iterations", repair_iterations, Range{0, 1000},
-          "At most so many after the last round, until no triangle is flipped.");
+          "Greatest number of iterations after the last round; they end once no triangle is flipped.");
     visit("stiffness_start", stiffness_start, Range{1e-3, 1e6},
           "Weight of the template's shape in the alignment and the first round; a closest point weighs 1.");
     visit("stiffness_end", stiffness_end, Range{1e-3, 1e6}, "The same in the last round.");
@@ -69,11 +69,11 @@ struct Registration {
 /// and landmarks around it is lowered, so that the surface smoothes itself out there.
 /// Promises: a target equal to the template gives the template; a target that is moved by a similarity gives the same
 /// vertices; the same input gives the same bytes. May be called from several threads at once.
-class Registrar {
+class NonRigidRegistration {
  public:
   /// @throws Error if a landmark or an anchor is out of range or repeated, the weights are not one a landmark and
   /// positive, there are fewer than three landmarks, or as DetailEnergy.
-  Registrar(RegistrationTemplate source, const RegistrationOptions& options);
+  NonRigidRegistration(RegistrationTemplate source, const RegistrationOptions& options);
 
   /// landmark_targets: L x 3, in the target's frame. @throws Error if there are not L, one is not finite, they lie in
   /// one line, the system is singular (a part of the template has no landmark), or as TriangleTree.

@@ -8,7 +8,7 @@
 namespace daumier::geometry {
 
 /// A tree of axis-aligned boxes over the triangles of a mesh, each box halved at the median of the triangles' centres
-/// along its longest side. Keeps its own copy of the mesh. Answers from several threads at once.
+/// along its longest side. Keeps its own copy of the mesh. Const queries are thread-safe.
 class TriangleTree {
  public:
   /// @throws Error if there is no triangle, a corner is no vertex, or a position is not finite.

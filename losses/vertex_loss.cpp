@@ -35,7 +35,7 @@ GramVertexLoss::GramVertexLoss(const torch::Tensor& core, const torch::Tensor& w
   std::tie(basis_, root_gram_) = at::linalg_qr((core * root_weights_).t(), "reduced");
 }
 
-VertexMoments GramVertexLoss::Moments(const torch::Tensor& target) const {
+SufficientStatistics GramVertexLoss::Moments(const torch::Tensor& target) const {
   tensor::CheckShape(target, {tensor::kAny, root_weights_.size(0)}, "target");
   at::NoGradGuard no_grad;
   const auto weighted = target * root_weights_;
@@ -44,7 +44,7 @@ VertexMoments GramVertexLoss::Moments(const torch::Tensor& target) const {
   return {linear, unreachable.square().sum(1)};
 }
 
-torch::Tensor GramVertexLoss::operator()(const torch::Tensor& q, const VertexMoments& moments) const {
+torch::Tensor GramVertexLoss::operator()(const torch::Tensor& q, const SufficientStatistics& moments) const {
   tensor::CheckShape(q, {tensor::kAny, root_gram_.size(1)}, "q");
   tensor::CheckShape(moments.linear, {q.size(0), root_gram_.size(0)}, "moments.linear");
   tensor::CheckShape(moments.constant, {q.size(0)}, "moments.constant");

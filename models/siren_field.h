@@ -8,9 +8,9 @@
 namespace daumier::models {
 
 /// Displacements (B, N, 3) of points (N, 3), or (B, N, 3), by B SIRENs whose parameters (B, layout.num_parameters())
-/// stand in the order of `layout`. Differentiable by the parameters, not by the points. On the CPU in float32 by
-/// runtime::SirenKernel on all threads, elsewhere as SirenFieldByOperations. @throws Error if a shape disagrees, or if points
-/// ask for a gradient.
+/// are in the order of `layout`. Differentiable by the parameters, not by the points. On the CPU in float32 by
+/// runtime::SirenKernel on all threads, elsewhere as SirenFieldByOperations. @throws Error if a shape disagrees, or if
+/// points require a gradient.
 torch::Tensor SirenField(const runtime::SirenLayout& layout, const torch::Tensor& parameters,
                          const torch::Tensor& points);
 

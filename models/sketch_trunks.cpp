@@ -111,7 +111,7 @@ SketchTrunk Points(const TrunkOptions& options) {
     layers->push_back(ReluInPlace());
     from = to;
   }
-  layers->push_back(Greatest());
+  layers->push_back(GlobalMaxPool());
   return {layers, Features(from, options.hidden)};
 }
 

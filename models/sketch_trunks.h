@@ -7,8 +7,8 @@
 
 namespace daumier::models {
 
-/// Which trunk, and its size. kind: "compact", "alexnet", "residual", "points" or "shape"; resolution: side of the sketch
-/// in pixels; width: channels of the first convolution; batch_norm: of alexnet alone; hidden: output features.
+/// Which trunk, and its size. kind: "compact", "alexnet", "residual", "points" or "shape"; resolution: side of the
+/// sketch in pixels; width: channels of the first convolution; batch_norm: of alexnet alone; hidden: output features.
 struct TrunkOptions {
   std::string kind;
   int resolution = 128;
@@ -29,13 +29,12 @@ struct SketchTrunk {
 ///             padding 2, pooling, 5 x 5, pooling, three 3 x 3, pooling; channels 96-256-384-384-256 for width 96, all
 ///             in proportion; pooling is 3 x 3 of stride 2. 256 x 256 pixels give sides of 63-31-15-7, 128 x 128 give
 ///             31-15-7-3
-///   residual  7 x 7 of stride 4, then residual blocks of two 3 x 3 [He et al. 2016], each of stride 2, channels 2
-///   width,
-///             4 width, 6 width, ... 6 width, until the side is 4 or less; 1 x 1 to width channels. The fully
-///             connected layer sees the whole sketch
+///   residual  7 x 7 of stride 4, then residual blocks of two 3 x 3 [He et al. 2016], each of stride 2, channels
+///             2 width, 4 width, 6 width, ... 6 width, until the side is 4 or less; 1 x 1 to width channels. The
+///             fully connected layer reads the whole sketch
 ///   points    1 x 1 convolutions of the points, 2, 4 and 16 width channels, and their greatest values [Qi et al. 2017]
 ///   shape     nothing but the layer of features
-/// shape_size: length of the shape-level numbers, for trunk shape alone.
+/// shape_size: length of the curve coefficients, for trunk shape alone.
 /// @throws Error if the picture is too small for the trunk.
 SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size);
 
@@ -47,8 +46,9 @@ torch::Tensor InPlainLayout(const torch::Tensor& sketches);
 /// them in every pass; the numbers are the same. These convolutions then compute channels-last whatever their input is.
 void StoreChannelsLast(torch::nn::Module& module);
 
-/// The convolution of a sketch itself, in float32 whatever tensor::Autocast says: with one channel to read, LibTorch
-/// takes several times as long for the gradient of its weights in bfloat16. What comes out is what Autocast promises.
+/// The convolution of a sketch itself, in float32 regardless of tensor::Autocast: with one channel to read, LibTorch
+/// takes several times as long for the gradient of its weights in bfloat16. The output has the type that Autocast
+/// promises.
 class SketchConvolutionImpl : public torch::nn::Conv2dImpl {
  public:
   using Conv2dImpl::Conv2dImpl;
@@ -69,10 +69,10 @@ class ResidualBlockImpl : public torch::nn::Module {
 TORCH_MODULE(ResidualBlock);
 
 /// (B, C, P) -> (B, C): the greatest of each channel, whatever the order of the points.
-class GreatestImpl : public torch::nn::Module {
+class GlobalMaxPoolImpl : public torch::nn::Module {
  public:
   torch::Tensor forward(const torch::Tensor& input) { return input.amax(2); }
 };
-TORCH_MODULE(Greatest);
+TORCH_MODULE(GlobalMaxPool);
 
 }  // namespace daumier::models

@@ -10,15 +10,15 @@
 namespace daumier::render {
 
 Frame FrameOf(const geometry::Points& points, double margin) {
-  DAUMIER_CHECK(points.rows() > 0, "a frame around no points was asked for");
-  DAUMIER_CHECK(points.allFinite(), "a frame around points that are not finite was asked for");
+  DAUMIER_CHECK(points.rows() > 0, "a frame needs at least one point");
+  DAUMIER_CHECK(points.allFinite(), "the points of a frame are not finite");
   const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
   return {.centre = 0.5 * (low + high).transpose(), .half_height = 0.5 * margin * (high - low).maxCoeff()};
 }
 
 Camera TurnedCamera(const Eigen::Vector3d& centre, double half_height_cm, int size, double yaw_degrees,
                     double pitch_degrees) {
-  DAUMIER_CHECK(half_height_cm > 0.0 && size > 0, "a camera of {} pixels for {} cm was asked for", size,
+  DAUMIER_CHECK(half_height_cm > 0.0 && size > 0, "a camera of {} pixels for {} cm, expected positive numbers", size,
                 half_height_cm);
   const double yaw = yaw_degrees * std::numbers::pi / 180.0, pitch = pitch_degrees * std::numbers::pi / 180.0;
   const Eigen::Vector3d right(std::cos(yaw), 0.0, -std::sin(yaw));
@@ -42,7 +42,7 @@ Camera SideCamera(const Eigen::Vector3d& centre, double half_height_cm, int size
 
 Camera WithPerspective(const Camera& camera, double distance_cm) {
   DAUMIER_CHECK(!camera.perspective, "the camera is in perspective already");
-  DAUMIER_CHECK(distance_cm > 0.0, "a camera at a distance of {} cm was asked for", distance_cm);
+  DAUMIER_CHECK(distance_cm > 0.0, "a camera at a distance of {} cm, expected a positive one", distance_cm);
   Camera result = camera;
   result.perspective = true;
   result.scale *= distance_cm;
@@ -51,7 +51,7 @@ Camera WithPerspective(const Camera& camera, double distance_cm) {
 }
 
 Camera Enlarged(const Camera& camera, int factor) {
-  DAUMIER_CHECK(factor > 0, "a camera enlarged {} times was asked for", factor);
+  DAUMIER_CHECK(factor > 0, "a camera enlarged {} times, expected a positive factor", factor);
   Camera result = camera;
   result.scale *= factor;
   result.principal_point *= factor;

@@ -19,7 +19,7 @@ struct ContourOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("low", low, Range{0, 10}, "A line goes on as long as it rises this much...");
+    visit("low", low, Range{0, 10}, "A line continues as long as it rises this much...");
     visit("high", high, Range{0, 10}, "... if it rises this much somewhere (hysteresis).");
     visit("min_angle", min_angle, Range{0, 90}, "Least angle in degrees between the surface's normal and the view.");
     visit("min_length", min_length, Range{0, 256}, "Shortest stroke in pixels of the canvas.");
@@ -38,7 +38,7 @@ inline constexpr int kContourRings = 3;
 
 /// Visible suggestive contours as strokes of a kind, in pixels of the visibility's camera: chained, cut where they are
 /// hidden, kept if they reach `high` and are long enough, and smoothed a little along their way. `feature_size` in cm.
-/// `is_drawn` (F) tells in which triangles lines are looked for; empty: in all.
+/// `is_drawn` (F): lines are sought in triangles where it is true; empty: in all.
 /// @throws Error if high is below low, or is_drawn has another size.
 std::vector<Stroke> SuggestiveStrokes(const ContourSurface& surface, const Visibility& visibility, double feature_size,
                                       const ContourOptions& options, int kind, const std::vector<bool>& is_drawn = {});

@@ -31,7 +31,7 @@ ViewCurvature ComputeViewCurvature(const geometry::TriangleMesh& mesh, const geo
 /// One end of a piece of a line.
 struct ContourEnd {
   Eigen::Vector3d point;
-  /// What makes the line stand out: of suggestive contours rise / n_dot_v, of occluding ones the radial curvature, of
+  /// Strength of the line: of suggestive contours rise / n_dot_v, of occluding ones the radial curvature, of
   /// borders nothing.
   double strength = 0;
   /// The mesh edge that it lies on, lower vertex first; a vertex twice at that vertex; {-1, -1} inside of a triangle.

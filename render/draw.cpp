@@ -12,7 +12,7 @@
 namespace daumier::render {
 namespace {
 
-/// Text is drawn so many times larger and averaged down: the font's strokes are one unit wide and ragged at small
+/// Text is drawn larger by this factor and averaged down: the font's strokes are one unit wide and ragged at small
 /// sizes.
 constexpr int kOversampling = 4;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;

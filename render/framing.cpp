@@ -94,10 +94,10 @@ FramedDrawing FrameDrawing(const Drawing& drawing, const FrameOptions& options) 
 
 std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& options) {
   const FramedDrawing framed = FrameDrawing(drawing, options);
-  return Place(framed.strokes, framed.placement);
+  return MapToCanvas(framed.strokes, framed.placement);
 }
 
-std::vector<Stroke> Place(const std::vector<Stroke>& strokes, const Placement& placement) {
+std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement) {
   std::vector<Stroke> placed = strokes;
   for (auto& stroke : placed) {
     for (auto& [x, y] : stroke.points) {

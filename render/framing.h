@@ -22,15 +22,15 @@ struct FrameOptions {
   }
 };
 
-/// Where a sheet stands on the canvas: p_canvas = scale * p_sheet + shift.
+/// Scale and shift of a sheet on the canvas: p_canvas = scale * p_sheet + shift.
 struct Placement {
   double scale = 1.0;
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
 };
 
-std::vector<Stroke> Place(const std::vector<Stroke>& strokes, const Placement& placement);
+std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement);
 
-/// A drawing without what does not belong to it, and where it stands.
+/// A drawing without marks that do not belong to it, and its placement.
 struct FramedDrawing {
   std::vector<Stroke> strokes;  ///< In the sheet's own pixels.
   Eigen::AlignedBox2d box;      ///< Of these strokes, on the sheet.

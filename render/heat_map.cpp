@@ -42,7 +42,7 @@ const Table& TableOf(ColourMap map) {
 }  // namespace
 
 Rgb ColourOf(double value, const ValueRange& range, ColourMap map) {
-  DAUMIER_CHECK(range.low < range.high, "a colour map over [{}, {}] was asked for", range.low, range.high);
+  DAUMIER_CHECK(range.low < range.high, "a colour map over [{}, {}], expected low < high", range.low, range.high);
   if (std::isnan(value)) return kNoValue;
   const double position = 255.0 * std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
   const Table& table = TableOf(map);

@@ -16,7 +16,7 @@ bool IsJpeg(std::string_view bytes) {
   return bytes.starts_with("\xFF\xD8");
 }
 
-/// libjpeg fills what is missing with grey and says nothing: a whole file has its end marker after its last start of
+/// libjpeg fills missing data with grey without an error: a complete file has its end marker after its last start of
 /// scan.
 bool IsTruncatedJpeg(std::string_view bytes) {
   const size_t scan = bytes.rfind("\xFF\xDA");
@@ -54,7 +54,7 @@ cv::Mat DecodeWithOpenCv(std::string_view bytes) {
 
 Image::Image(int height, int width, int channels, uint8_t value) : height(height), width(width), channels(channels) {
   DAUMIER_CHECK(height >= 0 && width >= 0 && (channels == 1 || channels == 3),
-                "an image of {} x {} x {} was asked for, expected H x W x 1 or H x W x 3", height, width, channels);
+                "an image of {} x {} x {}, expected H x W x 1 or H x W x 3", height, width, channels);
   pixels.assign(size_t(height) * width * channels, value);
 }
 

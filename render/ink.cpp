@@ -51,7 +51,7 @@ cv::Mat DistanceToPaper(const Image& ink) {
   return DistanceTo(MatView(ink));
 }
 
-/// Median plus so many deviations of the darkness, most of which is paper.
+/// Median plus a multiple of the deviation of the darkness, most of which is paper.
 double NoiseLimit(const cv::Mat& darkness) {
   std::vector<uint8_t> values(darkness.begin<uint8_t>(), darkness.end<uint8_t>());
   const auto middle = values.begin() + std::ssize(values) / 2;

@@ -20,7 +20,7 @@ LineDrawing TraceLineDrawing(const Image& picture) {
   const int width = std::max(1, static_cast<int>(std::lround(scale * picture.width)));
 
   LineDrawing result;
-  result.flattened = FlattenPaper(Resize(picture, height, width));
+  result.flattened = NormaliseBackground(Resize(picture, height, width));
   result.ink = InkMask(result.flattened);
   const double pen_width = PenWidth(result.ink);
   DAUMIER_CHECK(pen_width > 0.0, "the picture holds no lines; expected dark lines on light paper, or light on dark");

@@ -7,7 +7,7 @@ namespace daumier::render {
 /// A picture of a drawing on the way to its strokes. The pictures of the stages are grey, dark lines on light, and
 /// kLineDrawingSide long on their longer side.
 struct LineDrawing {
-  Image flattened;  ///< On even, white paper: FlattenPaper.
+  Image flattened;  ///< On even, white paper: NormaliseBackground.
   Image ink;        ///< InkMask.
   Image skeleton;   ///< Of the ink whose large areas are hollowed out: HollowAreas, Thin.
   Drawing drawing;  ///< In pixels of the picture.

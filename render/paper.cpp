@@ -15,7 +15,7 @@ namespace {
 
 /// Blocks along the longer side, each of which has a vote on whether lines are dark or light.
 constexpr int kNumVotes = 8;
-/// Blocks along the longer side, each of which tells the paper's brightness once.
+/// Blocks along the longer side, each of which gives one sample of the paper's brightness.
 constexpr int kNumBlocks = 24;
 /// Share of a block's pixels that are darker than its paper.
 constexpr double kPaperQuantile = 0.8;
@@ -129,7 +129,7 @@ cv::Mat Shadows(const cv::Mat& even) {
 
 }  // namespace
 
-Image FlattenPaper(const Image& picture) {
+Image NormaliseBackground(const Image& picture) {
   DAUMIER_CHECK(!picture.pixels.empty(), "the picture is empty");
   cv::Mat grey;
   if (picture.channels == 3) {

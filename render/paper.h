@@ -8,6 +8,6 @@ namespace daumier::render {
 /// its bright side (light, vignetting), times what a closing finds (shadows, stains). Dark areas stay dark however
 /// large.
 /// @throws Error if the picture is empty.
-Image FlattenPaper(const Image& picture);
+Image NormaliseBackground(const Image& picture);
 
 }  // namespace daumier::render

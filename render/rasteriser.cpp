@@ -90,8 +90,8 @@ void RasteriseTriangle(int id, const std::array<Corner, 3>& given, const RasterO
 }  // namespace
 
 Raster Rasterise(const Camera& camera, const geometry::TriangleMesh& mesh, const RasterOptions& options) {
-  DAUMIER_CHECK(camera.width > 0 && camera.height > 0, "a camera of {} x {} pixels was asked to look", camera.height,
-                camera.width);
+  DAUMIER_CHECK(camera.width > 0 && camera.height > 0, "a camera of {} x {} pixels, expected positive sizes",
+                camera.height, camera.width);
   const int num_vertices = static_cast<int>(mesh.vertices.rows());
   DAUMIER_CHECK(
       mesh.triangles.size() == 0 || (mesh.triangles.minCoeff() >= 0 && mesh.triangles.maxCoeff() < num_vertices),

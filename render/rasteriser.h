@@ -8,7 +8,7 @@
 
 namespace daumier::render {
 
-/// What each pixel's centre sees, row-major, height * width entries.
+/// The surface at each pixel's centre, row-major, height * width entries.
 struct Raster {
   int height = 0, width = 0;
   std::vector<int> triangle = {};  ///< Row of the triangle in front, -1 where there is none.

@@ -45,8 +45,8 @@ Grid LayOutGrid(const std::vector<SheetCell>& cells, int columns, int caption_he
 }  // namespace
 
 Image MakeSheet(const std::vector<SheetCell>& cells, int columns, const SheetStyle& style) {
-  DAUMIER_CHECK(!cells.empty(), "a sheet without a picture was asked for");
-  DAUMIER_CHECK(columns > 0, "a sheet of {} columns was asked for", columns);
+  DAUMIER_CHECK(!cells.empty(), "a sheet needs at least one picture");
+  DAUMIER_CHECK(columns > 0, "a sheet of {} columns, expected at least 1", columns);
   const size_t rows = (cells.size() + columns - 1) / columns;
   DAUMIER_CHECK(style.column_titles.size() <= size_t(columns) && style.row_titles.size() <= rows,
                 "{} column titles and {} row titles for a sheet of {} columns and {} rows", style.column_titles.size(),

@@ -116,7 +116,7 @@ class Tracer {
     return line;
   }
 
-  /// Where a line goes on through a junction, the pixels in its blot are left out: thinning bends them.
+  /// Where a line continues through a junction, the pixels in its blot are skipped: thinning bends them.
   void Append(const End& start, const End& last, Points& line) {
     const Points points = PointsFrom(graph_, start);
     const auto is_in_blot = [&](const Vector2d& point, const End& end) {

@@ -11,8 +11,8 @@ struct StrokeSample {
   float cos_double = 1, sin_double = 0;  ///< Of twice the line's angle to the x axis, so that both senses agree.
 };
 
-/// `count` points at equal distances along all strokes, laid end to end in their order: the i-th stands at length
-/// (i + 1/2) / count of the whole. Strokes of one point have no length and are passed over.
+/// `count` points at equal distances along all strokes, laid end to end in their order: the i-th lies at length
+/// (i + 1/2) / count of the whole. Strokes of one point have no length and are skipped.
 /// @throws Error if count is not positive or no stroke has a length.
 std::vector<StrokeSample> SampleStrokes(const std::vector<Stroke>& strokes, int count);
 

@@ -66,7 +66,7 @@ void DrawCapsule(const Capsule& capsule, Image& image) {
 }  // namespace
 
 Image RasteriseStrokes(const std::vector<Stroke>& strokes, int size, const StrokeStyle& style) {
-  DAUMIER_CHECK(size > 0, "a sketch of {} pixels was asked for", size);
+  DAUMIER_CHECK(size > 0, "a sketch of {} pixels, expected a positive size", size);
   DAUMIER_CHECK(style.width > 0.0, "strokes have the width {}, expected a positive number", style.width);
   Image image(size, size, 1, 255);
   const double scale = static_cast<double>(size) / kSketchCanvas;

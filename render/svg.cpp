@@ -75,7 +75,7 @@ bool IsLeftOut(const pugi::xml_node& node) {
   return Property(node, "display") == "none" || IsZero(Property(node, "opacity"));
 }
 
-/// What an element hands to those inside it.
+/// Properties that elements inherit.
 struct Inherited {
   Affine2d sheet_from_local = Affine2d::Identity();
   bool visible = true;
@@ -105,7 +105,7 @@ std::optional<double> Length(std::string_view text) {
 
 /// The sheet, and how the coordinates of the outermost element lie on it.
 struct Sheet {
-  double width = 0.0, height = 0.0;  ///< 0 where the file does not tell.
+  double width = 0.0, height = 0.0;  ///< 0 where the file has none.
   Affine2d from_user = Affine2d::Identity();
 };
 
@@ -124,7 +124,7 @@ Sheet SheetOf(const pugi::xml_node& root) {
     value = numbers.Number();
   }
   DAUMIER_CHECK(box[2] > 0 && box[3] > 0, "viewBox is '{}', expected a positive size", view_box);
-  // A side that is not told follows from the other and the shape of the box.
+  // A missing side follows from the other and the shape of the box.
   sheet.width = width ? *width : height ? *height * box[2] / box[3] : box[2];
   sheet.height = height ? *height : sheet.width * box[3] / box[2];
   Vector2d scale(sheet.width / box[2], sheet.height / box[3]);
@@ -160,7 +160,7 @@ std::string RectangleData(const pugi::xml_node& node) {
                      y + height, x + rx, rx, ry, x, y + height - ry, y + ry, rx, ry, x + rx, y);
 }
 
-/// A shape as the path that stands for it [SVG 1.1, 9]; nothing if the element is none.
+/// The path equivalent to a shape [SVG 1.1, 9]; nothing if the element is no shape.
 std::optional<std::string> PathDataOf(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   if (name == "path") return node.attribute("d").value();

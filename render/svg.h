@@ -16,7 +16,7 @@ void WriteSvg(const std::filesystem::path& path, const std::vector<Stroke>& stro
               const std::vector<std::string>& kind_names);
 
 /// The lines of an SVG [SVG 1.1]: path, polyline, polygon, line, rect, circle and ellipse, under the transforms of
-/// their groups, in the pixels that width and height tell (else those of the viewBox, else as far as the strokes
+/// their groups, in the pixels of width and height (else those of the viewBox, else as far as the strokes
 /// reach). Curves are flattened to a tenth of a pixel of a 256 canvas. A stroke's kind is the place of the first word
 /// of its class, or else of its groups' classes, that kind_names holds; 0 where there is none. Shapes are read as their
 /// outlines. Left out: what is not shown (display, visibility, opacity, neither fill nor stroke), definitions, white

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A damaged file can ask for curves of any size.
+/// A damaged file can contain curves of any size.
 constexpr double kMaxChords = 4096;
 
 int NumChords(double wanted) {

@@ -27,7 +27,7 @@ Affine2d Matrix(double a, double b, double c, double d, double e, double f) {
   return transform;
 }
 
-/// @throws Error if there is no function of that name with so many numbers.
+/// @throws Error if no function of that name takes this number of values.
 Affine2d TransformOf(std::string_view name, const std::vector<double>& values) {
   const size_t count = values.size();
   const auto value = [&](size_t i, double otherwise = 0.0) { return i < count ? values[i] : otherwise; };

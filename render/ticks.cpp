@@ -8,8 +8,8 @@
 namespace daumier::render {
 
 double NiceStep(double range, int max_steps) {
-  DAUMIER_CHECK(std::isfinite(range) && range > 0.0 && max_steps > 0, "an axis over {} with {} steps was asked for",
-                range, max_steps);
+  DAUMIER_CHECK(std::isfinite(range) && range > 0.0 && max_steps > 0,
+                "an axis over {} with {} steps, expected positive numbers", range, max_steps);
   const double smallest = range / max_steps;
   const double power = std::pow(10.0, std::floor(std::log10(smallest)));
   for (const double factor : {1.0, 2.0, 5.0}) {

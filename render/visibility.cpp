@@ -8,7 +8,7 @@ namespace daumier::render {
 
 Visibility::Visibility(const Camera& camera, const geometry::TriangleMesh& occluders, double tolerance)
     : camera_(camera), tolerance_(tolerance), raster_(Rasterise(camera, occluders)) {
-  DAUMIER_CHECK(tolerance >= 0, "a depth map with the tolerance {} cm was asked for", tolerance);
+  DAUMIER_CHECK(tolerance >= 0, "a depth map with the tolerance {} cm, expected 0 or more", tolerance);
 }
 
 bool Visibility::Sees(const Eigen::RowVector3d& projected) const {

@@ -5,7 +5,7 @@
 
 namespace daumier::render {
 
-/// Which points on a surface a camera sees, by a depth map of the camera's size. A point counts as hidden if all of the
+/// Visibility of surface points by a depth map of the camera's size. A point counts as hidden if all of the
 /// 3 x 3 pixels around it show something that is nearer by more than the tolerance: neither its own triangle nor the
 /// steep neighbour at a contour hides it, and an occluder uncovers at most a pixel and a half at its border. Points
 /// outside of the picture are seen.

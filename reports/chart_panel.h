@@ -12,7 +12,7 @@ struct ChartPanel {
   double left, right, top, bottom;
   double x_max, y_max;
 
-  /// Where a value stands.
+  /// Position of a value on the panel.
   double x(double value) const { return left + (right - left) * value / x_max; }
   double y(double value) const { return bottom - (bottom - top) * value / y_max; }
 
@@ -22,7 +22,7 @@ struct ChartPanel {
 };
 
 /// A whole SVG document of `content` with a light and a dark look. `style` is further CSS; classes `paper`, `grid` and
-/// `axis` and the look of text are told here.
+/// `axis` and the look of text are defined here.
 std::string ChartSvg(double width, double height, std::string_view title, std::string_view style,
                      std::string_view content);
 

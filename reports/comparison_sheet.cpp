@@ -26,8 +26,8 @@ double RangeOf(const std::vector<ComparedFace>& faces, double range_mm) {
 }
 
 void CheckFaces(const std::vector<std::string>& names, const std::vector<ComparedFace>& faces) {
-  DAUMIER_CHECK(!faces.empty() && !names.empty(), "a comparison of {} predictors on {} faces was asked for",
-                names.size(), faces.size());
+  DAUMIER_CHECK(!faces.empty() && !names.empty(),
+                "a comparison of {} predictors on {} faces, expected at least one of each", names.size(), faces.size());
   const Eigen::Index num_vertices = faces.front().truth.rows();
   for (const ComparedFace& face : faces) {
     DAUMIER_CHECK(face.predictions.size() == names.size(), "'{}' has {} predictions for {} predictors", face.title,

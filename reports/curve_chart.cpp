@@ -15,10 +15,10 @@ namespace {
 // The chart's own pixels.
 constexpr double kMinWidth = 900.0, kPanelHeight = 300.0, kTop = 36.0, kGap = 84.0;
 constexpr double kCurvesLeft = 58.0, kCurvesRight = 620.0, kLegend = 644.0, kLegendLine = 19.0, kLetter = 7.5;
-/// How far the axis goes on above the largest of the least values.
+/// Upper end of the axis as a multiple of the largest of the least values.
 constexpr double kHeadroom = 1.6;
 
-/// Told apart also by readers who see fewer colours, on white and on black [Tol 2021, bright].
+/// Distinguishable with colour vision deficiency, on white and on black [Tol 2021, bright].
 constexpr std::array<const char*, 7> kColours = {"#4477aa", "#ee6677", "#228833", "#ccbb44",
                                                  "#66ccee", "#aa3377", "#888888"};
 

@@ -17,8 +17,8 @@ struct CurvePanel {
 };
 
 /// Curves as SVG, a panel below the other, all with the same colours and axis of y. A dot marks the least y of each
-/// curve, and the legend tells the least of each name, the smallest first. The axis of y ends a little above the
-/// largest of these least values, so that steep beginnings do not flatten what matters; what is above is cut.
+/// curve, and the legend lists each curve's minimum, ascending. The axis of y ends a little above the
+/// largest of these least values, so that steep beginnings do not flatten the curves; parts above are cut.
 /// @throws Error if no curve has a point, the lengths of x and y differ, or a number is negative or not finite.
 std::string CurveChartSvg(const std::vector<CurvePanel>& panels, std::string_view title, std::string_view x_label,
                           std::string_view y_label);

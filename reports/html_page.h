@@ -11,7 +11,7 @@ struct ReportFact {
   std::string name, value;  ///< "seed", "7".
 };
 
-/// A picture that lies beside the page.
+/// A picture in the page's folder.
 struct HtmlFigure {
   std::string title, file, caption;
 };
@@ -24,7 +24,7 @@ struct HtmlPage {
   std::vector<ReportFact> facts = {};
 };
 
-/// The text with &, <, >, " and ' replaced by entities, so that it can stand in HTML between tags and in quotes.
+/// The text with &, <, >, " and ' replaced by entities, so that it is valid in HTML between tags and in quotes.
 std::string EscapeHtml(std::string_view text);
 
 /// A page that needs nothing from elsewhere but its pictures: title and summary, tables, pictures, facts. All text is

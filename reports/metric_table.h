@@ -45,7 +45,7 @@ struct MetricRow {
   std::string input = "";
   bool baseline = false;                                ///< Needs no training and does not depend on the run.
   std::vector<std::optional<MetricValue>> values = {};  ///< One a column; absent where it was not measured.
-  /// Numbers of the first column of the first so many faces of the table; empty if unknown.
+  /// First column for the first faces of the table, as many as this has; empty if unknown.
   std::vector<double> face_errors = {};
   Json details = Json::object();  ///< Further entries of the row in JSON.
 
@@ -57,7 +57,7 @@ struct MetricTable {
   std::vector<Metric> columns;  ///< The first is the error by which rows are compared.
   std::vector<MetricRow> rows = {};
   size_t result = 0;                         ///< The row of the run's own network.
-  std::vector<int> faces = {}, groups = {};  ///< Indices of the measured faces; whom each shows, resampled as one.
+  std::vector<int> faces = {}, groups = {};  ///< Indices of the measured faces; person of each, resampled as one.
   Json data_hash = {};                       ///< Of every database that was read.
 };
 
@@ -87,7 +87,7 @@ Json TableJson(const MetricTable& table);
 /// value, apart from the first column's. @throws Error if the list is malformed.
 std::vector<MetricRow> RowsFromJson(const Json& list, const std::vector<Metric>& columns);
 
-/// The table as text: the rows' names under `names`, the input if a row has one, then the columns. A dash stands for an
+/// The table as text: the rows' names under `names`, the input if a row has one, then the columns. A dash marks an
 /// absent value.
 ReportTable TextTable(const MetricTable& table, const std::string& title = "Errors",
                       const std::string& names = "predictor");

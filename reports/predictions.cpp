@@ -1,7 +1,7 @@
 #include "reports/predictions.h"
 
 #include "core/error.h"
-#include "core/even_choice.h"
+#include "core/evenly_spaced.h"
 #include "core/safetensors.h"
 #include "geometry/coordinates.h"
 
@@ -119,7 +119,7 @@ const FacePrediction& Predictions::at(int face) const {
 }
 
 std::vector<int> KeptFaces(const MetricTable& table) {
-  const std::vector<int> even = EvenChoice(table.faces, kEvenFaces);
+  const std::vector<int> even = EvenlySpaced(table.faces, kEvenFaces);
   std::set<int> kept(even.begin(), even.end());
   for (const ChosenFace& chosen : ChooseFaces(table.faces, ResultErrors(table))) kept.insert(chosen.face);
   return {kept.begin(), kept.end()};

@@ -31,7 +31,7 @@ struct Predictions {
   const FacePrediction& at(int face) const;
 };
 
-/// The faces whose predictions a report keeps, ascending: at most 16 evenly spread over the faces of the table, equal
+/// The faces whose predictions a report keeps, ascending: at most 16 evenly spaced faces of the table, equal
 /// for all reports on these faces, and those of ChooseFaces by the errors of the result.
 std::vector<int> KeptFaces(const MetricTable& table);
 

@@ -5,7 +5,7 @@
 
 namespace daumier::reports {
 
-/// index.html of a report: title and summary, tables, the pictures that lie beside it, and the facts
+/// index.html of a report: title and summary, tables, the pictures in its folder, and the facts
 /// (eval/html_page.h).
 std::string ReportPage(const ReportData& data);
 

@@ -4,7 +4,7 @@
 
 namespace daumier::reports {
 
-/// Rows of text as they are shown; the first column is set to the left, the others to the right.
+/// Rows of text; the first column is set to the left, the others to the right.
 struct ReportTable {
   std::string title;
   std::vector<std::string> header;

@@ -5,8 +5,8 @@
 namespace daumier::runtime {
 namespace {
 
-/// A register of so many numbers. Wider vectors than the processor's own are taken apart one by one by g++. In memory
-/// they stand anywhere in an array of floats; by memcpy g++ would keep them out of registers. Each width is written out
+/// A register of kLanes numbers. Wider vectors than the processor's own are taken apart one by one by g++. In memory
+/// they lie anywhere in an array of floats; by memcpy g++ would keep them out of registers. Each width is written out
 /// since g++ drops `may_alias` from types that depend on a template's argument.
 template <int kLanes>
 struct Register;

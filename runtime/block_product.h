@@ -8,7 +8,7 @@ inline constexpr int64_t kProductColumns = 16;
 
 /// A small matrix product for blocks that stay in the cache, on one thread, in the widest vectors that the processor
 /// has: c = a b, or c += a b if `add`. a is rows x inner, or inner x rows if `transposed`; b is inner x columns, c rows
-/// x columns; all row by row without gaps. A BLAS packs both factors anew for every block, which for blocks of a few
+/// x columns; all row by row without gaps. A BLAS packs both factors for every block, which for blocks of a few
 /// hundred rows costs as much as a third of the product.
 void BlockProduct(const float* a, bool transposed, const float* b, int64_t rows, int64_t inner, int64_t columns,
                   bool add, float* c);

@@ -6,9 +6,9 @@
 
 namespace daumier::runtime {
 
-/// The layers of a SIREN [Sitzmann et al. 2020] from three coordinates to three, and where their parameters stand in
+/// The layers of a SIREN [Sitzmann et al. 2020] from three coordinates to three, and the order of their parameters in
 /// one array: weights of layer 0 (outputs x inputs), its biases, those of layer 1, ... Layer 0 and the hidden layers
-/// answer sin(omega (W x + b)), the last one W x + b. The width is a multiple of kProductColumns.
+/// compute sin(omega (W x + b)), the last one W x + b. The width is a multiple of kProductColumns.
 struct SirenLayout {
   int width = 128;
   int hidden_layers = 3;
@@ -42,8 +42,8 @@ class SirenKernel {
 
   /// displacements = S(points); both num_points x 3.
   void Forward(const float* parameters, const float* points, int64_t num_points, float* displacements);
-  /// Adds to parameter_gradient the gradient of sum(displacements * displacement_gradient). Activations are computed
-  /// anew: a third more arithmetic, but nothing is stored between a forward and a backward pass.
+  /// Adds to parameter_gradient the gradient of sum(displacements * displacement_gradient). Activations are recomputed:
+  /// about 1/3 more FLOPs, no stored activations.
   void Backward(const float* parameters, const float* points, int64_t num_points, const float* displacement_gradient,
                 float* parameter_gradient);
 

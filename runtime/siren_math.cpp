@@ -35,7 +35,7 @@ struct Reduced {
 };
 
 DAUMIER_INLINE void Reduce(const Floats& angle, Reduced& reduced) {
-  // Adding 1.5 * 2^23 rounds to an integer, which then stands in the lowest bits.
+  // Adding 1.5 * 2^23 rounds to an integer, which then occupies the lowest bits.
   constexpr float kRounder = 12582912.0f;
   // pi in three parts; the first two have zeros behind, so that their products with small integers are exact.
   constexpr float kPi1 = 3.140625f, kPi2 = 9.67502593994140625e-4f, kPi3 = 1.509957990978376432e-7f;

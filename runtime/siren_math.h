@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-/// What SIREN layers do to whole blocks of numbers beside products, in the widest vectors that the processor has.
+/// Elementwise operations of SIREN layers on whole blocks of numbers, in the widest vectors that the processor has.
 /// Absolute errors of sines and cosines stay below 3e-7 for |omega (x + b)| < 2000.
 namespace daumier::runtime {
 

@@ -8,10 +8,10 @@
 
 namespace daumier::systems {
 
-/// `daumier predict`: for every input of the files a mesh NAME.obj, a sheet NAME.png of input, front and side, of drawings
-/// also the strokes on the canvas NAME.svg, and a manifest (kind "predictions"). NAME is the file's; inputs of the same
-/// name are numbered -2, -3, ... details.drawings.NAME holds the record of each result. `options`: of the predictor, every
-/// one present, for the manifest.
+/// `daumier predict`: for every input of the files a mesh NAME.obj, a sheet NAME.png of input, front and side, of
+/// drawings also the strokes on the canvas NAME.svg, and a manifest (kind "predictions"). NAME is the file's; inputs of
+/// the same name are numbered -2, -3, ... details.drawings.NAME holds the record of each result. `options`: of the
+/// predictor, every one present, for the manifest.
 /// Nothing is written unless every file can be read and every input predicted.
 /// @throws Error naming the file and the cause; Cancelled if the task is.
 void PredictFiles(const System& system, const Predictor& predictor, const std::filesystem::path& run,

@@ -18,7 +18,7 @@
 
 namespace daumier::systems {
 
-/// What a person brings. A system takes one kind or several.
+/// Input of a prediction. A system accepts one kind or several.
 using Input = std::variant<render::Drawing, render::Image, geometry::PolygonMesh>;
 
 /// A face found for an input.

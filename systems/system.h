@@ -16,7 +16,7 @@ namespace daumier::exporting {
 struct RunExport;  // export/run_export.h, of the training library.
 }
 
-/// The one interface of a trainable task. What `train`, `eval`, `ablate`, `predict` and `export` know of a system is its
+/// The one interface of a trainable task. `train`, `eval`, `ablate`, `predict` and `export` access a system through its
 /// row in a table; no verb compares names.
 namespace daumier::systems {
 
@@ -64,7 +64,7 @@ struct SystemTraining {
   /// Measures a finished run; writes nothing (reports::WriteEvaluation does). Opens databases by `databases`.
   reports::Evaluation (*evaluate)(const std::filesystem::path& run, const Json& options, FolderCache& databases,
                                   const Task& task);
-  /// A finished run as it is exported.
+  /// The export of a finished run.
   exporting::RunExport (*describe_export)(const std::filesystem::path& run);
   /// Milliseconds from one input to its vertices: the median of many runs with batch 1 on the CPU.
   double (*infer_ms)(const std::filesystem::path& run);

@@ -38,8 +38,8 @@ struct TrainingLibrary {
   const SystemTraining& at(std::string_view name) const;
 };
 
-/// Loads the library once, from the program's folder or its ../lib, and sets its threads (NumThreads). @throws Error naming file, cause and repair if it is
-/// missing, does not load or is of another build.
+/// Loads the library once, from the program's folder or its ../lib, and sets its threads (NumThreads). @throws Error
+/// naming file, cause and repair if it is missing, does not load or is of another build.
 const TrainingLibrary& LoadTrainingLibrary();
 
 /// The symbol of the library: const TrainingLibrary* daumier_training_library().

@@ -46,7 +46,8 @@ Eigen::Map<const RowMajorMatrix<T>> ViewAsMatrix(const torch::Tensor& tensor) {
   CheckShape(tensor, {kAny, kAny}, "tensor");
   DAUMIER_CHECK(
       tensor.is_contiguous() && tensor.device().is_cpu() && tensor.scalar_type() == c10::CppTypeToScalarType<T>::value,
-      "only a contiguous tensor on the CPU of the asked element type can be viewed as a matrix; this one is {} on {}",
+      "only a contiguous tensor on the CPU of the requested element type can be viewed as a matrix; this one is {} on "
+      "{}",
       c10::toString(tensor.scalar_type()), tensor.device().str());
   return {tensor.data_ptr<T>(), tensor.size(0), tensor.size(1)};
 }

@@ -17,8 +17,8 @@ std::string ShapeText(at::IntArrayRef shape);
 /// if the tensor is undefined.
 void CheckShape(const torch::Tensor& tensor, at::IntArrayRef expected, std::string_view name);
 
-/// Whether its numbers are float32 in one piece of this computer's memory, in whatever order of dimensions: what loops over
-/// data_ptr() need.
+/// Whether its numbers are float32 in one piece of this computer's memory, in whatever order of dimensions: what loops
+/// over data_ptr() need.
 bool IsDenseFloat(const torch::Tensor& tensor);
 
 }  // namespace daumier::tensor

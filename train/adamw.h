@@ -6,7 +6,8 @@
 
 namespace daumier::train {
 
-/// The factors of a step of AdamW [Loshchilov and Hutter 2019], rounded to the tensors' element type where they meet it:
+/// The factors of a step of AdamW [Loshchilov and Hutter 2019], rounded to the tensors' element type where they meet
+/// it:
 ///   m = beta1 m + (1 - beta1) g,  v = beta2 v + (1 - beta2) g^2,
 ///   p = decay p - step_size m / (sqrt(v) / root_correction + 1e-8).
 struct AdamWFactors {

@@ -26,8 +26,9 @@ struct KernelFactors {
   float beta1, beta2, rest1, rest2, decay, root_correction, negative_step;
 };
 
-// LibTorch fuses the product with the sum for the mean and for the square of the gradient, and rounds all else one by one.
-// The last sum is written as a fused 1 * x + y, which rounds as x + y does and which no compiler fuses with the decay.
+// LibTorch fuses the product with the sum for the mean and for the square of the gradient, and rounds all else one by
+// one. The last sum is written as a fused 1 * x + y, which rounds as x + y does and which no compiler fuses with the
+// decay.
 
 __attribute__((target("avx512f"))) int64_t Avx512(const KernelFactors& f, const AdamWNumbers& n, int64_t i,
                                                   int64_t end) {

@@ -12,7 +12,7 @@ constexpr int kFormatVersion = 1;
 constexpr const char* kStateFile = "state.json";
 constexpr const char* kTimeFile = "time.json";
 
-fs::path Beside(const fs::path& directory, const char* suffix) {
+fs::path SiblingPath(const fs::path& directory, const char* suffix) {
   return directory.string() + suffix;
 }
 
@@ -34,7 +34,7 @@ tensor::NamedTensors ReadChecked(const fs::path& file, const Json& checksums) {
 }  // namespace
 
 void WriteCheckpoint(const fs::path& directory, const Checkpoint& checkpoint) {
-  const fs::path fresh = Beside(directory, ".new"), old = Beside(directory, ".old");
+  const fs::path fresh = SiblingPath(directory, ".new"), old = SiblingPath(directory, ".old");
   fs::remove_all(fresh);
   MakeDirectory(fresh);
   Json checksums = Json::object();
@@ -54,8 +54,8 @@ void WriteCheckpoint(const fs::path& directory, const Checkpoint& checkpoint) {
 }
 
 std::optional<Checkpoint> ReadCheckpoint(const fs::path& directory) {
-  // Between the two renames of WriteCheckpoint only the old folder is there.
-  const fs::path source = fs::exists(directory) ? directory : Beside(directory, ".old");
+  // Between the two renames of WriteCheckpoint only the old folder exists.
+  const fs::path source = fs::exists(directory) ? directory : SiblingPath(directory, ".old");
   if (!fs::exists(source)) return std::nullopt;
   const Json head = Json::parse(ReadFile(source / kStateFile), nullptr, /*allow_exceptions=*/false);
   DAUMIER_CHECK(

@@ -8,8 +8,9 @@
 namespace daumier::train {
 
 /// All that a training needs to resume as if it had never stopped, on any device. On disk a folder: model.safetensors,
-/// optimiser.safetensors, random.safetensors, state.json ({format_version, state, checksums}) and time.json ({seconds}).
-/// Only time.json has a clock; the others have equal bytes in equal trainings. None has a path or host name.
+/// optimiser.safetensors, random.safetensors, state.json ({format_version, state, checksums}) and time.json
+/// ({seconds}). Only time.json has a clock; the others have equal bytes in equal trainings. None has a path or host
+/// name.
 struct Checkpoint {
   tensor::NamedTensors model;
   tensor::NamedTensors optimiser;
@@ -19,7 +20,7 @@ struct Checkpoint {
 };
 
 /// Replaces the checkpoint of that folder. A kill at any point leaves either the old one or the new one whole: the new
-/// one is written beside it, as DIRECTORY.new, and then takes its place, while the old one waits as DIRECTORY.old.
+/// one is written next to it, as DIRECTORY.new, and then takes its place, while the old one waits as DIRECTORY.old.
 /// @throws Error as WriteFileAtomically.
 void WriteCheckpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint);
 

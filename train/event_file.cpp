@@ -145,7 +145,7 @@ void ReadMessage(std::string_view message, std::vector<ScalarEvent>& events) {
   }
 }
 
-/// The message at the front of `bytes`, which loses the record; nothing if the record is cut short or damaged.
+/// The message at the front of `bytes`, which loses the record; nothing if the record is truncated or damaged.
 std::optional<std::string_view> TakeRecord(std::string_view& bytes) {
   constexpr size_t kAround = sizeof(uint64_t) + 2 * sizeof(uint32_t);
   if (bytes.size() < kAround) return std::nullopt;

@@ -21,10 +21,10 @@ struct ScalarEvent {
 /// }.
 class EventWriter {
  public:
-  /// Starts the file if it is missing or empty. TensorBoard wants "tfevents" in the name. @throws Error if it cannot be
-  /// written.
+  /// Starts the file if it is missing or empty. TensorBoard requires "tfevents" in the name. @throws Error if it cannot
+  /// be written.
   explicit EventWriter(const std::filesystem::path& file);
-  /// Written through at once, so that TensorBoard sees a running training.
+  /// Written through at once, so that TensorBoard can display a running training.
   void Write(const ScalarEvent& event);
 
  private:
@@ -32,7 +32,7 @@ class EventWriter {
   std::ofstream stream_;
 };
 
-/// The events up to the first record that is cut short or damaged, which is where a killed writer stopped.
+/// The events up to the first truncated or damaged record, where a killed writer stopped.
 /// @throws Error if the file cannot be read or is no event file.
 std::vector<ScalarEvent> ReadEvents(const std::filesystem::path& file);
 

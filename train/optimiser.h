@@ -11,8 +11,8 @@
 
 namespace daumier::train {
 
-/// The step size of step 0, 1, ..., total_steps - 1. With W = ceil(warm_up * total_steps), p = learning_rate, f =
-/// final_rate:
+/// The step size of step 0, 1, ..., total_steps - 1. With W = ceil(warm_up * total_steps), p = learning_rate and
+/// f = final_rate:
 ///   p (step + 1) / W in the first W steps, then p (f + (1 - f) (1 + cos(pi (step - W) / (total_steps - W))) / 2).
 double LearningRate(const OptimiserOptions& options, int64_t step, int64_t total_steps);
 

@@ -18,9 +18,9 @@ struct LossTerms {
   std::map<std::string, torch::Tensor> parts;
 };
 
-/// A part of a training that minimises a loss of its own, with a learning rate that rises and falls anew.
+/// A part of a training with its own loss, warm-up and decay of the learning rate.
 struct Stage {
-  std::string name;  ///< Stands in the log.
+  std::string name;  ///< Printed in the log.
   double share = 1;  ///< Of all steps; those of a recipe add up to 1.
   double rate = 1;   ///< Factor of the learning rate.
 };

@@ -43,7 +43,7 @@ bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Js
   namespace fs = std::filesystem;
   const bool begun = fs::exists(directory / "resolved.toml") || fs::exists(directory / "manifest.json");
   if (begun && !resume)
-    throw UsageError(fmt::format("{} already holds a run: go on with it by --resume, or name another folder by --out",
+    throw UsageError(fmt::format("{} already holds a run: resume it with --resume, or name another folder by --out",
                                  directory.string()));
   if (!begun && resume)
     throw UsageError(

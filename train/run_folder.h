@@ -15,11 +15,11 @@ namespace daumier::train {
 /// that is missing there counts as its value in `defaults`.
 std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, const Json& defaults = Json::object());
 
-/// Makes `directory` ready for a run. Returns false if the run is to be started and true if it is to be gone on with,
-/// which is where its manifest is. `config` (without paths) and `data` (the hash of every database) are what the
-/// manifest must then hold as `config` and `details.data`; options that are newer than the run count as in `defaults`.
-/// @throws UsageError if a run is there but `resume` is not asked for, if `resume` is but nothing is there, or if the
-/// run there has another config or other data, saying what differs.
+/// Prepares `directory` for a run. Returns true when resuming, i.e. when manifest.json exists. The manifest must then
+/// hold `config` (without paths) as `config` and `data` (the hash of every database) as `details.data`; options that
+/// are newer than the run count as in `defaults`.
+/// @throws UsageError if a run exists but `resume` is false, if `resume` is true but none exists, or if the run has
+/// another config or other data; the message lists the differences.
 bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data,
                    const Json& defaults = Json::object());
 

@@ -26,7 +26,7 @@ class RunLog {
   static constexpr const char* kEventFile = "events.out.tfevents.daumier";
 
   /// Opens both files in the run folder, starting them if they are missing. What was written after `last_step`, the
-  /// step of the checkpoint that training goes on from, is dropped, and so is a line that a kill cut short.
+  /// step of the checkpoint that training resumes from, is dropped; an incomplete last line is too.
   RunLog(const std::filesystem::path& run_directory, int64_t last_step);
 
   /// phase: "train" or "validation". Written through at once.
@@ -45,8 +45,8 @@ struct MetricsRecord {
   double seconds = 0;  ///< Training time until it was written, across resumes.
 };
 
-/// Every whole line of metrics.jsonl; a line that a kill cut short is left out. `seconds` of a line is the total where it
-/// has session_seconds. Lines of older runs count from the last resume: a resume lies between two of them where the
+/// Every whole line of metrics.jsonl; an incomplete last line is skipped. `seconds` of a line is the total where
+/// it has session_seconds. Lines of older runs count from the last resume: a resume lies between two of them where the
 /// clock of the second, its event's wall time less its seconds, starts after the first was written, or, without events,
 /// where the seconds fall. @throws Error if there is no metrics.jsonl.
 std::vector<MetricsRecord> ReadMetrics(const std::filesystem::path& run_directory);

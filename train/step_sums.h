@@ -20,15 +20,15 @@ struct NotFinite {
 /// all that returns numbers does.
 class StepSums {
  public:
-  /// The numbers of a step: scalars on one device. The first step with a number that is not finite is remembered until a
-  /// step has other names.
+  /// The numbers of a step: scalars on one device. The first step with a number that is not finite is remembered until
+  /// a step has other names.
   void Add(int64_t step, const std::map<std::string, torch::Tensor>& numbers);
   /// Number of steps since Clear.
   int num_steps() const { return num_steps_; }
   /// Totals since Clear, of all steps. A name that some steps lack counts as 0 in these.
   std::map<std::string, double> Totals() const;
   void Clear();
-  /// Continues from the totals of so many steps.
+  /// Continues from the totals of num_steps steps.
   void Load(std::map<std::string, double> totals, int num_steps);
 
   /// Of the first step that had one, "loss" before all others and "gradient_norm" after them.

@@ -9,17 +9,17 @@
 
 namespace daumier::train {
 
-/// The one loop. Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and leaves
-/// there:
+/// Trains the recipe's network, from the last checkpoint in `run_directory` if there is one, and writes there
 ///   metrics.jsonl, TensorBoard events   training terms as means over log_every steps, learning_rate, gradient_norm;
-///                                        validation
-///   checkpoints/latest/                  after every validation, see train/checkpoint.h
-///   best/model.safetensors               the weights whose validation metric was least, the first of equals; weights
-///                                        are validated after every validate_every epochs and the last one
-/// The recipe's stages follow each other; the optimiser begins each anew, with the learning rate of LearningRate over
-/// the steps of the stage. Patience counts in the last stage alone.
+///                                       validation
+///   checkpoints/latest/                 after every validation, see train/checkpoint.h
+///   best/model.safetensors              the weights whose validation metric was least, the first of equals; weights
+///                                       are validated after every validate_every epochs and the last one
+/// The recipe's stages follow each other; the optimiser is reset at the start of each, with the learning rate of
+/// LearningRate over the steps of the stage. Patience counts in the last stage alone.
 /// The order of the samples of an epoch depends on (seed, epoch) alone, and all else that matters is in the checkpoint:
-/// a training that was stopped anywhere and went on ends with the same bytes as one that was not, on as many threads.
+/// a training that was interrupted anywhere and resumed ends with the same bytes as an uninterrupted one, given the
+/// same number of threads.
 /// @throws Error if a loss or a gradient is not a number (the batch is in nan_batch.safetensors, the message says
 /// where); Cancelled, after a checkpoint, with the command that resumes.
 TrainingSummary Train(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options,

@@ -50,7 +50,7 @@ std::string Text(ablation::RowState state) {
   switch (state) {
     case ablation::RowState::kToTrain:
       return "to train";
-    case ablation::RowState::kToGoOn:
+    case ablation::RowState::kToResume:
       return "to resume";
     case ablation::RowState::kToEvaluate:
       return "to evaluate";

@@ -8,7 +8,7 @@ namespace daumier::datasets {
 /// How well the faces of one database are rebuilt from the principal components of another one's.
 struct Coverage {
   int num_basis_faces = 0;        ///< Faces that the components come from: SampleFaces, at most 600.
-  std::vector<int> components;    ///< 0, 10, 50, 100, 150, 200, as far as there are so many.
+  std::vector<int> components;    ///< 0, 10, 50, 100, 150, 200, up to the number available.
   std::vector<double> errors_mm;  ///< Of each count: mean distance of a vertex over the region `face` and all faces.
 };
 

@@ -39,12 +39,12 @@ struct FacesOptions {
           "Standard deviation of a person's strength of an expression about 1, cut at two deviations.");
     visit("levels", levels, Choices{{"whole", "parts"}},
           "whole: a level exaggerates the whole face by its gamma; parts: it exaggerates each part by a strength that "
-          "is drawn anew for every person and level, in proportion to its gamma.");
+          "is drawn for every person and level, in proportion to its gamma.");
     visit("exaggeration", exaggeration, Table{}, "Levels of exaggeration; the first gamma has to be 0.");
     visit("parts", parts, Table{}, "How strengths of parts are drawn.");
     visit("num_interpolated", num_interpolated, Range{0, 10000000}, "Faces between two persons of a family.");
     visit("family_size", family_size, Range{2, 1000},
-          "Persons between whom faces are interpolated; a split by person keeps a family on one side.");
+          "Persons between whom faces are interpolated; a split by person keeps a family in one subset.");
   }
 };
 
@@ -55,8 +55,8 @@ struct FacesOptions {
 ///   strength of that expression, from Stream(seed, "expression strengths", p), so that the faces are no plain
 ///   bilinear product of persons and expressions.
 /// - Interpolated faces are Interpolate of faces of two persons of a family (datasets/build/interpolation.h).
-/// A source that gives faces instead of a model goes to BuildGivenFaces. Goes on where an earlier, stopped build of the
-/// same options ended.
+/// A source that gives faces instead of a model goes to BuildGivenFaces. Resumes an interrupted build of the same
+/// options.
 /// @throws Error as BuildShards; UsageError on an unknown expression, if neutral or gamma 0 is not first, or if there
 /// is nobody to interpolate with.
 void BuildFaces(const FacesOptions& options, const std::filesystem::path& directory, const Task& task = {});

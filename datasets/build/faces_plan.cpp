@@ -75,7 +75,7 @@ std::string WritePersonShard(const std::filesystem::path& file, const Manifest& 
     add(name, {count("levels"), static_cast<int64_t>(values.size()) / row_size / count("levels"), row_size}, values);
   };
   add_rows("part_strengths", 4, arrays.part_strengths);
-  add_rows("lumps", 5, arrays.lumps);
+  add_rows("lumps", 5, arrays.bumps);
   return writer.Write(file);
 }
 

@@ -15,7 +15,7 @@ std::vector<int> ChooseExpressions(const std::vector<std::string>& available, co
                                    const std::string& source);
 
 /// What every build of faces has in common: the manifest with counts, sources and details, the shards' names, and the
-/// template beside them; write_shard is left empty. Keeps a reference to `face_template`.
+/// template next to them; write_shard is left empty. Keeps a reference to `face_template`.
 /// @throws UsageError if gamma 0 is not the first; Error if a gamma is above 0 and the annotation lacks a region that
 /// exaggeration needs, so that nothing is begun that cannot end.
 ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
@@ -23,11 +23,11 @@ ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOpti
 
 /// The arrays of a person's shard. Empty ones are left out.
 struct PersonArrays {
-  std::vector<float> vertices;              ///< (levels, expressions, V, 3) as the counts of the manifest tell, cm.
+  std::vector<float> vertices;              ///< (levels, expressions, V, 3), the counts of the manifest, cm.
   std::vector<float> identity_weights;      ///< (S)
   std::vector<float> expression_strengths;  ///< (expressions)
   std::vector<float> part_strengths;        ///< (levels, P, 4): gamma, then log_stretch of width, height, depth.
-  std::vector<float> lumps;                 ///< (levels, N, 5): vertex, radius and offset in cm.
+  std::vector<float> bumps;                 ///< (levels, N, 5): vertex, radius and offset in cm.
 };
 
 /// Writes the shard of a person and returns its checksum.

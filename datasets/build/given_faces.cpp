@@ -27,7 +27,7 @@ PersonArrays MakePerson(const faces::GivenFaces& given, const faces::FaceParts& 
 void BuildGivenFaces(const faces::GivenFaces& given, const FacesOptions& options,
                      const std::filesystem::path& directory, const Task& task) {
   if (options.num_interpolated > 0) {
-    throw UsageError(fmt::format("faces of source {} are taken as they are; num_interpolated has to be 0",
+    throw UsageError(fmt::format("faces of source {} are used unmodified; num_interpolated has to be 0",
                                  given.face_template.source));
   }
   const std::vector<int> chosen = ChooseExpressions(given.expressions, options.expressions, given.face_template.source);

@@ -12,9 +12,9 @@ namespace daumier::datasets {
 /// lips on a cropped scan).
 using MeshLandmarks = std::array<std::optional<geometry::Vector3>, 68>;
 
-/// 68 landmarks as they stand in a file: vertices (-1: absent) or places.
+/// 68 landmarks as stored in a file: vertices (-1: absent) or places.
 /// A file holds 68 vertex indices or 68 lines `x y z` (`nan nan nan`: absent), separated by white space, or the same as
-/// a JSON list; 0-based; lines that begin with # are passed over.
+/// a JSON list; 0-based; lines that begin with # are skipped.
 class LandmarkFile {
  public:
   /// `vertex_map`, where given, names for each vertex of the mesh the number that the landmark file calls it by: for
@@ -27,7 +27,7 @@ class LandmarkFile {
 
  private:
   std::filesystem::path path_;
-  std::vector<int> vertices_;  ///< 68, or empty where the file tells places.
+  std::vector<int> vertices_;  ///< 68, or empty where the file holds places.
   MeshLandmarks places_;
 };
 

@@ -18,9 +18,9 @@ void Append(const faces::PartStrengths& strengths, PersonArrays& arrays) {
     arrays.part_strengths.push_back(static_cast<float>(strengths.gammas[p]));
     for (int k = 0; k < 3; ++k) arrays.part_strengths.push_back(static_cast<float>(strengths.log_stretches(p, k)));
   }
-  for (const faces::Lump& lump : strengths.lumps) {
-    arrays.lumps.insert(arrays.lumps.end(), {static_cast<float>(lump.vertex), static_cast<float>(lump.radius)});
-    for (const double offset : lump.offset) arrays.lumps.push_back(static_cast<float>(offset));
+  for (const faces::GaussianBump& bump : strengths.bumps) {
+    arrays.bumps.insert(arrays.bumps.end(), {static_cast<float>(bump.vertex), static_cast<float>(bump.radius)});
+    for (const double offset : bump.offset) arrays.bumps.push_back(static_cast<float>(offset));
   }
 }
 

@@ -7,14 +7,14 @@
 
 namespace daumier::datasets {
 
-/// The levels of a person's neutral face as options.levels tells; strengths of parts are drawn from Stream(seed,
+/// The levels of a person's neutral face as specified by options.levels; strengths of parts are drawn from Stream(seed,
 /// "parts", person) and appended to arrays.part_strengths. With gamma 0 alone, exaggerated as a whole, it is the face
-/// itself, which needs no region of the annotation. `parts` is not looked at unless levels are by parts.
+/// itself, which needs no region of the annotation. `parts` is ignored unless levels are by parts.
 std::vector<geometry::Points> MakeLevels(const faces::FaceTemplate& face_template, const faces::FaceParts& parts,
                                          const geometry::Points& neutral, const FacesOptions& options, int person,
                                          PersonArrays& arrays);
 
-/// Makes all faces of a person as BuildFaces tells. Keeps references to the model and the options.
+/// Makes all faces of a person as BuildFaces describes. Keeps references to the model and the options.
 class PersonFacesMaker {
  public:
   /// @throws Error as faces::ExpressionTransfer, or faces::MakeFaceParts where levels are exaggerated by parts.

@@ -18,7 +18,7 @@ struct PointsOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("faces", faces, Text{}, "Folder of the faces whose surfaces are sampled.");
-    visit("num_samples", num_samples, Range{0, 1e7}, "Points drawn on each face, beside its vertices.");
+    visit("num_samples", num_samples, Range{0, 1e7}, "Points drawn on each face, in addition to its vertices.");
     visit("head_height", head_height, Range{0.01, 1000},
           "Height of the template's head in model units, from the chin to its top; a SIREN's frequencies and the "
           "weights of losses assume 2.1.");
@@ -32,7 +32,7 @@ struct PointsOptions {
 /// - of each face num_samples points, uniform by area on that face's own open surface, from Stream(seed, "surface
 ///   samples", face); its vertices stay where they are, in the faces' folder;
 /// - the attributes of all faces (FaceAttributes).
-/// Goes on where an earlier, stopped build of the same options ended. @throws Error as these, FaceDatabase and
+/// Resumes an interrupted build of the same options. @throws Error as these, FaceDatabase and
 /// BuildShards.
 void BuildPoints(const PointsOptions& options, const std::filesystem::path& directory, const Task& task = {});
 

@@ -32,7 +32,7 @@ fs::path LandmarkPath(const MeshInputs& inputs, const std::string& name) {
       fmt::format("{}: there is no {}.txt or {}.json for the mesh {}", inputs.landmarks.string(), name, name, name));
 }
 
-/// Which of the 68 landmarks are there.
+/// Indices of the present ones of the 68 landmarks.
 std::vector<int> Present(const MeshLandmarks& landmarks) {
   std::vector<int> present;
   for (int l = 0; l < static_cast<int>(landmarks.size()); ++l) {
@@ -47,8 +47,8 @@ geometry::Points PlacesOf(const MeshLandmarks& landmarks, const std::vector<int>
   return places;
 }
 
-geometry::Registrar MakeRegistrar(const faces::FaceTemplate& face, const std::vector<int>& present,
-                                  const RegisterOptions& options) {
+geometry::NonRigidRegistration MakeRegistration(const faces::FaceTemplate& face, const std::vector<int>& present,
+                                                const RegisterOptions& options) {
   geometry::RegistrationTemplate source{
       {face.neutral, face.triangles}, {}, {}, face.annotation.regions.at("neck_border")};
   source.landmark_weights.resize(Eigen::Index(present.size()));
@@ -84,18 +84,18 @@ Json QualityJson(const std::string& name, const geometry::Registration& result,
 }
 
 /// Registers one mesh and writes its shard.
-std::string WriteShard(const geometry::Registrar& registrar, const faces::FaceTemplate& face,
+std::string WriteShard(const geometry::NonRigidRegistration& registration, const faces::FaceTemplate& face,
                        const LandmarkedMesh& target, const fs::path& file) {
   const geometry::Points landmarks = PlacesOf(target.landmarks, Present(target.landmarks));
-  const geometry::Registration result = registrar.Register(target.mesh, landmarks);
+  const geometry::Registration result = registration.Register(target.mesh, landmarks);
   const geometry::SurfaceMatcher matcher(
       {result.template_from_target.Apply(target.mesh.vertices), target.mesh.triangles});
-  const geometry::RegistrationOptions& options = registrar.options();
+  const geometry::RegistrationOptions& options = registration.options();
   const geometry::RegistrationQuality quality =
-      geometry::MeasureRegistration(registrar.source().mesh, result.vertices, face.annotation.regions.at("face"),
+      geometry::MeasureRegistration(registration.source().mesh, result.vertices, face.annotation.regions.at("face"),
                                     matcher, {options.max_distance_end, options.max_angle});
   const double landmark_error =
-      (result.vertices(registrar.source().landmarks, Eigen::all) - result.template_from_target.Apply(landmarks))
+      (result.vertices(registration.source().landmarks, Eigen::all) - result.template_from_target.Apply(landmarks))
           .rowwise()
           .norm()
           .mean();
@@ -159,7 +159,7 @@ LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
   LandmarkedMesh result{path.stem().string(), {polygons.vertices, geometry::Triangulate(polygons)}, {}};
   result.landmarks = LandmarkFile(LandmarkPath(inputs, result.name), inputs.vertex_map).On(polygons.vertices);
   const auto num_landmarks = Present(result.landmarks).size();
-  DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: only {} of 68 landmarks are there, {} or more are needed",
+  DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: {} of 68 landmarks are present, expected {} or more",
                 path.string(), num_landmarks, kFewestLandmarks);
   return result;
 }
@@ -176,13 +176,14 @@ void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshIn
   std::vector<LandmarkedMesh> targets;
   Json names = Json::array();
   std::set<std::string> taken;
-  std::map<std::vector<int>, geometry::Registrar> registrars;  // By the landmarks that are there.
+  std::map<std::vector<int>, geometry::NonRigidRegistration> registrations;  // By the present landmarks.
   for (int i = 0; i < num_meshes; ++i) {
     const LandmarkedMesh& target = targets.emplace_back(ReadLandmarkedMesh(inputs, i));
     if (!taken.insert(target.name).second) throw UsageError(fmt::format("two meshes have the name {}", target.name));
     names.push_back(target.name);
     const std::vector<int> present = Present(target.landmarks);
-    if (registrars.count(present) == 0) registrars.emplace(present, MakeRegistrar(face_template, present, options));
+    if (registrations.count(present) == 0)
+      registrations.emplace(present, MakeRegistration(face_template, present, options));
   }
 
   ShardedBuild build;
@@ -210,7 +211,7 @@ void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshIn
   build.write_rest = [&](const fs::path& folder) { return faces::WriteFaceTemplate(folder, face_template); };
   build.write_shard = [&](int person, const fs::path& file) {
     const LandmarkedMesh& target = targets[person];
-    return WriteShard(registrars.at(Present(target.landmarks)), face_template, target, file);
+    return WriteShard(registrations.at(Present(target.landmarks)), face_template, target, file);
   };
   BuildShards(directory, build, task);
   WriteQuality(directory, num_meshes);
@@ -220,7 +221,8 @@ Json ReadRegistrationQuality(const fs::path& directory, int person) {
   const fs::path path = directory / faces::PersonShardName(person);
   const SafetensorsFile shard(path);
   const auto quality = shard.metadata().find("quality");
-  DAUMIER_CHECK(quality != shard.metadata().end(), "{}: is no registered face: it tells no quality", path.string());
+  DAUMIER_CHECK(quality != shard.metadata().end(), "{}: no registered face: the metadata lack `quality`",
+                path.string());
   return Json::parse(quality->second);
 }
 

@@ -66,7 +66,7 @@ Journal OpenJournal(const fs::path& directory, const Json& plan) {
   if (fs::exists(directory / kJournal)) {
     Journal journal = ReadJournal(directory);
     CheckSame(directory, journal.plan, plan);
-    log::Info("{}: going on with a build that was stopped", directory.string());
+    log::Info("{}: resuming an interrupted build", directory.string());
     return journal;
   }
   MakeDirectory(directory);

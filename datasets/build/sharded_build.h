@@ -16,12 +16,12 @@ struct ShardedBuild {
   std::string unit;         ///< What progress counts, the plural: "faces".
   int units_per_shard = 1;  ///< Of every shard but perhaps the last.
   int64_t num_units = 0;    ///< Of all shards; 0: num_shards * units_per_shard.
-  /// The shards from this one on read earlier ones, and are begun when all of those are there; -1: none does.
+  /// The shards from this one on read earlier ones, and are begun when all of those are written; -1: none does.
   int num_independent = -1;
   std::function<std::string(int shard)> shard_name;  ///< Relative to the folder.
   /// Writes a shard atomically and returns its checksum. Called from several threads; gives the same bytes every time.
   std::function<std::string(int shard, const std::filesystem::path& file)> write_shard;
-  /// Writes what stands beside the shards and returns the checksums by file name; may be empty.
+  /// Writes the files next to the shards and returns the checksums by file name; may be empty.
   std::function<std::map<std::string, std::string>(const std::filesystem::path& directory)> write_rest;
 };
 

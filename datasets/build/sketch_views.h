@@ -6,10 +6,9 @@
 
 namespace daumier::datasets {
 
-/// One orthographic camera for all faces of a database: the curves that the mean neutral face has in a view stand in
-/// the middle of the canvas of render::kSketchCanvas pixels and take up `curve_height` of it; larger faces stay within
-/// the margin. The side view is that of the face's own right side. @throws Error if the template has no curve in the
-/// view.
+/// One orthographic camera for all faces of a database: the curves of the mean neutral face in a view are centred on
+/// the canvas of render::kSketchCanvas pixels and span `curve_height` of it; larger faces stay within the margin. The
+/// side view is that of the face's own right side. @throws Error if the template has no curve in the view.
 render::Camera SketchCamera(const faces::FaceTemplate& face_template, faces::View view, double curve_height);
 
 /// How far views stray from the exact one [Han et al. 2017, section 4.4]: standard deviations of normal distributions

@@ -22,14 +22,14 @@ struct SketchesOptions {
     visit("faces", faces, Text{}, "Folder of the faces that are drawn.");
     visit("view", view, Choices{{"frontal", "side"}}, "From where; orthographic.");
     visit("curve_height", curve_height, Range{0.2, 1.0}, "Height of the mean head's curves as a share of the canvas.");
-    visit("num_views", num_views, Range{1, 100}, "Sketches a face; the first is exact, all others stray by `noise`.");
-    visit("noise", noise, Table{}, "How far views stray.");
-    visit("wrinkles", wrinkles, Table{}, "Lines beside the annotation's curves.");
+    visit("num_views", num_views, Range{1, 100}, "Sketches a face; the first is exact, all others have `noise`.");
+    visit("noise", noise, Table{}, "Random deviation of views.");
+    visit("wrinkles", wrinkles, Table{}, "Lines in addition to the annotation's curves.");
   }
 };
 
-/// Writes a SketchDatabase of every face of a database. Goes on where an earlier, stopped build of the same options
-/// ended. @throws Error as faces::FaceDatabase, SketchCamera, SketchLines and BuildShards.
+/// Writes a SketchDatabase of every face of a database. Resumes an interrupted build of the same options. @throws Error
+/// as faces::FaceDatabase, SketchCamera, SketchLines and BuildShards.
 void BuildSketches(const SketchesOptions& options, const std::filesystem::path& directory, const Task& task = {});
 
 }  // namespace daumier::datasets

@@ -16,9 +16,9 @@ int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const 
 /// show but some of the expressions.
 std::vector<int> SampleFaces(const faces::FaceDatabase& database, int count);
 
-/// What `daumier dataset stats` tells of a folder of faces: counts, source and licences, gammas, expressions,
-/// millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 0), faces
-/// (SampleFaces, at most 1,500), num_faces}.
+/// The statistics of a folder of faces that `daumier dataset stats` prints: counts, source and licences, gammas,
+/// expressions, millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 0),
+/// faces (SampleFaces, at most 1,500), num_faces}.
 /// @throws Error as faces::FaceDatabase.
 Json FaceStatistics(const std::filesystem::path& directory);
 

@@ -13,7 +13,7 @@ void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshIn
                                const std::filesystem::path& folder);
 
 /// NAME.obj for each mesh: the registered template, into an existing folder. @throws Error as geometry::WriteObj, or if
-/// the database is none of registered meshes.
+/// the database does not hold registered meshes.
 void WriteRegisteredMeshes(const faces::FaceDatabase& database, const std::filesystem::path& folder);
 
 }  // namespace daumier::datasets

@@ -6,11 +6,11 @@
 
 namespace daumier::datasets {
 
-/// Pictures of the sketches of a database, into a folder that is there:
-///   sketches.jpg      faces beside their sketches
+/// Pictures of the sketches of a database, into an existing folder:
+///   sketches.jpg      faces next to their sketches
 ///   line_kinds.jpg    silhouette, features, wrinkles and all of them, and the other views where there are some
-///   augmentation.jpg  the same sketches as they are and augmented at strengths 1/2, 1 and 2
-///   contours.jpg      faces beside all their occluding and suggestive contours, from the front and from the side
+///   augmentation.jpg  the same sketches unchanged and augmented at strengths 1/2, 1 and 2
+///   contours.jpg      faces next to all their occluding and suggestive contours, from the front and from the side
 /// @throws Error if the sketches belong to another number of faces.
 void WriteSketchGallery(const faces::FaceDatabase& database, const SketchDatabase& sketches,
                         const std::filesystem::path& folder);

@@ -18,7 +18,7 @@ using render::Stroke;
 constexpr double kCanvas = render::kSketchCanvas;
 /// 10 of 800 pixels [Yu et al. 2016].
 constexpr double kMargin = 10.0 * kCanvas / 800;
-/// Two lines of a retraced stroke come apart and together again over so many pixels.
+/// Length in pixels over which the two lines of a retraced stroke come apart and together again.
 constexpr double kRetraceLength = 64;
 
 AugmentationOptions TimesStrength(AugmentationOptions options) {
@@ -52,7 +52,7 @@ Eigen::Affine2d DrawPlacement(const AugmentationOptions& options, Rng& rng) {
          Eigen::Translation2d(-middle);
 }
 
-/// What brings `box` into `room`, shrinking it only if it has to.
+/// The transform that moves `box` into `room`, shrinking it only if necessary.
 Eigen::Affine2d Into(const Eigen::AlignedBox2d& room, const Eigen::AlignedBox2d& box) {
   const Eigen::Vector2d sizes = box.sizes().cwiseMax(1e-9);
   const double factor = std::min(1.0, (room.sizes().array() / sizes.array()).minCoeff());
@@ -71,7 +71,7 @@ std::vector<Stroke> Moved(const std::vector<Stroke>& strokes, const Augmentation
   if (!box.isEmpty() && !room.contains(box)) moved = Transformed(std::move(moved), Into(room, box));
 
   const double tremor_px = options.tremor_px * rng.Uniform();
-  for (Stroke& stroke : moved) stroke = Tremble(std::move(stroke), tremor_px, options.tremor_length_px, rng);
+  for (Stroke& stroke : moved) stroke = Jitter(std::move(stroke), tremor_px, options.tremor_length_px, rng);
   return moved;
 }
 
@@ -107,7 +107,7 @@ AugmentedSketch Augment(const std::vector<Stroke>& strokes, const AugmentationOp
       sketch.visible[i].assign(stroke.points.size(), false);
     } else if (rng.Uniform() < retraced) {
       sketch.strokes.push_back(stroke);
-      sketch.strokes.push_back(Tremble(stroke, scaled.retrace_px, kRetraceLength, rng));
+      sketch.strokes.push_back(Jitter(stroke, scaled.retrace_px, kRetraceLength, rng));
     } else if (rng.Uniform() < gaps) {
       CutStroke cut = WithGap(stroke, scaled.gap_px, rng);
       sketch.visible[i] = std::move(cut.visible);

@@ -7,7 +7,7 @@
 
 namespace daumier::datasets {
 
-/// Lengths are pixels of the 256 canvas. Every effect draws its size anew for each sketch.
+/// Lengths are pixels of the 256 canvas. Every effect draws its size for each sketch.
 struct AugmentationOptions {
   double strength = 0;
   double removal = 0.3;
@@ -29,7 +29,7 @@ struct AugmentationOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("strength", strength, Range{0, 4},
-          "Multiplies shares and sizes below; 0: sketches stay as they are, 1: for training, 2: strong.");
+          "Multiplies shares and sizes below; 0: sketches are unchanged, 1: for training, 2: strong.");
     visit("removal", removal, Range{0, 1}, "Strokes left out, at most this share.");
     visit("removal_order_weight", removal_order_weight, Range{0, 10},
           "Later strokes are left out first: log-probability a place in the list. Not multiplied.");

@@ -10,7 +10,7 @@ namespace daumier::datasets {
 
 using Eigen::Vector2d;
 
-render::Stroke Tremble(render::Stroke stroke, double rms_px, double length_px, Rng& rng) {
+render::Stroke Jitter(render::Stroke stroke, double rms_px, double length_px, Rng& rng) {
   const std::vector<double> arc_lengths = StrokeArc(stroke).arc_lengths();
   if (arc_lengths.empty()) return stroke;
   const double length = arc_lengths.back();

@@ -10,7 +10,7 @@ namespace daumier::datasets {
 /// the arc length with independent normal coefficients length_px apart, of root mean square rms_px (to 2 % at any arc
 /// length), so that nothing much shorter than length_px trembles. A closed stroke stays closed: its coefficients go
 /// round, at least four of them.
-render::Stroke Tremble(render::Stroke stroke, double rms_px, double length_px, Rng& rng);
+render::Stroke Jitter(render::Stroke stroke, double rms_px, double length_px, Rng& rng);
 
 /// What is left of a stroke: the pieces to draw, and of each of its points whether it is on one.
 struct CutStroke {

@@ -13,7 +13,7 @@ std::span<const T> Expect(const SafetensorsFile& file, const std::filesystem::pa
                           const std::vector<int64_t>& shape) {
   const ArrayView& array = file.at(name);
   DAUMIER_CHECK(array.shape == shape && array.dtype == DtypeOf<T>(),
-                "{}: {} have the shape {} or another type, the manifest says {}", path.string(), name,
+                "{}: {} have the shape {} or another type, expected {} of the manifest", path.string(), name,
                 Json(array.shape).dump(), Json(shape).dump());
   return array.As<T>();
 }

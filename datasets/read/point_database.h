@@ -27,7 +27,7 @@ struct SurfaceSamples {
 class PointDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause: missing, truncated, of a newer version,
-  /// shapes that the manifest does not tell, or samples in triangles that the template does not have; a damaged file is
+  /// shapes that differ from the manifest, or samples in triangles that the template does not have; a damaged file is
   /// found by its checksum unless `verify` is false.
   explicit PointDatabase(const std::filesystem::path& directory, bool verify = true);
 
@@ -42,10 +42,10 @@ class PointDatabase {
   std::span<const float> template_vertices() const { return template_vertices_; }
   /// model_from_cm: of the template and of every face.
   const faces::ModelFrame& frame() const { return frame_; }
-  /// The faces' own template, in cm, its mouth as it is.
+  /// The faces' own template, in cm, its mouth unchanged.
   const faces::FaceTemplate& face_template() const { return face_template_; }
 
-  /// A names: datasets/build/face_attributes.h says what they mean.
+  /// A names, defined in datasets/build/face_attributes.h.
   const std::vector<std::string>& attribute_names() const { return attribute_names_; }
   /// A numbers. @throws Error if there is no such face.
   std::span<const float> attributes(int face) const;

@@ -20,7 +20,7 @@ PointDataset::PointDataset(const faces::FaceDatabase& database, const PointDatab
                            const PointReading& reading, uint64_t seed)
     : database_(database), points_(points), faces_(std::move(faces)), reading_(reading), seed_(seed) {
   DAUMIER_CHECK(points.manifest().details.value("faces_data_hash", "") == DataHash(database.directory()),
-                "the points were not made of the faces in {}; make them anew with: daumier dataset points",
+                "the points were not made of the faces in {}; rebuild them with: daumier dataset points",
                 database.directory().string());
   DAUMIER_CHECK(reading.num_points >= 0 && (reading.sampling == "hybrid" || reading.sampling == "vertices"),
                 "{} points a face of the sampling {}", reading.num_points, reading.sampling);

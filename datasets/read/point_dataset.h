@@ -18,13 +18,13 @@ struct PointReading {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("num_points", num_points, Range{0, 1e7}, "Points of each face in a step; 0: all that are there, in order.");
+    visit("num_points", num_points, Range{0, 1e7}, "Points of each face in a step; 0: all, in order.");
     visit("sampling", sampling, Choices{{"hybrid", "vertices"}},
-          "Vertices and surface samples in the proportion in which they are there, or vertices alone.");
+          "Vertices and surface samples in the proportion of the database, or vertices alone.");
   }
 };
 
-/// The points of some faces as a deformable model reads them, worked out by all cores.
+/// The points of some faces as input of a deformable model, computed by all cores.
 class PointDataset {
  public:
   /// Sample s is face `faces[s]`. `points` are those of `database`. @throws Error if they were made of other faces, a
@@ -39,8 +39,8 @@ class PointDataset {
   /// sample is a function of reading, seed, face and epoch alone. With num_points = 0 all of them, vertices first.
   /// Of N points on each of B faces:
   ///   corners    indices, B x N x 3: the vertices of the triangle in which a point lies
-  ///   weights    B x N x 3, of these corners; they sum to 1. A vertex v has the corners v, v, v and the weights 1, 0, 0
-  ///   positions  B x N x 3, on the template with its mouth open, model frame
+  ///   weights    B x N x 3, of these corners; they sum to 1. A vertex v has the corners v, v, v and the weights 1, 0,
+  ///   0 positions  B x N x 3, on the template with its mouth open, model frame
   ///   targets    B x N x 3, on the face, model frame
   /// May be called from several threads. @throws Error if a sample is not one of 0..size()-1.
   SampleBatch Get(std::span<const int> samples, int64_t epoch = 0) const;

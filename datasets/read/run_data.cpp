@@ -9,7 +9,7 @@ void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, c
   const std::string folder = config.at("data").at(kind).get<std::string>();
   const std::string trained_on = manifest.details.at("data").at(kind).get<std::string>();
   DAUMIER_CHECK(DataHash(folder) == trained_on,
-                "{} holds other {} than {} was trained on (data hash {}): give it that data back, or train again",
+                "{}: the {} differ from the training data of {} (data hash {}). Restore the original folder or retrain",
                 folder, kind, run.string(), trained_on.substr(0, 12));
 }
 
@@ -17,7 +17,7 @@ Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, con
                  const faces::FaceDatabase& faces) {
   Split split = MakeSplit(faces, ParseOptions<SplitOptions>(config.at("split"), "split of the run"), manifest.seed);
   DAUMIER_CHECK(SplitToJson(faces, split) == manifest.details.at("split"),
-                "{} was split otherwise when it was trained: it comes from another version of this program",
+                "{}: the train/validation/test split does not match the run's manifest; the run is of another version",
                 run.string());
   return split;
 }
@@ -37,11 +37,11 @@ Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabas
   return manifest;
 }
 
-const std::vector<int>& SideOf(const Split& split, const std::string& name) {
+const std::vector<int>& SubsetOf(const Split& split, const std::string& name) {
   if (name == "train") return split.train;
   if (name == "validation") return split.validation;
   if (name == "test") return split.test;
-  throw UsageError(fmt::format("'{}' is no side of a split: train, validation or test", name));
+  throw UsageError(fmt::format("unknown subset '{}' of a split, expected train, validation or test", name));
 }
 
 }  // namespace daumier::datasets

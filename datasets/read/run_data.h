@@ -16,15 +16,15 @@ namespace daumier::datasets {
 void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
                    const std::string& kind);
 
-/// The split of the run's faces. @throws Error if it comes out otherwise than the manifest tells.
+/// The split of the run's faces. @throws Error if it differs from that in the manifest.
 Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
                  const faces::FaceDatabase& faces);
 
 /// The manifest with which a training begins: its config without paths, seed, the sources of its faces, how many of
-/// them are on which side of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
+/// them are in which subset of the split (`training_faces`, `validation_faces`, `test_faces`), and who they are.
 Manifest ManifestOfTraining(Json config, uint64_t seed, const faces::FaceDatabase& faces, const Split& split);
 
 /// "train", "validation" or "test". @throws UsageError for another word.
-const std::vector<int>& SideOf(const Split& split, const std::string& name);
+const std::vector<int>& SubsetOf(const Split& split, const std::string& name);
 
 }  // namespace daumier::datasets

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "datasets/read/shape_numbers.h"
+#include "datasets/read/curve_coefficients.h"
 #include "render/stroke_samples.h"
 
 #include <algorithm>

@@ -19,9 +19,9 @@ struct SketchReading {
   bool fixed = false;  ///< Every epoch shows what the first one does.
 };
 
-/// The sketches of some faces as a network reads them, worked out by all cores. Where they do not vary this is done
-/// once and kept, pictures as bytes, and every epoch shows the same; else anew for each batch, and what is read of a
-/// sample is a function of variation, seed, face and epoch alone.
+/// The sketches of some faces as input of a network, computed by all cores. Without variation they are computed once
+/// and kept, pictures as bytes. With variation they are computed for each batch; a sample is a function of variation,
+/// seed, face and epoch alone.
 class SketchDataset {
  public:
   /// Sample s is the sketch of face `faces[s]`. @throws Error if a face has no sketch.
@@ -31,7 +31,7 @@ class SketchDataset {
   int size() const { return static_cast<int>(faces_.size()); }
   const std::vector<int>& faces() const { return faces_; }
 
-  /// The arrays and indices that the reading asks for:
+  /// The arrays and indices that the reading selects:
   ///   images  B x 1 x R x R, ink = 1, paper = 0
   ///   points  B x 4 x P: x and y from -1 to 1 over the canvas, cosine and sine of the double angle
   ///   shape   B x (Ku + Kv), u and v of the 2-D curve model

@@ -7,7 +7,7 @@
 
 namespace daumier::datasets {
 
-/// Which sketch of a face a network sees.
+/// The sketch of a face that a network reads.
 struct SketchVariation {
   bool wrinkles = true;
   bool all_views = false;
@@ -18,7 +18,7 @@ struct SketchVariation {
     visit("wrinkles", wrinkles, Flag{}, "Show suggestive contours and the outer contour of the lips.");
     visit("all_views", all_views, Flag{},
           "Any of the views that the sketches hold, another one each epoch; else the exact one.");
-    visit("augmentation", augmentation, Table{}, "Sketches as other hands draw them; off at strength 0.");
+    visit("augmentation", augmentation, Table{}, "Augmented sketches; off at strength 0.");
   }
 
   /// Whether the sketch is another one in each epoch.

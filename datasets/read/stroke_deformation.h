@@ -10,7 +10,7 @@ namespace daumier::datasets {
 /// them; one of them stays, each other moves by shift_px * straightness * (r1 |N|, r2 |N|) with N standard normal and
 /// the signs r1, r2 one for the stroke; its points follow by moving least squares of similarities. straightness is the
 /// chord over the length: straighter strokes move more. Of a closed stroke it is that of its halves, and it stays
-/// closed. Strokes of fewer than three points, or of no length, stay as they are.
+/// closed. Strokes of fewer than three points, or of no length, are unchanged.
 render::Stroke DeformStroke(render::Stroke stroke, double shift_px, Rng& rng);
 
 /// All strokes together [Yu et al. 2016]: the leftmost, rightmost, topmost and bottommost points move by shift_px N

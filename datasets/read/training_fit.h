@@ -24,7 +24,7 @@ std::vector<int> TrainingIdentities(const faces::FaceDatabase& database, const S
 
 /// Fits the bilinear model to all coordinates of the split's training faces of the grid; no other face is read.
 /// Identities are the pairs of person and level that have a training face; faces of theirs that are held out (split
-/// "random") are imputed as FitBilinear tells.
+/// "random") are imputed as FitBilinear describes.
 /// @throws Error as FitBilinear.
 FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& split,
                              const faces::BilinearOptions& options);
@@ -35,9 +35,8 @@ FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& s
 FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const SketchDatabase& sketches,
                                    const Split& split, const faces::BilinearOptions& options);
 
-/// A linear basis of at most 600 training faces of the grid, drawn by a stream of the seed, and how far they stand
-/// from the faces that the bilinear model of FitOnTraining makes of their own u and v. @throws Error as
-/// faces::FitFaceBasis.
+/// A linear basis of at most 600 training faces of the grid, drawn by a stream of the seed, and their distance from the
+/// faces that the bilinear model of FitOnTraining makes of their own u and v. @throws Error as faces::FitFaceBasis.
 faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
                                     const faces::BilinearModel& bilinear, int size, uint64_t seed);
 

@@ -42,7 +42,7 @@ fs::path FindTemplate(const std::map<int, fs::path>& testers, const fs::path& fo
     }
   }
   throw UsageError(
-      fmt::format("{}: no Blendshape/shape_0.obj or TrainingPose/pose_0.obj tells the polygons of shape.bs; set "
+      fmt::format("{}: no Blendshape/shape_0.obj or TrainingPose/pose_0.obj holds the polygons of shape.bs; set "
                   "source.template_mesh "
                   "to a mesh of FaceWarehouse's topology",
                   folder.string()));
@@ -63,7 +63,7 @@ int CountShapes(std::string_view bytes, int num_vertices, const std::string& nam
   int32_t header[3];
   std::memcpy(header, bytes.data(), kShapeHeaderBytes);
   DAUMIER_CHECK(header[0] >= 1 && header[0] <= kMaxShapes && header[1] > 0,
-                "{}: its header tells {} shapes of {} vertices; it is no shape.bs", name, header[0], header[1]);
+                "{}: header claims {} shapes of {} vertices; not a shape.bs file", name, header[0], header[1]);
   DAUMIER_CHECK(header[1] == num_vertices, "{}: shapes of {} vertices, the template has {}", name, header[1],
                 num_vertices);
   const int num_shapes = header[0] + 1;

@@ -32,7 +32,7 @@ FaceModel LoadFlame(const std::filesystem::path& path, const AnnotationFile& ann
                      {"version", fmt::format("{} shape directions", shapes.cols())},
                      {"checksum", ""},
                      {"licence",
-                      "Max Planck Institute's FLAME terms as they came with the file; tell them apart: FLAME "
+                      "Max Planck Institute's FLAME terms as they came with the file; they differ by version: FLAME "
                       "2020 and before are non-commercial research, 2023 Open is CC BY 4.0"}};
   return ImportLinearModel(file, annotation);
 }

@@ -9,7 +9,7 @@
 
 namespace daumier::faces {
 
-/// Faces of one topology that somebody has made: they are taken as they are, where a FaceModel draws new ones.
+/// Registered meshes of one topology, used unmodified, whereas a FaceModel draws new faces.
 struct GivenFaces {
   FaceTemplate face_template;            ///< Its neutral is the mean of the neutral faces.
   std::vector<std::string> names;        ///< An identity each: "Bob/C00012".
@@ -19,13 +19,13 @@ struct GivenFaces {
   std::function<geometry::Points(int identity, int expression)> face;
 };
 
-/// The same as it lies in somebody's files: whole meshes in their own units and vertex numbers.
+/// The same as read from external files: whole meshes in their own units and vertex numbers.
 struct GivenFiles {
   std::string source;          ///< As FaceTemplate::source.
   geometry::PolygonMesh mesh;  ///< Polygons and UV of all faces; only the number of its vertices is used.
   std::vector<std::string> names, groups, expressions;
   std::function<geometry::Points(int identity, int expression)> face;
-  double cm_per_unit = 1;  ///< Where the annotation does not tell it.
+  double cm_per_unit = 1;  ///< Used if the annotation has none.
   Json provenance;         ///< Without the checksum.
 };
 

@@ -26,7 +26,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// The library prints its error stack; our exceptions tell the fault instead.
+/// The library prints its error stack; our exceptions report the fault instead.
 class SilentHdf5 {
  public:
   SilentHdf5() {
@@ -56,7 +56,7 @@ NativeType TypeOf(hid_t stored, const std::string& name) {
   return {Type::kI64, H5T_NATIVE_INT64};
 }
 
-/// Whether every group on the way to a data set is there; H5Lexists looks at the last step only.
+/// Whether every group on the way to a data set exists; H5Lexists checks the last step only.
 bool HasPath(hid_t file, const std::string& path) {
   for (size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1)) {
     if (H5Lexists(file, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;

@@ -8,7 +8,7 @@
 
 namespace daumier::faces {
 
-/// A linear face as it lies in somebody's file: the whole mesh in its own unit and vertex numbers.
+/// A linear face model as read from an external file: the whole mesh in its own unit and vertex numbers.
 struct LinearFile {
   std::string source;                               ///< As FaceTemplate::source.
   geometry::PolygonMesh mean;                       ///< Mean neutral face.
@@ -16,7 +16,7 @@ struct LinearFile {
   std::vector<std::string> expression_shape_names;  ///< E
   Eigen::MatrixXf expression_shapes;                ///< 3V x E
   std::vector<Expression> expressions;              ///< The first is "neutral".
-  double cm_per_unit = 1;                           ///< Where the annotation does not tell it.
+  double cm_per_unit = 1;                           ///< Used if the annotation has none.
   Json provenance;                                  ///< Without the checksum.
 };
 

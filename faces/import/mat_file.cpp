@@ -105,7 +105,7 @@ void ReadMatrix(std::string_view bytes, const std::set<std::string>& wanted, con
   arrays[variable] = {*type, shape, NumberArray::Order::kColumnMajor, std::string(values.data), name};
 }
 
-/// Inflates the tag, which tells the size, and then the whole element.
+/// Inflates the tag, which holds the size, and then the whole element.
 void ReadCompressed(std::string_view bytes, const std::set<std::string>& wanted, const std::string& file,
                     NumberArrays& arrays) {
   const std::string tag = Inflate(bytes, kTagBytes, file);

@@ -92,7 +92,7 @@ GivenFaces LoadCaricShop(const fs::path& folder, const AnnotationFile& annotatio
   const auto& [num_vertices, meshes] = *std::max_element(
       by_size.begin(), by_size.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
   if (meshes.size() < num_meshes) {
-    log::Warn("{}: {} of {} meshes are passed over, since they do not have {} vertices like the others", root.string(),
+    log::Warn("{}: {} of {} meshes are skipped, since they do not have {} vertices like the others", root.string(),
               num_meshes - meshes.size(), num_meshes, num_vertices);
   }
   GivenFiles files = FilesOf(root, meshes, PersonOf::kFolder);

@@ -18,15 +18,16 @@ enum class PersonOf {
 };
 
 /// Any folder of registered .obj and .ply meshes (recursively, in order of name), a neutral face each, in cm unless the
-/// annotation says otherwise. The template has the UV of the first mesh. `licence` goes into the provenance as it is.
+/// annotation has another unit. The template has the UV of the first mesh. `licence` is stored unchanged in the
+/// provenance.
 /// @throws Error naming the first file that is unreadable or of another topology than the first; if there is no mesh;
 /// as ImportGivenFaces.
 GivenFaces LoadMeshFolder(const std::filesystem::path& folder, const AnnotationFile& annotation, PersonOf person,
                           const std::string& licence);
 
 /// 3DCaricShop [Qiu et al. 2021]: processedData/tMesh/<Person>/<Caricature>.obj below `folder`, which may also be
-/// processedData or tMesh itself. The person is the folder's name. Meshes whose number of vertices is not that of the
-/// most are passed over; a warning counts them.
+/// processedData or tMesh itself. The person is the folder's name. Meshes whose number of vertices is not the most
+/// frequent one are skipped; a warning counts them.
 /// @throws Error as LoadMeshFolder, and if there is no tMesh.
 GivenFaces LoadCaricShop(const std::filesystem::path& folder, const AnnotationFile& annotation);
 

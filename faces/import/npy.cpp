@@ -73,7 +73,7 @@ class HeaderReader {
   std::string Quoted() {
     const char quote = Accept('\'') ? '\'' : '"';
     if (quote == '"') {
-      // A list stands for a structured type, whose first field name is as good as any to name it.
+      // A list denotes a structured type.
       if (Accept('[')) throw Error(fmt::format("{}: a structured array; it has to be whole numbers or floats", name_));
       Expect('"');
     }

@@ -10,7 +10,7 @@
 
 namespace daumier::faces {
 
-/// An array of numbers out of somebody else's file, as its bytes lie there (little-endian), converted when it is asked.
+/// An array of numbers of an external file as stored there (little-endian), converted on access.
 class NumberArray {
  public:
   enum class Type { kI8, kU8, kI16, kU16, kI32, kU32, kI64, kU64, kF32, kF64 };
@@ -21,7 +21,7 @@ class NumberArray {
   static size_t NumBytes(Type type, const std::vector<int64_t>& shape, const std::string& name);
 
   NumberArray() = default;
-  /// `name` stands for the array in messages: "model.npz: f". @throws Error if the bytes do not fill the shape.
+  /// `name` names the array in messages: "model.npz: f". @throws Error if the bytes do not fill the shape.
   NumberArray(Type type, std::vector<int64_t> shape, Order order, std::string bytes, std::string name);
 
   const std::string& name() const { return name_; }
@@ -40,7 +40,7 @@ class NumberArray {
   Eigen::VectorXf Vector(int64_t size = -1) const;
   /// V x 3 out of (V, 3), or of 3V numbers x0 y0 z0 x1 ... @throws Error if it is neither, or not finite.
   geometry::Points Points() const;
-  /// `vertices` with the polygons that the rows of (F, 3) or (F, 4) tell, whole numbers counted from `first`.
+  /// `vertices` with polygons from the rows of (F, 3) or (F, 4), whole numbers counted from `first`.
   /// @throws Error if it is not that, or a corner is no vertex.
   geometry::PolygonMesh Polygons(int first, geometry::Points vertices) const;
   /// The same elements with the sizes in reverse order.
@@ -59,7 +59,7 @@ class NumberArray {
 /// The arrays of a file by name.
 using NumberArrays = std::map<std::string, NumberArray>;
 
-/// @throws Error naming the file, the array that is missing and those that are there.
+/// @throws Error naming the file, the array that is missing and those of the file.
 const NumberArray& ArrayOf(const NumberArrays& arrays, const std::string& name, const std::string& file);
 
 }  // namespace daumier::faces

@@ -15,12 +15,12 @@ struct DeformEvalOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("split", split, Choices{{"test", "validation", "train"}}, "The side of the run's split that is measured.");
+    visit("split", split, Choices{{"test", "validation", "train"}}, "The subset of the run's split that is measured.");
     visit("faces", faces, Text{},
           "Folder of other faces of the same topology, which the run was not trained on; all of them are measured.");
-    visit("max_faces", max_faces, Range{1, 1e6}, "So many faces of the side, evenly spread over it.");
+    visit("max_faces", max_faces, Range{1, 1e6}, "Largest number of faces of the subset, evenly spaced.");
     visit("adam_faces", adam_faces, Range{0, 1e6},
-          "The codes of so many of these, the first ones, are also found as in the paper.");
+          "Number of faces, the first ones, whose codes are also found as in the paper.");
     visit("adam_steps", adam_steps, Range{1, 1e6}, "Steps of that.");
     visit("baselines", baselines, Flag{}, "Also measure the training-free baselines.");
   }

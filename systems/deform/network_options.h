@@ -30,7 +30,7 @@ struct DeformOptions {
   }
 
   runtime::SirenLayout siren() const { return {width, hidden_layers, omega}; }
-  /// Whether it knows vertices alone, and points between them only through these.
+  /// Whether it predicts vertices alone, and points between them by interpolation.
   bool is_array() const { return kind == "displacements" || kind == "positions" || kind == "linear"; }
 };
 

@@ -36,7 +36,7 @@ struct DeformValidationOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("faces", faces, Range{1, 100000}, "So many faces of the validation side, evenly spread.");
+    visit("faces", faces, Range{1, 100000}, "Number of validation faces, evenly spaced.");
     visit("newton_steps", newton_steps, Range{1, 1000}, "Steps in which the code of each is found.");
   }
 };
@@ -56,9 +56,9 @@ struct DeformTrainingOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("system", system, Choices{{"deform"}}, "The task that is trained.");
-    visit("data", data, Table{}, "What is learnt from.");
-    visit("split", split, Table{}, "Who trains, who validates, who tests.");
-    visit("points", points, Table{}, "Which points of a face a step sees.");
+    visit("data", data, Table{}, "Training data.");
+    visit("split", split, Table{}, "Train/validation/test split.");
+    visit("points", points, Table{}, "The points of a face that a step reads.");
     visit("network", network, Table{}, "The network.");
     visit("loss", loss, Table{}, "What is minimised.");
     visit("validation", validation, Table{}, "On which faces the best weights are chosen.");

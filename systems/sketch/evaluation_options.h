@@ -14,13 +14,13 @@ struct SketchEvalOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("split", split, Choices{{"train", "validation", "test"}}, "The side of the run's split that is measured.");
+    visit("split", split, Choices{{"train", "validation", "test"}}, "The subset of the run's split that is measured.");
     visit("strength", strength, Range{0, 4}, "Augment the sketches: 0 not, 1 as in training, 2 strongly.");
     visit("recover_with", recover_with, Text{},
           "Folder of another run on the same data whose network reads no curve coefficients. A network that reads them "
           "gets those recovered from that run's faces. Empty: it gets given ones only.");
     visit("faces", faces, Text{},
-          "Folder of faces that the run was not trained on, in place of a side of its split; all are measured.");
+          "Folder of faces that the run was not trained on, in place of a subset of its split; all are measured.");
     visit("sketches", sketches, Text{}, "Folder of the sketches of these faces.");
     visit("baselines", baselines, Flag{},
           "Also measure the training-free baselines and the upper bound of the model. They depend on data, split and "
@@ -34,7 +34,7 @@ struct SketchEvalOptions {
 };
 
 /// @throws UsageError if faces come without their sketches, or if other faces are to be measured in a way that is for a
-/// side of the run's split alone.
+/// subset of the run's split alone.
 void CheckEvalOptions(const SketchEvalOptions& options);
 
 }  // namespace daumier::sketch

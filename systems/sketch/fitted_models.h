@@ -8,7 +8,7 @@
 
 namespace daumier::sketch {
 
-/// The models that a network answers and reads in, fitted on training faces.
+/// The models whose coefficients a network reads and predicts, fitted on training faces.
 struct FittedModels {
   faces::BilinearModel bilinear;  ///< Of faces: what u and v mean.
   faces::BilinearModel curves;    ///< Of 2-D feature curves: what the shape-level numbers mean.

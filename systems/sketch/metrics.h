@@ -17,8 +17,8 @@ const std::vector<reports::Metric>& SketchColumns();
 /// Columns of a table of several runs, besides the error.
 std::vector<reports::Metric> SketchSummaryColumns();
 
-/// metrics.json of a report on a side of a run's split as a table. In reports without flags the baselines are found by
-/// the names above. The result's `details` hold regions_mm. @throws Error if it is malformed.
+/// metrics.json of a report on a subset of a run's split as a table. In reports without flags the baselines are found
+/// by the names above. The result's `details` hold regions_mm. @throws Error if it is malformed.
 reports::MetricTable ReadSketchMetrics(const Json& metrics);
 
 }  // namespace daumier::sketch

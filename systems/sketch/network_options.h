@@ -27,22 +27,23 @@ struct SketchNetworkOptions {
   void Visit(V&& visit) {
     visit("trunk", trunk, Choices{{"compact", "alexnet", "residual", "points", "shape"}},
           "What turns a sketch into features: convolutions of its picture, a point network of its strokes, or its "
-          "shape-level numbers alone (models/sketch_trunks.h).");
+          "curve coefficients alone (models/sketch_trunks.h).");
     visit("shape_input", shape_input, Choices{{"none", "late", "early"}},
-          "Where the shape-level numbers join in beside a trunk: before the output of each branch, as published, or "
+          "Where the curve coefficients are concatenated to trunk features: before the output of each branch, as "
+          "published, or "
           "before the branches.");
     visit("branches", branches, Choices{{"two", "one"}}, "Branches of their own for u and v, or one for both.");
-    visit("resolution", resolution, Range{32, 512}, "Side of the square sketch that the network sees, in pixels.");
+    visit("resolution", resolution, Range{32, 512}, "Side of the square input sketch, in pixels.");
     visit("width", width, Range{1, kMaxWidth},
           "Channels of the first convolution; the others follow from it. So that all are multiples of 8, a training "
           "takes multiples of 8 alone, of trunk alexnet 24, of trunk points 4.");
     visit("batch_norm", batch_norm, Flag{}, "Normalise after each convolution of trunk alexnet; the others always do.");
-    visit("hidden", hidden, Range{1, 8192}, "Features that the trunk hands to the branches.");
+    visit("hidden", hidden, Range{1, 8192}, "Trunk output features.");
     visit("branch", branch, Range{1, 8192}, "Neurons of a layer in the branches.");
     visit("identity_layers", identity_layers, Range{0, 8},
           "Fully connected layers of the u branch (or of the one branch) before its output.");
     visit("expression_layers", expression_layers, Range{0, 8}, "The same of the v branch.");
-    visit("shape_hidden", shape_hidden, Range{1, 8192}, "Neurons of the layer that reads the shape-level numbers.");
+    visit("shape_hidden", shape_hidden, Range{1, 8192}, "Neurons of the layer that reads the curve coefficients.");
     visit("num_points", num_points, Range{16, 4096}, "Points of the strokes that trunk points reads.");
     visit("residual", residual, Range{0, 1000},
           "Size of a linear basis of faces in which a small residual is added to the bilinear face, which is then made "

@@ -31,7 +31,7 @@ struct SketchStageOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("classification", classification, Range{0, 1},
-          "Share of the steps that learn to tell identities (a person at a level) and expressions apart.");
+          "Share of the steps that classify identities (a person at a level) and expressions.");
     visit("regression", regression, Range{0, 1}, "Share that learns u and v themselves, convolutions frozen.");
     visit("classification_rate", classification_rate, Range{0, 1}, "Factor of the learning rate in these steps.");
     visit("regression_rate", regression_rate, Range{0, 1}, "Factor of the learning rate in these steps.");
@@ -56,8 +56,8 @@ struct SketchTrainingOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("system", system, Choices{{"sketch"}}, "The task that is trained.");
-    visit("data", data, Table{}, "What is learnt from.");
-    visit("split", split, Table{}, "Who trains, who validates, who tests.");
+    visit("data", data, Table{}, "Training data.");
+    visit("split", split, Table{}, "Train/validation/test split.");
     visit("bilinear", bilinear, Table{}, "The bilinear models of faces and curves, fitted on training faces.");
     visit("sketch", sketch, Table{}, "Which sketch of a face is seen.");
     visit("network", network, Table{}, "The network.");

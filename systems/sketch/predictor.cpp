@@ -92,8 +92,8 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) 
     };
     placement = fitting::FindFrame(framed, curves_of, options_.search).placement;
   }
-  const Strokes before = render::Place(framed.strokes, framed.placement),
-                strokes = render::Place(framed.strokes, placement);
+  const Strokes before = render::MapToCanvas(framed.strokes, framed.placement),
+                strokes = render::MapToCanvas(framed.strokes, placement);
   const std::vector<fitting::PredictedFace> faces = FromStrokes({before, strokes});
   fitting::PredictedFace face = options_.refine ? Refined(faces[1], strokes) : faces[1];
   if (options_.deform) face = Deformed(std::move(face), strokes);

@@ -52,8 +52,8 @@ class SketchPredictor : public systems::Predictor {
   std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs,
                                            const Task& task = {}) const override;
 
-  /// The three stages on strokes that are on the canvas. `strokes` of the last two: without labels. @throws Error by
-  /// Deformed if the options do not ask for it.
+  /// The three stages on strokes that are on the canvas. `strokes` of the last two: without labels. Deformed throws
+  /// Error if the options disable it.
   std::vector<fitting::PredictedFace> FromStrokes(const std::vector<std::vector<render::Stroke>>& sketches) const {
     return network_.Predict(sketches);
   }

@@ -1,7 +1,7 @@
 #include "systems/sketch/shape_input.h"
 
 #include "core/error.h"
-#include "datasets/read/shape_numbers.h"
+#include "datasets/read/curve_coefficients.h"
 
 #include <cmath>
 

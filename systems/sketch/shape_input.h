@@ -11,7 +11,7 @@
 
 namespace daumier::sketch {
 
-/// The shape-level numbers of sketches: from the strokes that are known to be the template's curves, which a network
+/// The curve coefficients of sketches: from strokes labelled with the template's curves, which a network
 /// can be given in training and in a test alone, and from strokes without labels, as a user draws them.
 class ShapeInput {
  public:
@@ -24,7 +24,7 @@ class ShapeInput {
   faces::CurveCode Given(const std::vector<render::Stroke>& strokes,
                          const std::vector<std::vector<bool>>& visible = {}) const;
   /// From drawn strokes without labels and a face that was predicted, 3V in cm: its curves, seen by the sketches'
-  /// camera, snap to the strokes `snaps` times; 0: they are taken as they are.
+  /// camera, snap to the strokes `snaps` times; 0: they are used unchanged.
   faces::CurveCode Recovered(std::span<const float> predicted_face, const std::vector<render::Stroke>& drawn,
                              const fitting::CurveRecoveryOptions& options = {}) const;
   /// Mean distance in pixels of the canvas between the points of a code and those of labelled strokes.

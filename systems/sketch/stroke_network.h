@@ -25,7 +25,7 @@ class StrokeNetwork {
   /// One face a sketch. May be called from several threads. @throws Error if a network that reads points is given a
   /// sketch without any length.
   std::vector<fitting::PredictedFace> Predict(const std::vector<std::vector<render::Stroke>>& sketches) const;
-  /// The feature curves of a face as the camera of the training sketches sees them, on the canvas.
+  /// The feature curves of a face projected by the camera of the training sketches, on the canvas.
   std::vector<render::Stroke> CurvesOf(const fitting::PredictedFace& face) const;
 
   const fitting::ProjectedCurves& curves() const { return curves_; }

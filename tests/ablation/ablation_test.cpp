@@ -97,7 +97,7 @@ TEST_F(AblationTest, CancelledItResumesWhereItWas) {
   testing::ExpectError([&] { Run(Load(), {}, Task(stop.get_token())); }, "The same command resumes it");
   EXPECT_EQ(WrittenNames(), (std::vector<std::string>{"mean face", "pixel", "fit"}));
   EXPECT_EQ(Plan(Load())[0].state, RowState::kDone);
-  EXPECT_EQ(Plan(Load())[1].state, RowState::kToGoOn);
+  EXPECT_EQ(Plan(Load())[1].state, RowState::kToResume);
   state_.end_of_training.clear();
   state_.log.clear();
   EXPECT_EQ(Names(Run(Load())), (std::vector<std::string>{"mean face", "shape", "pixel", "fit"}));

@@ -53,7 +53,7 @@ eval.strength = 2.0
   EXPECT_EQ(ablation.rows[1].eval["strength"], 2.0);
 }
 
-TEST_F(AblationConfigTest, RefusesWhatIsNotKnownAndSaysWhatIsNear) {
+TEST_F(AblationConfigTest, RefusesUnknownKeysAndSuggestsTheNearest) {
   ExpectRefused("seed = [1]\n[[rows]]\nname = 'a'\n", "did you mean 'seeds'?");
   ExpectRefused("[[rows]]\nnam = 'a'\n", "did you mean 'name'?");
   ExpectRefused("seeds = [1]\n", "a table needs rows");

@@ -29,11 +29,11 @@ class AblationRunsTest : public ::testing::Test {
     ablation_.rows[3].options.line = "fit";
   }
   AblationRuns Runs() const { return {ablation_, FakeSystem::system(), folder_.path()}; }
-  AblationRuns::Place Place(int row) const { return {ablation_.rows[size_t(row)], "person", 1}; }
+  AblationRuns::Cell Cell(int row) const { return {ablation_.rows[size_t(row)], "person", 1}; }
   void Make(int row) const {
     FolderCache databases;
-    Runs().Train(Place(row), databases, {});
-    Runs().Evaluate(Place(row), databases, {});
+    Runs().Train(Cell(row), databases, {});
+    Runs().Evaluate(Cell(row), databases, {});
   }
 
   const testing::TempDir folder_;
@@ -42,50 +42,50 @@ class AblationRunsTest : public ::testing::Test {
 };
 
 TEST_F(AblationRunsTest, ARowIsDoneOnceItsReportIsMadeOfItsWeightsAndOptions) {
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kToTrain);
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kToTrain);
   FolderCache databases;
-  Runs().Train(Place(1), databases, {});
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kToEvaluate);
-  Runs().Evaluate(Place(1), databases, {});
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kDone);
+  Runs().Train(Cell(1), databases, {});
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kToEvaluate);
+  Runs().Evaluate(Cell(1), databases, {});
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kDone);
   Make(1);
   EXPECT_EQ(FakeSystem::state().log, (std::vector<std::string>{"train 3", "evaluate 3"})) << "nothing is done twice";
 
   ablation_.rows[1].eval = {{"factor", 3.0}};
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kToEvaluate);
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kToEvaluate);
   ablation_.rows[1].eval = Json::object();
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kDone);
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kDone);
   fs::remove(folder_ / "person/seed1/pixel/report/metrics.json");
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kToEvaluate);
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kToEvaluate);
 }
 
 TEST_F(AblationRunsTest, AReportIsMadeAgainIfARunThatItNeedsIsAnotherOne) {
   Make(1);
   Make(0);
-  EXPECT_EQ(Runs().State(Place(0)), RowState::kDone);
+  EXPECT_EQ(Runs().State(Cell(0)), RowState::kDone);
   fs::remove_all(folder_ / "person/seed1/pixel");
-  EXPECT_EQ(Runs().State(Place(0)), RowState::kToEvaluate);
+  EXPECT_EQ(Runs().State(Cell(0)), RowState::kToEvaluate);
   ablation_.rows[1].config["error"] = 4;
   Make(1);
-  EXPECT_EQ(Runs().State(Place(0)), RowState::kToEvaluate);
+  EXPECT_EQ(Runs().State(Cell(0)), RowState::kToEvaluate);
 }
 
 TEST_F(AblationRunsTest, RowsWithoutARunOrAReportReadThoseOfOthers) {
-  EXPECT_EQ(Runs().State(Place(2)), RowState::kToTrain);
+  EXPECT_EQ(Runs().State(Cell(2)), RowState::kToTrain);
   Make(1);
-  EXPECT_EQ(Runs().State(Place(2)), RowState::kToEvaluate);
+  EXPECT_EQ(Runs().State(Cell(2)), RowState::kToEvaluate);
   Make(2);
-  EXPECT_EQ(Runs().Run(Place(2)), Runs().Run(Place(1)));
-  EXPECT_DOUBLE_EQ(Runs().Result(Place(2)).measure.error, 2 * 3 + 0.01);
-  EXPECT_EQ(Runs().Result(Place(2)).cost->parameters, 7);
+  EXPECT_EQ(Runs().Run(Cell(2)), Runs().Run(Cell(1)));
+  EXPECT_DOUBLE_EQ(Runs().Result(Cell(2)).measure.error, 2 * 3 + 0.01);
+  EXPECT_EQ(Runs().Result(Cell(2)).cost->parameters, 7);
   Make(0);
-  EXPECT_EQ(Runs().State(Place(3)), RowState::kDone) << "the report that it is read from is there";
-  EXPECT_DOUBLE_EQ(Runs().Result(Place(3)).measure.error, 5.0);
-  EXPECT_FALSE(Runs().Result(Place(3)).cost.has_value()) << "nothing was trained for it";
+  EXPECT_EQ(Runs().State(Cell(3)), RowState::kDone) << "the report that it is read from exists";
+  EXPECT_DOUBLE_EQ(Runs().Result(Cell(3)).measure.error, 5.0);
+  EXPECT_FALSE(Runs().Result(Cell(3)).cost.has_value()) << "nothing was trained for it";
   ablation_.rows[3].options.line = "network";
-  EXPECT_EQ(Runs().Result(Place(3)).cost->parameters, 7);
-  EXPECT_EQ(Runs().Metrics(Place(3)), Runs().Metrics(Place(0)));
-  EXPECT_TRUE(Runs().Predictions(Place(3)).has_value());
+  EXPECT_EQ(Runs().Result(Cell(3)).cost->parameters, 7);
+  EXPECT_EQ(Runs().Metrics(Cell(3)), Runs().Metrics(Cell(0)));
+  EXPECT_TRUE(Runs().Predictions(Cell(3)).has_value());
   EXPECT_EQ(std::count(FakeSystem::state().log.begin(), FakeSystem::state().log.end(), "train 3"), 1);
 }
 
@@ -98,18 +98,18 @@ TEST_F(AblationRunsTest, AReportOfAVersionWithFewerOptionsIsNotMadeAgain) {
     measured["made_of"]["eval"].erase("factor");
     WriteFileAtomically(file, measured.dump());
   }
-  EXPECT_EQ(Runs().State(Place(1)), RowState::kDone);
-  EXPECT_EQ(Runs().State(Place(0)), RowState::kDone);
+  EXPECT_EQ(Runs().State(Cell(1)), RowState::kDone);
+  EXPECT_EQ(Runs().State(Cell(0)), RowState::kDone);
 }
 
 TEST_F(AblationRunsTest, ResultHasTheCostOfTheRun) {
   Make(1);
-  const AblationResult result = Runs().Result(Place(1));
+  const AblationResult result = Runs().Result(Cell(1));
   EXPECT_EQ(result.cost->steps, 10);
   EXPECT_EQ(result.cost->train_seconds, 6.0);
   EXPECT_EQ(result.cost->inference->ms, 2.5);
   EXPECT_GE(result.cost->inference->threads, 1);
-  EXPECT_EQ(Runs().Baselines(Place(1)).front().name, "mean face");
+  EXPECT_EQ(Runs().Baselines(Cell(1)).front().name, "mean face");
 }
 
 TEST_F(AblationRunsTest, RefusesABadConfigBeforeAnythingIsTrainedAndNamesTheRow) {

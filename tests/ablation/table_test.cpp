@@ -89,7 +89,7 @@ TEST(AblationTable, WhatIsUnknownIsNull) {
   EXPECT_TRUE(AblationTableJson({fit, second})[0]["error_low"].is_null());
 }
 
-TEST(AblationTable, BaselinesStandOnTopOfTheirSplitAndSplitsFollowEachOther) {
+TEST(AblationTable, BaselinesPrecedeTheRowsOfTheirSplitAndSplitsFollowEachOther) {
   AblationResult mean_face = MakeResult("mean face", 1, {8, 9}), random = MakeResult("a", 1, {1, 2});
   mean_face.baseline = true;
   random.split = "random";

@@ -216,7 +216,7 @@ TEST_F(Pipeline, RunsFromFacesToADeformableModel) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "onnx/points_template.safetensors"));
 }
 
-TEST_F(Pipeline, ABuildThatWasKilledGoesOnToTheSameBytes) {
+TEST_F(Pipeline, AKilledBuildResumesToTheSameBytes) {
   BuildData();
   const std::filesystem::path killed = folder_ / "killed";
   const ProcessResult first =
@@ -228,7 +228,7 @@ TEST_F(Pipeline, ABuildThatWasKilledGoesOnToTheSameBytes) {
   EXPECT_EQ(Contents(killed), Contents(folder_ / "faces"));
 }
 
-TEST_F(Pipeline, ATrainingThatWasKilledGoesOnToTheSameWeights) {
+TEST_F(Pipeline, AKilledTrainingResumesToTheSameWeights) {
   BuildData();
   const std::filesystem::path whole = folder_ / "whole", killed = folder_ / "killed";
   ASSERT_EQ(Daumier(TrainCommand(folder_.path(), whole)).exit_code, 0);
@@ -255,7 +255,7 @@ TEST_F(Pipeline, AFlippedByteInAShardIsFoundAndNamed) {
   EXPECT_THAT(result.err, HasSubstr("person-00002.safetensors"));
 }
 
-TEST_F(Pipeline, AFullDiskFailsCleanlyAndTheBuildGoesOnElsewhere) {
+TEST_F(Pipeline, AFullDiskFailsCleanlyAndTheBuildResumesElsewhere) {
   const std::filesystem::path disk = folder_ / "disk";
   std::filesystem::create_directory(disk);
   if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=1m") != 0) GTEST_SKIP() << "this user may not mount a small disk";

@@ -122,7 +122,7 @@ TEST_F(BlasShim, BetaZeroDoesNotReadC) {
 }
 
 TEST_F(BlasShim, RefusedProductGoesToTheNextBlasOrThrows) {
-  if (FindSgemm(RTLD_NEXT) != nullptr) GTEST_SKIP() << "another BLAS would answer, and end the program";
+  if (FindSgemm(RTLD_NEXT) != nullptr) GTEST_SKIP() << "another BLAS would handle the call and end the program";
   const std::vector<float> a(16), b(16);
   std::vector<float> c(16);
   const int four = 4, too_small = 3;

@@ -74,7 +74,7 @@ TEST(Config, MissingFileIsNamed) {
             "cannot read " + (dir / "absent.toml").string() + ": No such file or directory");
 }
 
-TEST(Config, SyntaxErrorsTellFileLineAndCause) {
+TEST(Config, SyntaxErrorsNameFileLineAndCause) {
   const TempDir dir;
   WriteFileAtomically(dir / "a.toml", "a = 1\nb = = 2\n");
   EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: "));
@@ -84,7 +84,7 @@ TEST(Config, SyntaxErrorsTellFileLineAndCause) {
   EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: dates and times are not used"));
 }
 
-TEST(Config, BadParentsTellFileAndLine) {
+TEST(Config, BadParentsNameFileAndLine) {
   const TempDir dir;
   const std::string path = (dir / "a.toml").string();
   WriteFileAtomically(path, "x = 1\nparent = 'absent.toml'\n");

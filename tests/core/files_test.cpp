@@ -84,8 +84,8 @@ TEST(Files, WriteOntoAFolderLeavesNothingBehind) {
   EXPECT_EQ(NumEntries(dir.path()), 1u);
 }
 
-TEST(Files, FullDiskIsToldAndLeavesTheOldFile) {
-  // /dev/full, where every write fails as on a full disk, stands in for the temporary file.
+TEST(Files, FullDiskIsReportedAndLeavesTheOldFile) {
+  // /dev/full, where every write fails as on a full disk, replaces the temporary file.
   const TempDir dir;
   WriteFileAtomically(dir / "file", "old");
   fs::create_symlink("/dev/full", dir / "file.tmp");
@@ -96,7 +96,7 @@ TEST(Files, FullDiskIsToldAndLeavesTheOldFile) {
   EXPECT_EQ(NumEntries(dir.path()), 1u);
 }
 
-TEST(Files, FullTmpfsIsToldAndLeavesTheOldFile) {
+TEST(Files, FullTmpfsIsReportedAndLeavesTheOldFile) {
   const TempDir dir;
   if (mount("tmpfs", dir.path().c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "mounting a tmpfs needs root";
   WriteFileAtomically(dir / "file", "old");

@@ -44,7 +44,7 @@ TEST(Log, MessagesBelowTheLevelAreNotWritten) {
 }
 
 /// Warns only in the process that the next test starts.
-TEST(LogChild, WarnsIfToldTo) {
+TEST(LogChild, WarnsIfRequested) {
   if (std::getenv("DAUMIER_TEST_WARNS") != nullptr) Warn("this test fails by its warning");
 }
 

@@ -148,7 +148,7 @@ TEST(Manifest, VerifyNamesTheFileThatIsMissingOrDiffersAndTheRemedy) {
                 " is missing though manifest.json lists it; delete the folder and run `daumier dataset faces` again");
   WriteFileAtomically(dir / "b.safetensors", "c");
   EXPECT_EQ(failure(), (dir / "b.safetensors").string() +
-                           " is corrupt: its content differs from what manifest.json tells; delete the folder and run "
+                           " is corrupt: its checksum differs from that in manifest.json; delete the folder and run "
                            "`daumier dataset faces` again");
 }
 

@@ -80,7 +80,7 @@ TEST(ForEachInOrder, TheFirstErrorInOrderIsThrownAfterTheCallsUnderWayHaveEnded)
   }
 }
 
-TEST(ForEachInOrder, AtMostSoManyResultsExistAtOnce) {
+TEST(ForEachInOrder, TheNumberOfPendingResultsIsBounded) {
   ThreadPool pool(7);
   std::atomic<int> num_results = 0, most = 0;
   const auto work = [&](int i) {

@@ -1,4 +1,4 @@
-// The test program starts itself through env(1), and one of its tests tells what the child got.
+// The test program starts itself through env(1), and one of its tests prints the child's arguments and environment.
 #include "core/files.h"
 #include "core/runtime.h"
 #include "tests/support/process.h"
@@ -26,7 +26,7 @@ constexpr bool kSanitized =
     false;
 #endif
 
-/// Tells the tests below about the process that they started.
+/// Prints the start of this process for the tests below.
 TEST(PreinitChild, PrintsHowItWasStarted) {
   if (std::getenv("DAUMIER_TELL_START") == nullptr) return;
   const char* const policy = std::getenv("OMP_WAIT_POLICY");

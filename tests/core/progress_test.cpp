@@ -19,7 +19,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Progress, LineTellsCountRateAndTimeLeft) {
+TEST(Progress, LineShowsCountRateAndTimeLeft) {
   EXPECT_EQ(ProgressLine("sketches", 120, 600, "faces", 5), "sketches: 120/600 faces, 24/s, 20 s left");
   EXPECT_EQ(ProgressLine("sketches", 1, 600, "faces", 4), "sketches: 1/600 faces, 0.25/s, 39 min 56 s left");
   EXPECT_EQ(ProgressLine("train", 9000, 10000, "steps", 3), "train: 9000/10000 steps, 3000/s, 0 s left");
@@ -38,7 +38,7 @@ TEST(Progress, LineOfNothingDoneHasNoTimeLeft) {
   EXPECT_EQ(ProgressLine("sketches", 0, 600, "faces", 5), "sketches: 0/600 faces, 0/s");
 }
 
-TEST(Progress, LineOfAllDoneTellsItsTime) {
+TEST(Progress, LineOfAllDoneShowsTheElapsedTime) {
   EXPECT_EQ(ProgressLine("sketches", 600, 600, "faces", 60), "sketches: 600/600 faces, 10/s, took 1 min 00 s");
 }
 

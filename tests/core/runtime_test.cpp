@@ -46,7 +46,7 @@ TEST(Runtime, NegativeThreadsAreMisuse) {
   EXPECT_THROW(SetUpRuntime(-1), UsageError);
 }
 
-TEST(Runtime, SetUpTellsOpenMpItsThreads) {
+TEST(Runtime, SetUpSetsTheThreadsOfOpenMp) {
   auto* const max_threads = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_threads"));
   if (max_threads == nullptr) GTEST_SKIP() << "no OpenMP run-time is loaded";
   SetUpRuntime(3);

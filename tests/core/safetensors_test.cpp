@@ -34,7 +34,7 @@ SafetensorsWriter ExampleWriter() {
   return writer;
 }
 
-/// A file with this header, padded to a multiple of 8, and so many bytes of data.
+/// A file with this header, padded to a multiple of 8, and a given number of bytes of data.
 void WriteRaw(const std::filesystem::path& path, std::string header, size_t num_data_bytes) {
   header.append((8 - header.size() % 8) % 8, ' ');
   const uint64_t size = header.size();

@@ -1,4 +1,4 @@
-// tools/check_layers and tools/check_rooms on small trees with one fault each: a check that cannot fail is none.
+// tools/check_layers, check_rooms and check_words on small trees with one fault each: each check has to fail there.
 #include "core/files.h"
 #include "tests/support/paths.h"
 #include "tests/support/process.h"
@@ -197,6 +197,36 @@ TEST_F(StructureCheck, RoomsRefuseARoomWithoutFiles) {
 TEST_F(StructureCheck, RoomsRefuseLongFiles) {
   Write("core/long.h", std::string(421, '\n'));
   ExpectFailure("check_rooms", "core/long.h: 421 lines; split it");
+}
+
+TEST_F(StructureCheck, WordsMayNotExceedTheBaseline) {
+  // The literals are split so that this file has no hit itself.
+  Write("core/a.h",
+        "// T"
+        "ells what it knew_not; an unknown standard.\n// It go"
+        "es\n// on, and it went"
+        " on.\n");
+  Write("core/data.json",
+        "{\"t"
+        "old\": 1}");
+  Write("tools/word_baseline", "2\n");
+  const testing::ProcessResult equal = Run("check_words");
+  EXPECT_EQ(equal.exit_code, 0) << equal.out;
+  EXPECT_THAT(equal.out, HasSubstr("2 banned words in"));
+  EXPECT_THAT(equal.out, ::testing::Not(HasSubstr("lower it")));
+
+  Write("tools/word_baseline", "1\n");
+  EXPECT_EQ(Run("check_words").exit_code, 1);
+  EXPECT_THAT(Run("check_words").out, HasSubstr("2 banned words in"));
+
+  Write("tools/word_baseline", "3\n");
+  EXPECT_EQ(Run("check_words").exit_code, 0);
+  EXPECT_THAT(Run("check_words").out, HasSubstr("tools/word_baseline is 3; lower it to 2"));
+}
+
+TEST_F(StructureCheck, WordsNeedABaseline) {
+  EXPECT_EQ(Run("check_words").exit_code, 1);
+  EXPECT_THAT(Run("check_words").out, HasSubstr("tools/word_baseline is missing"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 using tensor::NamedTensors;
 using testing::ExpectError;
 
-/// A function that uses an operator, and the ONNX operator that has to stand for it.
+/// A function that uses an operator, and the ONNX operator that it has to become.
 struct Example {
   NamedTensors weights;
   std::vector<int64_t> shape;
@@ -107,7 +107,7 @@ TEST(Lowering, EveryOperatorOfTheTableIsExportedByItsExample) {
   EXPECT_EQ(examples.size(), LoweringTable().size());
 }
 
-TEST(Lowering, EveryOperatorAnswersAsLibTorchInOnnxRuntime) {
+TEST(Lowering, EveryOperatorGivesTheOutputOfLibTorchInOnnxRuntime) {
   const testing::TempDir folder;
   for (const auto& [name, example] : Examples()) {
     const auto function = FunctionOf(example);

@@ -7,7 +7,7 @@
 namespace daumier::exporting {
 namespace {
 
-TEST(OnnxGraph, TellsVersionsAndFreesTheBatchDimension) {
+TEST(OnnxGraph, HoldsVersionsAndFreesTheBatchDimension) {
   OnnxGraph graph("doubler");
   graph.AddInput("x", torch::zeros({2, 5}));
   const auto doubled = graph.AddNode("Add", {"x", "x"});

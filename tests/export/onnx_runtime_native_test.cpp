@@ -6,7 +6,7 @@
 namespace daumier::exporting {
 namespace {
 
-TEST(NativeOnnxRuntime, AnswersOrIsAnErrorWhereThisBuildHasNone) {
+TEST(NativeOnnxRuntime, RunsOrIsAnErrorWhereThisBuildHasNone) {
   const testing::TempDir folder;
   const auto model = ExportToOnnx(Weights(), TestFunction({3}, [](const torch::Tensor& x) { return x + x; }));
   WriteFileAtomically(folder / "model.onnx", model.SerializeAsString());

@@ -15,24 +15,24 @@ std::filesystem::path WriteDoubler(const TempDir& folder) {
   return folder / "model.onnx";
 }
 
-TEST(OnnxRuntime, AnswersEveryRunAtItsOwnBatchSize) {
+TEST(OnnxRuntime, RunsEveryInputAtItsOwnBatchSize) {
   const TempDir folder;
   const auto one = torch::randn({1, 3}), four = torch::randn({4, 3});
-  const auto answers = RunInOnnxRuntime(WriteDoubler(folder), {{{"x", one}}, {{"x", four}}}, {"y"}, folder.path());
-  if (!answers.has_value()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
-  EXPECT_NE(answers->runtime.find("onnxruntime"), std::string::npos);
-  EXPECT_TRUE(torch::equal(answers->outputs.at(0).at("y"), 2 * one));
-  EXPECT_TRUE(torch::equal(answers->outputs.at(1).at("y"), 2 * four));
+  const auto result = RunInOnnxRuntime(WriteDoubler(folder), {{{"x", one}}, {{"x", four}}}, {"y"}, folder.path());
+  if (!result.has_value()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
+  EXPECT_NE(result->runtime.find("onnxruntime"), std::string::npos);
+  EXPECT_TRUE(torch::equal(result->outputs.at(0).at("y"), 2 * one));
+  EXPECT_TRUE(torch::equal(result->outputs.at(1).at("y"), 2 * four));
 }
 
-TEST(OnnxRuntime, TellsTheMedianTimeOfEachRunIfAskedTo) {
+TEST(OnnxRuntime, ReturnsTheMedianTimeOfEachRunIfRequested) {
   const TempDir folder;
   const auto model = WriteDoubler(folder);
   const std::vector<tensor::NamedTensors> runs = {{{"x", torch::zeros({1, 3})}}, {{"x", torch::zeros({4, 3})}}};
-  const auto answers = RunInOnnxRuntime(model, runs, {"y"}, folder.path(), 5);
-  if (!answers.has_value()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
-  ASSERT_EQ(answers->milliseconds.size(), 2u);
-  for (const double milliseconds : answers->milliseconds) EXPECT_GT(milliseconds, 0);
+  const auto result = RunInOnnxRuntime(model, runs, {"y"}, folder.path(), 5);
+  if (!result.has_value()) GTEST_SKIP() << "no ONNX Runtime here; run ./dev setup";
+  ASSERT_EQ(result->milliseconds.size(), 2u);
+  for (const double milliseconds : result->milliseconds) EXPECT_GT(milliseconds, 0);
   EXPECT_TRUE(RunInOnnxRuntime(model, runs, {"y"}, folder.path())->milliseconds.empty());
 }
 

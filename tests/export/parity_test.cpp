@@ -19,7 +19,7 @@ std::filesystem::path WriteModel(const TempDir& folder, const ExportedFunction& 
   return folder / "model.onnx";
 }
 
-TEST(Parity, FindsAModelThatAnswersOtherwise) {
+TEST(Parity, FindsAModelWithOtherOutputs) {
   const TempDir folder;
   const auto weight = torch::full({3}, 2.0f);
   const auto function = TestFunction({3}, [weight](const torch::Tensor& x) { return x * weight; });

@@ -49,7 +49,7 @@ class RunExportTest : public ::testing::Test {
   const WithoutNpmPackage without_;
 };
 
-TEST_F(RunExportTest, ManifestTellsWhatIsThereAndWhatTheCallerAdds) {
+TEST_F(RunExportTest, ManifestListsTheFilesAndTheEntriesOfTheCaller) {
   WriteExport(Export(), folder_ / "out");
   const Manifest manifest = ReadManifest(folder_ / "out", "export");
   VerifyChecksums(folder_ / "out", manifest);
@@ -76,7 +76,7 @@ TEST_F(RunExportTest, AFailureReplacesNothing) {
   EXPECT_EQ(ReadFile(folder_ / "out/manifest.json"), before);
 }
 
-TEST_F(RunExportTest, AGraphIsStoredBesideTheWeightsAndInTheManifest) {
+TEST_F(RunExportTest, AGraphIsStoredNextToTheWeightsAndInTheManifest) {
   StoreGraph(Export());
   const Manifest manifest = ReadManifest(folder_ / "run", "run");
   VerifyChecksums(folder_ / "run", manifest);

@@ -31,7 +31,7 @@ TEST(TorchRunner, NamesTheInputThatIsWrong) {
   testing::ExpectError([&] { runner.Run({{"x", FloatArray({2, 4})}}); }, "the input 'x' is (2, 4), expected (N, 3)");
 }
 
-TEST(TorchRunner, AnswersSeveralThreads) {
+TEST(TorchRunner, IsThreadSafe) {
   const TorchRunner runner(Doubling(), torch::kCPU);
   std::vector<std::thread> threads;
   std::atomic<int> num_right = 0;

@@ -24,7 +24,7 @@ std::vector<int> Row(int j) {
   return row;
 }
 
-/// The border of the cells low_i..high_i, low_j..high_j, every vertex told.
+/// The border of the cells low_i..high_i, low_j..high_j, with every vertex listed.
 std::vector<int> Border(int low_i, int high_i, int low_j, int high_j) {
   std::vector<int> border;
   for (int i = low_i; i < high_i; ++i) border.push_back(Grid().at(i, low_j));
@@ -158,7 +158,7 @@ TEST(Annotate, LandmarksAreEnoughForAForeignTopology) {
   ExpectError([&] { Annotate(Grid().mesh(), LeastFile(), "strict"); }, "region 'face' is missing");
 }
 
-TEST(Annotate, ToldRegionsStandInForHolesThatAreNotThere) {
+TEST(Annotate, SpecifiedRegionsReplaceMissingHoles) {
   const FaceTemplate open = testing::SyntheticFace();
   geometry::PolygonMesh closed{open.neutral, {0}, {}};
   const auto add = [&](const geometry::Triangles& triangles) {
@@ -191,7 +191,7 @@ TEST(Annotate, WrongUnitsAxesAndSidesAreFound) {
   ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "'cm_per_unit'");
   mesh = Grid().mesh();
   mesh.vertices.col(1) *= -1;
-  ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "has to stand upright");
+  ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "has to be upright");
   mesh = Grid().mesh();
   mesh.vertices.col(2) *= -1;
   ExpectError([&] { LeastAnnotated(mesh, LeastFile()); }, "look to +z");

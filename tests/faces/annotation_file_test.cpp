@@ -60,7 +60,8 @@ TEST(AnnotationFile, FaultsAreRefusedByFileAndKey) {
   ExpectRefused([](Json& json) { json["hair"] = 1; }, "unknown key 'hair'");
   ExpectRefused([](Json& json) { json["landmarks"].erase(0); }, "67 landmarks, expected 68");
   ExpectRefused([](Json& json) { json["hairline"] = "top"; }, "'hairline' has the wrong type");
-  ExpectRefused([](Json& json) { json["curves"][0]["kind"] = "beard"; }, "kind 'beard' is none of silhouette");
+  ExpectRefused([](Json& json) { json["curves"][0]["kind"] = "beard"; },
+                "unknown kind 'beard', expected one of silhouette");
   ExpectRefused([](Json& json) { json["curves"][0]["view"] = "back"; }, "view 'back'");
   ExpectRefused([](Json& json) { json["regions"]["nose"].erase("seed"); }, "region nose");
   ExpectRefused([](Json& json) { json["regions"]["face"]["range"] = {9, 0}; }, "range [9, 0] is empty");
@@ -74,7 +75,7 @@ TEST(AnnotationFile, LandmarksAndHairlineAreEnough) {
   EXPECT_TRUE(file.cuts.empty() && file.regions.empty() && file.curves.empty());
 }
 
-TEST(AnnotationFile, RegionsMayBeListsAndUnitsTold) {
+TEST(AnnotationFile, RegionsMayBeListsAndUnitsSpecified) {
   Json json = SmallAnnotation();
   json["cm_per_unit"] = 2.5;
   json["regions"]["eyes"] = {{"vertices", {4, 2}}};

@@ -115,7 +115,7 @@ TEST(BilinearModel, ErrorDoesNotGrowWithTheRank) {
   }
 }
 
-TEST(BilinearModel, SmallComponentsSurviveBesideALargeMeanFace) {
+TEST(BilinearModel, SmallComponentsSurviveALargeMeanFace) {
   // Two components of 1 and 0.001 on a mean of 10: the Gram matrix of the plain faces in float32 would lose the second.
   Rng rng(5);
   const int num_identities = 20, num_expressions = 3, size = 300;

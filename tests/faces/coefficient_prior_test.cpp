@@ -31,11 +31,11 @@ TEST(CoefficientPrior, NoDeviationIsLessThanAThousandthOfTheMean) {
 
 TEST(CoefficientPrior, CentredHasTheGivenMeansAndAShareOfTheDeviations) {
   const CoefficientPrior prior = PriorOf(ByHand());
-  const CoefficientPrior told = CentredPrior(prior, Eigen::Vector2f(7, 8), Eigen::VectorXf::Constant(1, 9), 0.5);
-  EXPECT_EQ(told.u_mean, Eigen::Vector2f(7, 8));
-  EXPECT_EQ(told.v_mean[0], 9);
-  EXPECT_FLOAT_EQ(told.u_deviation[1], 1);
-  EXPECT_FLOAT_EQ(told.v_deviation[0], std::sqrt(0.5f));
+  const CoefficientPrior centred = CentredPrior(prior, Eigen::Vector2f(7, 8), Eigen::VectorXf::Constant(1, 9), 0.5);
+  EXPECT_EQ(centred.u_mean, Eigen::Vector2f(7, 8));
+  EXPECT_EQ(centred.v_mean[0], 9);
+  EXPECT_FLOAT_EQ(centred.u_deviation[1], 1);
+  EXPECT_FLOAT_EQ(centred.v_deviation[0], std::sqrt(0.5f));
 }
 
 TEST(CoefficientPrior, RefusesOtherLengthsAndNoDeviation) {

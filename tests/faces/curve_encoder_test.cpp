@@ -40,7 +40,7 @@ TEST_F(CurveEncoderTest, RebuildsPointsOfTheModel) {
   }
 }
 
-TEST_F(CurveEncoderTest, PointsOfWeightZeroAreNotLookedAt) {
+TEST_F(CurveEncoderTest, PointsOfWeightZeroAreIgnored) {
   const CurveEncoder encoder(model_, {.deviation_px = 0.01, .rounds = 30});
   Eigen::VectorXf points = PointsOf(2, 3);
   std::vector<float> weights = ones_;
@@ -52,7 +52,7 @@ TEST_F(CurveEncoderTest, PointsOfWeightZeroAreNotLookedAt) {
   EXPECT_LT((after.points - PointsOf(2, 3)).norm(), 1e-2 * after.points.norm()) << "the gap is filled in";
 }
 
-TEST_F(CurveEncoderTest, WithoutAnyPointTheAnswerIsThePriorsMean) {
+TEST_F(CurveEncoderTest, WithoutAnyPointTheResultIsThePriorsMean) {
   const CurveEncoder encoder(model_);
   const Eigen::VectorXf points = PointsOf(0, 0);
   const CurveCode code = encoder.Encode(View(points), std::vector<float>(60, 0.0f));
@@ -62,8 +62,8 @@ TEST_F(CurveEncoderTest, WithoutAnyPointTheAnswerIsThePriorsMean) {
 
 TEST_F(CurveEncoderTest, ATightPriorKeepsItsOwnMeans) {
   const Eigen::VectorXf u = model_.identity_factors.row(4), v = model_.expression_factors.row(2);
-  const CurveEncoder told(model_, CentredPrior(PriorOf(model_), u, v, 1e-4), {.deviation_px = 1});
-  const CurveCode code = told.Encode(View(PointsOf(0, 0)), ones_);
+  const CurveEncoder narrow(model_, CentredPrior(PriorOf(model_), u, v, 1e-4), {.deviation_px = 1});
+  const CurveCode code = narrow.Encode(View(PointsOf(0, 0)), ones_);
   EXPECT_LT((code.u - u).norm(), 1e-3);
   EXPECT_LT((code.v - v).norm(), 1e-3);
   const CoefficientPrior other = PriorOf(testing::RandomBilinear(2, 5, 3, 1));
@@ -82,7 +82,7 @@ double Objective(const BilinearModel& model, const Eigen::VectorXf& u, const Eig
          prior(model.identity_factors, u) + prior(model.expression_factors, v);
 }
 
-TEST_F(CurveEncoderTest, TheAnswerIsAMinimumOfTheObjective) {
+TEST_F(CurveEncoderTest, TheResultIsAMinimumOfTheObjective) {
   constexpr double kDeviation = 2;
   const CurveEncoder encoder(model_, {.deviation_px = kDeviation, .rounds = 60});
   Eigen::VectorXf points = PointsOf(1, 5);

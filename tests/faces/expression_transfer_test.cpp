@@ -82,7 +82,7 @@ TEST(ExpressionTransfer, RefusesAFaceOfAnotherTopology) {
 TEST(ExpressionTransfer, IctExpressionsComeBackOnTheirOwnTemplate) {
   const auto data = testing::SharedData();
   if (!data || !std::filesystem::exists(*data / "ict-facekit.tar.xz"))
-    GTEST_SKIP() << "no ict-facekit.tar.xz beside the checkout";
+    GTEST_SKIP() << "no ict-facekit.tar.xz next to the checkout";
   const FaceModel model = LoadFaceModel({.name = "ict", .path = (*data / "ict-facekit.tar.xz").string()});
   const Eigen::MatrixXf offsets = ExpressionTransfer(model, model.expressions).Offsets(model.face_template.neutral, 8);
   EXPECT_LT(LargestError(model, offsets), 2e-3) << "cm";

@@ -94,7 +94,7 @@ TEST(FaceDatabase, PointsAreTheVerticesRowByRow) {
   }
 }
 
-TEST_F(FaceDatabaseTest, TellsWhatItHolds) {
+TEST_F(FaceDatabaseTest, ReportsItsCounts) {
   const FaceDatabase database(directory_.path());
   EXPECT_EQ(database.num_persons(), kPersons);
   EXPECT_EQ(database.num_levels(), kLevels);
@@ -122,7 +122,7 @@ class InterpolatedFacesTest : public FaceDatabaseTest {
   }
 };
 
-TEST_F(InterpolatedFacesTest, StandBehindTheGridAndBelongToTheirParentsGroup) {
+TEST_F(InterpolatedFacesTest, FollowTheGridAndBelongToTheirParentsGroup) {
   AddInterpolated(4, 9, true);
   const FaceDatabase database(directory_.path());
   EXPECT_EQ(database.num_grid_faces(), 12);
@@ -144,14 +144,14 @@ TEST_F(InterpolatedFacesTest, ParentsOfTwoGroupsOrOutsideTheGridAreRefused) {
   ExpectRefused("face 12 is no parent");
 }
 
-TEST_F(FaceDatabaseTest, GroupsTellWhoIsTheSameInTruth) {
+TEST_F(FaceDatabaseTest, GroupsJoinPersonsThatAreTheSame) {
   EXPECT_EQ(FaceDatabase(directory_.path()).groups(), (std::vector<int>{0, 1}));
   manifest_.details["groups"] = {"bob", "bob"};
   WriteManifest(directory_.path(), manifest_);
   EXPECT_EQ(FaceDatabase(directory_.path()).groups(), (std::vector<int>{0, 0}));
   manifest_.details["groups"] = {"bob"};
   WriteManifest(directory_.path(), manifest_);
-  ExpectRefused("tells the groups of 1 persons, there are 2");
+  ExpectRefused("lists the groups of 1 persons, expected 2");
   manifest_.details["groups"] = {1, 2};
   WriteManifest(directory_.path(), manifest_);
   ExpectRefused("malformed");

@@ -49,7 +49,7 @@ TEST_F(IctTest, UvIsThatOfTheHead) {
   testing::ExpectUvUnfoldsTheFace(model_->face_template);
 }
 
-TEST_F(IctTest, FaceRegionStandsFirst) {
+TEST_F(IctTest, FaceRegionIsFirst) {
   const auto& region = model_->face_template.annotation.regions.at("face");
   for (size_t i = 0; i < region.size(); ++i) ASSERT_EQ(region[i], static_cast<int>(i));
   EXPECT_GT(region.size(), 9000u);

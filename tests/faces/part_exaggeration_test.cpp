@@ -45,13 +45,13 @@ TEST(PartExaggeration, AStretchedPartGrowsInThatDirection) {
   EXPECT_GT(depth(result), 1.3 * depth(subject.face.neutral));
 }
 
-TEST(PartExaggeration, ALumpMovesWhatStandsThere) {
+TEST(PartExaggeration, ABumpMovesTheVerticesNearIt) {
   const PartsOfSubject subject;
   PartStrengths strengths = subject.None();
   const int top = subject.face.annotation.hairline_vertex, chin = subject.face.annotation.landmarks[8];
-  strengths.lumps.push_back({.vertex = top, .radius = 1.5, .offset = {0, 0, 1}});
+  strengths.bumps.push_back({.vertex = top, .radius = 1.5, .offset = {0, 0, 1}});
   const Points moves = subject.Apply(strengths) - subject.face.neutral;
-  EXPECT_NEAR(moves(top, 2), 1, 0.15) << "cm; the alignment takes up a little";
+  EXPECT_NEAR(moves(top, 2), 1, 0.15) << "cm; the alignment absorbs a little";
   EXPECT_LT(moves.row(chin).norm(), 0.15);
 }
 

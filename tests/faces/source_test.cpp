@@ -47,7 +47,7 @@ TEST(Source, MeshesAreFacesAndNoModel) {
   EXPECT_EQ(ParseOptions<SourceOptions>(Json::object()).licence, "not told; set source.licence");
 }
 
-TEST(Source, OptionsKnowTheSources) {
+TEST(Source, OptionsListTheSources) {
   EXPECT_THROW(ParseOptions<SourceOptions>(Json{{"name", "wax"}}), UsageError);
   EXPECT_EQ(ParseOptions<SourceOptions>(Json{{"name", "ict"}, {"path", "a.tar.xz"}}).path, "a.tar.xz");
 }

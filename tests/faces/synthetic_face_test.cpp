@@ -1,4 +1,4 @@
-// The face that other tests stand on keeps its own promises.
+// The synthetic face that other tests use has the properties that its header promises.
 #include "tests/support/synthetic_face.h"
 #include "tests/support/synthetic_model.h"
 

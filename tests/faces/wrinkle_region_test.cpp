@@ -54,7 +54,7 @@ TEST(WrinkleRegion, KeepsClearOfFeaturesAndCurves) {
 }
 
 TEST(WrinkleRegion, EndsAtTheSilhouette) {
-  // A ring of edges around the nose, told as a silhouette, leaves only what it encloses.
+  // A ring of edges around the nose, annotated as a silhouette, leaves only what it encloses.
   FaceTemplate face = testing::SyntheticFace();
   const auto all = WrinkleRegion(face, View::kFrontal, 0);
   const int tip = face.annotation.landmarks[30];

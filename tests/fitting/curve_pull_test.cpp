@@ -33,7 +33,7 @@ TEST(PullOf, PassesByStrokesThatRunAcross) {
 }
 
 TEST(PullOf, EndsWhereAStrokeEnds) {
-  // Only the last point has the stroke beside it; the middle one reaches its end, 5 pixels along and 3 up.
+  // Only the last point has the stroke next to it; the middle one reaches its end, 5 pixels along and 3 up.
   const CurvePull pull = Pull({0, {{105, 103}, {250, 103}}}, 8);
   EXPECT_EQ(pull.points, (std::vector<float>{90, 100, 105, 103, 110, 103}));
   EXPECT_FLOAT_EQ(pull.weights[1], (1 - 34.0f / 64) * (1 - 34.0f / 64));

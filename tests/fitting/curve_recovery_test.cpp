@@ -110,7 +110,7 @@ TEST(FollowStrokes, WhatTheModelLeavesOutOfItsPointsMovesThemOnTheCanvas) {
                        "moved by 3");
 }
 
-TEST(FollowStrokes, TheStartStandsWhereNoStrokeIsWithinReach) {
+TEST(FollowStrokes, TheStartIsReturnedWhereNoStrokeIsWithinReach) {
   const faces::BilinearModel model = WaveAndLine();
   const faces::CurveEncoder encoder(model);
   faces::CurveCode start{Eigen::Vector2f(1, 3), Eigen::Vector2f(1, -2), {}};
@@ -168,7 +168,7 @@ TEST(PlaceOnCurves, UndoesATurnAScaleAndAShiftAndLeavesADrawingThatIsFarAway) {
     }
     return most;
   };
-  // Nearest points tell little of a move along a curve, so that it comes back slowly.
+  // Nearest points carry little information on a move along a curve, so that it comes back slowly.
   EXPECT_LT(distance(PlaceOnCurves(drawn, offsets, curves, {}, 20)), 0.3 * distance(drawn));
   EXPECT_EQ(distance(PlaceOnCurves(drawn, offsets, curves, {}, 0)), distance(drawn));
   for (auto& stroke : drawn)

@@ -1,6 +1,6 @@
 #include "fitting/frame_search.h"
 
-#include "tests/fitting/seen_face.h"
+#include "tests/fitting/projected_face.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Sketch = std::vector<render::Stroke>;
 
-/// A network that knows one face alone.
+/// A network that predicts the same face always.
 class FrameSearchTest : public ::testing::Test {
  protected:
   FrameSearchTest() : curves_(CurveStrokes(seen_.curves.offsets, seen_.Points(seen_.Face(1, 1)))) {}
@@ -26,7 +26,7 @@ class FrameSearchTest : public ::testing::Test {
   render::Drawing OnASheet(const Sketch& more) const {
     Sketch strokes = curves_;
     strokes.insert(strokes.end(), more.begin(), more.end());
-    return {1000, 1000, render::Place(strokes, {2.0, {70, -30}})};
+    return {1000, 1000, render::MapToCanvas(strokes, {2.0, {70, -30}})};
   }
   static double Error(const FoundFrame& found) {
     // The sheet's frame undone: scale 1/2 and back.
@@ -35,7 +35,7 @@ class FrameSearchTest : public ::testing::Test {
            (shift - (1 - 2 * found.placement.scale) * Eigen::Vector2d(128, 128)).norm();
   }
 
-  SeenFace seen_;
+  ProjectedFace seen_;
   Sketch curves_;
   int num_tried_ = 0;
 };
@@ -65,7 +65,7 @@ TEST_F(FrameSearchTest, IsNeverWorseThanTheFrameOfTheBoundingBox) {
   EXPECT_LE(found.distance_px, found.start_distance_px);
 }
 
-TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxStands) {
+TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxIsReturned) {
   const auto framed = render::FrameDrawing(OnASheet({}));
   const FoundFrame found = FindFrame(framed, Always(), {.shares = {}, .halvings = 0});
   EXPECT_EQ(found.placement.scale, framed.placement.scale);

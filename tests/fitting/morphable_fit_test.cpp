@@ -2,7 +2,7 @@
 
 #include "core/random.h"
 #include "faces/curve_encoder.h"
-#include "tests/fitting/seen_face.h"
+#include "tests/fitting/projected_face.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ class MorphableFitTest : public ::testing::Test {
  protected:
   Eigen::VectorXf FaceOf(const MorphableFit& fit) const { return faces::Reconstruct(seen_.model, fit.u, fit.v); }
 
-  SeenFace seen_;
+  ProjectedFace seen_;
   const ProjectedModel projected_ = ProjectModel(seen_.curves, seen_.model);
 };
 
@@ -70,7 +70,7 @@ TEST_F(MorphableFitTest, DerivativesAreCentralDifferences) {
   EXPECT_LT(worst(v, value.by_v), 1e-6);
 }
 
-TEST_F(MorphableFitTest, PointsOfWeightZeroAreNotLookedAt) {
+TEST_F(MorphableFitTest, PointsOfWeightZeroAreIgnored) {
   auto points = seen_.Points(seen_.Face(3, 2));
   auto weights = seen_.Ones();
   weights[0] = weights[17] = 0;
@@ -81,7 +81,7 @@ TEST_F(MorphableFitTest, PointsOfWeightZeroAreNotLookedAt) {
   EXPECT_EQ(before.v, after.v);
 }
 
-TEST_F(MorphableFitTest, ThePriorKeepsNearTheTrainingFacesWhatNoPointTells) {
+TEST_F(MorphableFitTest, ThePriorKeepsUndeterminedCoefficientsNearTheTrainingFaces) {
   auto points = seen_.Points(seen_.Face(3, 2));
   std::vector<float> weights(size_t(seen_.curves.num_points()), 0.0f);
   weights[2] = 1;

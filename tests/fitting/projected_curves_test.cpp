@@ -1,6 +1,6 @@
 #include "fitting/projected_curves.h"
 
-#include "tests/fitting/seen_face.h"
+#include "tests/fitting/projected_face.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(ProjectedCurves, AreWorkedOutByHand) {
 }
 
 TEST(ProjectedCurves, OfAModelAreThoseOfItsFaces) {
-  SeenFace seen;
+  ProjectedFace seen;
   seen.curves.camera = render::TurnedCamera({0.5, 1, -2}, 15, render::kSketchCanvas, 20, -10);
   const ProjectedModel projected = ProjectModel(seen.curves, seen.model);
   EXPECT_EQ(projected.model.identity_factors, seen.model.identity_factors);
@@ -59,7 +59,7 @@ TEST(ProjectedCurves, RefuseWhatDoesNotFit) {
   testing::ExpectError([] { SeeCurves(ByHand(), {"nose"}, TenPixelsACm()); }, "no curve 'nose'");
   testing::ExpectError([&] { Project(curves, std::vector<float>(8)); }, "8 coordinates has no vertex 2");
   testing::ExpectError([&] { CurveStrokes(curves.offsets, std::vector<float>(6)); }, "6 coordinates for curves of 4");
-  SeenFace seen;
+  ProjectedFace seen;
   seen.curves.camera = render::WithPerspective(seen.curves.camera, 50);
   testing::ExpectError([&] { ProjectModel(seen.curves, seen.model); }, "orthographic");
 }

@@ -3,7 +3,7 @@
 #include "fitting/curve_pull.h"
 #include "fitting/stroke_distance.h"
 #include "geometry/topology.h"
-#include "tests/fitting/seen_face.h"
+#include "tests/fitting/projected_face.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace daumier::fitting {
 namespace {
 
-/// A square of kSide x kSide vertices in the plane, 1 cm apart, and beside it a loose triangle that no curve passes.
+/// A square of kSide x kSide vertices in the plane, 1 cm apart, and next to it a loose triangle that no curve passes.
 /// One curve runs along the middle row. A pixel is a cm.
 class StrokeDeformerTest : public ::testing::Test {
  protected:
@@ -37,7 +37,7 @@ class StrokeDeformerTest : public ::testing::Test {
     }
     for (int x = 0; x < kSide; ++x) curves_.vertices.push_back(kSide / 2 * kSide + x);
     curves_.offsets = {0, kSide};
-    // World +y is up: a vertex of height y stands at 128 - y.
+    // World +y is up: a vertex of height y lies at 128 - y.
     curves_.camera.principal_point = {128, 128};
     curves_.camera.width = curves_.camera.height = 256;
   }
@@ -93,7 +93,7 @@ TEST_F(StrokeDeformerTest, KeepsDepthsAndPartsWithoutACurve) {
 }
 
 TEST_F(StrokeDeformerTest, AShiftedLineShiftsTheWholeSurface) {
-  // To the left and right the stroke goes on, so that only the move across is told.
+  // To the left and right the stroke continues, so that only the move across is determined.
   const std::vector<render::Stroke> line = {{0, {{100, 121}, {160, 121}}}};
   const Eigen::MatrixX3f moved = Rows(Deformer({.last_weight = 1e3}).Deform(face_, line)) - Rows(face_);
   const auto square = moved.topRows(kSide * kSide);
@@ -102,7 +102,7 @@ TEST_F(StrokeDeformerTest, AShiftedLineShiftsTheWholeSurface) {
 }
 
 TEST_F(StrokeDeformerTest, CurvesOfAFaceComeToLieOnTheStrokesOfAnother) {
-  const SeenFace seen;
+  const ProjectedFace seen;
   const StrokeDeformer deformer(seen.face_template.triangles, seen.face_template.num_vertices(), seen.curves);
   const Eigen::VectorXf face = seen.Face(0, 0), other = seen.Face(3, 2);
   const auto strokes = CurveStrokes(seen.curves.offsets, seen.Points(other));

@@ -39,7 +39,7 @@ TriangleMesh Potato(int depth) {
 
 const double kPlanar = 1e-12;
 std::vector<int> LowerHalf(const TriangleMesh& mesh) {
-  return StillVertices(mesh.vertices, {Bend(mesh.vertices)}, kPlanar);
+  return StaticVertices(mesh.vertices, {Bend(mesh.vertices)}, kPlanar);
 }
 
 TEST(DeformationTransfer, OntoItsOwnReferenceGivesTheDeformedMesh) {
@@ -122,7 +122,7 @@ TEST(DeformationTransfer, RefusesWhatDoesNotFit) {
   const TriangleMesh sphere = testing::Sphere(1, 1);
   ExpectError([&] { ComputeDeformationGradients(sphere, sphere.vertices.topRows(5)); },
               "the reference has 18 vertices, its deformation 5");
-  ExpectError([&] { StillVertices(sphere.vertices, {sphere.vertices.topRows(5)}, 0); }, "a pose 5");
+  ExpectError([&] { StaticVertices(sphere.vertices, {sphere.vertices.topRows(5)}, 0); }, "a pose 5");
   Points collapsed = sphere.vertices;
   collapsed.row(sphere.triangles(3, 0)) = collapsed.row(sphere.triangles(3, 1));
   ExpectError([&] { ComputeDeformationGradients(sphere, collapsed); }, "has no area");
@@ -138,7 +138,7 @@ TriangleMesh ReadMesh(const std::filesystem::path& path) {
 
 TEST(DeformationTransfer, ScannedPosesComeBackOnTheirOwnReference) {
   const auto data = testing::SharedData();
-  if (!data || !std::filesystem::exists(*data / "head_poses")) GTEST_SKIP() << "no head_poses beside the checkout";
+  if (!data || !std::filesystem::exists(*data / "head_poses")) GTEST_SKIP() << "no head_poses next to the checkout";
   std::vector<TriangleMesh> heads;
   for (const auto& entry : std::filesystem::directory_iterator(*data / "head_poses")) {
     if (entry.path().extension() == ".obj") heads.push_back(ReadMesh(entry.path()));
@@ -155,7 +155,7 @@ TEST(DeformationTransfer, ScannedPosesComeBackOnTheirOwnReference) {
 
 TEST(DeformationTransfer, CaricaturesComeBackOnTheirOwnReference) {
   const auto data = testing::SharedData();
-  if (!data || !std::filesystem::exists(*data / "caricatures")) GTEST_SKIP() << "no caricatures beside the checkout";
+  if (!data || !std::filesystem::exists(*data / "caricatures")) GTEST_SKIP() << "no caricatures next to the checkout";
   const TriangleMesh first = ReadMesh(*data / "caricatures/1.obj"), second = ReadMesh(*data / "caricatures/2.obj");
   Points result = TransferDeformation(first, second.vertices, first, {0});
   result.rowwise() += second.vertices.row(0) - result.row(0);

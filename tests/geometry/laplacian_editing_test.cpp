@@ -63,7 +63,7 @@ TEST(LaplacianEditing, HeavyHandlesAreMetAndLightOnesGiveWay) {
 }
 
 TEST(LaplacianEditing, IsTheLeastSquaresSolutionOfItsEnergy) {
-  // The T_i are found anew, as the least-squares fit of s p + h x p + t, by a dense solve a vertex.
+  // The T_i are recomputed as the least-squares fit of s p + h x p + t, by a dense solve a vertex.
   const TriangleMesh& mesh = Bumps();
   const int num_vertices = static_cast<int>(mesh.vertices.rows()), num_handles = static_cast<int>(kHandles.size());
   const Adjacency neighbours = VertexNeighbours(mesh.triangles, num_vertices);

@@ -126,7 +126,7 @@ TEST(PrincipalCurvature, RefusesCurvaturesOfAnotherMesh) {
 
 TEST(PrincipalCurvature, AgreesWithTheReferenceProgramOnceItsFaultIsInjected) {
   const auto reference = testing::RtscReference::Load("default");
-  if (!reference) GTEST_SKIP() << "no golden files beside the checkout";
+  if (!reference) GTEST_SKIP() << "no golden files next to the checkout";
   const PrincipalCurvatures curvatures = ComputePrincipalCurvatures(reference->mesh, testing::SolveWithStalePivot);
   const auto derivatives = ComputeCurvatureDerivatives(reference->mesh, curvatures);
   const auto& rows = reference->rows;

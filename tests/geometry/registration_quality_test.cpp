@@ -43,7 +43,7 @@ TEST(RegistrationQuality, ASheetOverHalfOfAnother) {
   const auto quality = MeasureRegistration(mesh, mesh.vertices, AllOf(mesh), SurfaceMatcher(target), {.distance = 0.2});
   EXPECT_NEAR(quality.template_to_target.mean, 0.1, 1e-9);
   EXPECT_NEAR(quality.coverage, 0.45, 0.03);        // Half of it, without the rim of the target.
-  EXPECT_NEAR(quality.target_reached, 0.67, 0.04);  // Half of it, and 0.17 beside it.
+  EXPECT_NEAR(quality.target_reached, 0.67, 0.04);  // Half of it, and 0.17 next to it.
   EXPECT_TRUE(std::isnan(quality.distances[20]));
   EXPECT_EQ(quality.flipped_region, 0);
 }

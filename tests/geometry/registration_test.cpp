@@ -57,19 +57,19 @@ Points LandmarksOf(const RegistrationTemplate& source) {
 }
 
 TEST(Registration, ATargetEqualToTheTemplateGivesTheTemplate) {
-  const Registrar registrar(Source(), {});
-  const Registration result = registrar.Register(registrar.source().mesh, LandmarksOf(registrar.source()));
-  EXPECT_LT((result.vertices - registrar.source().mesh.vertices).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_LT((result.aligned - registrar.source().mesh.vertices).cwiseAbs().maxCoeff(), 1e-8);
+  const NonRigidRegistration registration(Source(), {});
+  const Registration result = registration.Register(registration.source().mesh, LandmarksOf(registration.source()));
+  EXPECT_LT((result.vertices - registration.source().mesh.vertices).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((result.aligned - registration.source().mesh.vertices).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST(Registration, RecoversASmoothWarpFromAnotherTriangulation) {
-  const Registrar registrar(Source(), {});
-  const TriangleMesh& mesh = registrar.source().mesh;
+  const NonRigidRegistration registration(Source(), {});
+  const TriangleMesh& mesh = registration.source().mesh;
   TriangleMesh target = OtherHead();
   target.vertices = Warp(target.vertices);
-  const Points truth = Warp(mesh.vertices), landmarks = truth(registrar.source().landmarks, Eigen::all);
-  const Registration result = registrar.Register(target, landmarks);
+  const Points truth = Warp(mesh.vertices), landmarks = truth(registration.source().landmarks, Eigen::all);
+  const Registration result = registration.Register(target, landmarks);
   const Points expected = result.template_from_target.Apply(truth);
   const Eigen::VectorXd before = (mesh.vertices - expected).rowwise().norm(),
                         after = (result.vertices - expected).rowwise().norm();
@@ -85,8 +85,8 @@ TEST(Registration, RecoversASmoothWarpFromAnotherTriangulation) {
 }
 
 TEST(Registration, WhatTheTargetLacksFollowsSmoothly) {
-  // Of the warped head only the front, z > 2, is there.
-  const Registrar registrar(Source(), {});
+  // The target is the front of the warped head, z > 2.
+  const NonRigidRegistration registration(Source(), {});
   TriangleMesh target = OtherHead();
   Triangles front(0, 3);
   for (int f = 0; f < target.triangles.rows(); ++f) {
@@ -97,8 +97,8 @@ TEST(Registration, WhatTheTargetLacksFollowsSmoothly) {
     front.bottomRows(1) = target.triangles.row(f);
   }
   target = {Warp(target.vertices), front};
-  const Points truth = Warp(registrar.source().mesh.vertices);
-  const Registration result = registrar.Register(target, truth(registrar.source().landmarks, Eigen::all));
+  const Points truth = Warp(registration.source().mesh.vertices);
+  const Registration result = registration.Register(target, truth(registration.source().landmarks, Eigen::all));
   const Points error = result.vertices - result.template_from_target.Apply(truth);
   EXPECT_LT(error.rowwise().norm().maxCoeff(), 2);
   EXPECT_LT(error.rowwise().norm().mean(), 0.3);
@@ -107,14 +107,14 @@ TEST(Registration, WhatTheTargetLacksFollowsSmoothly) {
 TEST(Registration, ASimilarityOfTheTargetChangesNothing) {
   RegistrationOptions options;
   options.num_rounds = 3;
-  const Registrar registrar(Source(), options);
+  const NonRigidRegistration registration(Source(), options);
   TriangleMesh target = OtherHead();
   target.vertices = Warp(target.vertices);
-  const Points landmarks = Warp(LandmarksOf(registrar.source()));
+  const Points landmarks = Warp(LandmarksOf(registration.source()));
   const Similarity moved{0.1, Eigen::AngleAxisd(1.2, Vector3(0, 1, 2).normalized()).toRotationMatrix(), {5, -3, 2}};
-  const Registration here = registrar.Register(target, landmarks);
+  const Registration here = registration.Register(target, landmarks);
   const Registration there =
-      registrar.Register({moved.Apply(target.vertices), target.triangles}, moved.Apply(landmarks));
+      registration.Register({moved.Apply(target.vertices), target.triangles}, moved.Apply(landmarks));
   EXPECT_LT((here.vertices - there.vertices).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_NEAR(there.template_from_target.scale, 10 * here.template_from_target.scale, 1e-8);
 }
@@ -122,9 +122,10 @@ TEST(Registration, ASimilarityOfTheTargetChangesNothing) {
 TEST(Registration, TheSameInputGivesTheSameBytes) {
   RegistrationOptions options;
   options.num_rounds = 2;
-  const Registrar registrar(Source(), options);
-  const Points landmarks = Warp(LandmarksOf(registrar.source()));
-  EXPECT_EQ(registrar.Register(OtherHead(), landmarks).vertices, registrar.Register(OtherHead(), landmarks).vertices);
+  const NonRigidRegistration registration(Source(), options);
+  const Points landmarks = Warp(LandmarksOf(registration.source()));
+  EXPECT_EQ(registration.Register(OtherHead(), landmarks).vertices,
+            registration.Register(OtherHead(), landmarks).vertices);
 }
 
 TEST(Registration, AnchorsHoldWhatNothingMatches) {
@@ -132,12 +133,12 @@ TEST(Registration, AnchorsHoldWhatNothingMatches) {
   const int back = 5;  // (0, 0, -8): far behind.
   const auto with_anchors = [&](std::vector<int> anchors) {
     source.anchors = std::move(anchors);
-    const Registrar registrar(source, {});
+    const NonRigidRegistration registration(source, {});
     Points landmarks = LandmarksOf(source);
     landmarks.row(4) += Eigen::RowVector3d(0, 0, 30);
     TriangleMesh speck = testing::EquilateralTriangle();  // Nothing to match.
     speck.vertices.array() += 500;
-    return (registrar.Register(speck, landmarks).aligned.row(back) - source.mesh.vertices.row(back)).norm();
+    return (registration.Register(speck, landmarks).aligned.row(back) - source.mesh.vertices.row(back)).norm();
   };
   source.landmarks = {0, 1, 2, 3, 4};
   source.landmark_weights = Eigen::VectorXd::Ones(5);
@@ -148,7 +149,7 @@ TEST(Registration, RefusesBadInput) {
   const auto with = [](auto change) {
     RegistrationTemplate source = Source();
     change(source);
-    Registrar(source, {});
+    NonRigidRegistration(source, {});
   };
   ExpectError([&] { with([](auto& source) { source.landmarks[3] = 5000; }); }, "a landmark 5000 is out of range");
   ExpectError([&] { with([](auto& source) { source.landmarks[3] = 4; }); }, "vertex 4 is a landmark twice");
@@ -156,17 +157,17 @@ TEST(Registration, RefusesBadInput) {
   ExpectError([&] { with([](auto& source) { source.landmarks.resize(2); }); }, "2 landmarks; three or more");
   ExpectError([&] { with([](auto& source) { source.landmark_weights[9] = 0; }); }, "expected one each, above 0");
 
-  const Registrar registrar(Source(), {});
-  const TriangleMesh& mesh = registrar.source().mesh;
-  const Points landmarks = LandmarksOf(registrar.source());
-  ExpectError([&] { registrar.Register(mesh, landmarks.topRows(65)); }, "65 landmarks on the target, expected 66");
+  const NonRigidRegistration registration(Source(), {});
+  const TriangleMesh& mesh = registration.source().mesh;
+  const Points landmarks = LandmarksOf(registration.source());
+  ExpectError([&] { registration.Register(mesh, landmarks.topRows(65)); }, "65 landmarks on the target, expected 66");
   Points broken = landmarks;
   broken(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  ExpectError([&] { registrar.Register(mesh, broken); }, "a landmark on the target is not finite");
+  ExpectError([&] { registration.Register(mesh, broken); }, "a landmark on the target is not finite");
   TriangleMesh cracked = mesh;
   cracked.vertices(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  ExpectError([&] { registrar.Register(cracked, landmarks); }, "finite positions");
-  ExpectError([&] { registrar.Register({mesh.vertices, Triangles(0, 3)}, landmarks); }, "at least one triangle");
+  ExpectError([&] { registration.Register(cracked, landmarks); }, "finite positions");
+  ExpectError([&] { registration.Register({mesh.vertices, Triangles(0, 3)}, landmarks); }, "at least one triangle");
 }
 
 }  // namespace

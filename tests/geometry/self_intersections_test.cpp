@@ -24,7 +24,7 @@ TEST(TrianglesIntersect, HandMadeCases) {
   EXPECT_FALSE(TrianglesIntersect(kFloor, Triangle({5, -1, -1, 5, -1, 1, 6, -1, 0})));
 }
 
-TEST(TrianglesIntersect, TouchingAndLyingInOnePlaneIsNotPiercing) {
+TEST(TrianglesIntersect, TouchingAndLyingInOnePlaneIsNoIntersection) {
   EXPECT_FALSE(TrianglesIntersect(kFloor, Triangle({1, 1, 0, 1, 1, 1, 2, 1, 1})));    // A corner on the inside.
   EXPECT_FALSE(TrianglesIntersect(kFloor, Triangle({1, 0, -1, 1, 0, 1, 1, -3, 0})));  // An edge across a border.
   EXPECT_FALSE(TrianglesIntersect(kFloor, kFloor));
@@ -46,18 +46,18 @@ bool EdgePierces(const Eigen::Matrix3d& edges, const Eigen::Matrix3d& triangle) 
 
 TEST(TrianglesIntersect, AgreesWithEdgesThroughTriangles) {
   Rng rng(9);
-  int num_piercing = 0;
+  int num_intersecting = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     Eigen::Matrix3d a, b;
     for (Eigen::Matrix3d* triangle : {&a, &b}) {
       for (double& number : triangle->reshaped()) number = rng.Normal();
     }
     const bool expected = EdgePierces(a, b) || EdgePierces(b, a);
-    num_piercing += expected;
+    num_intersecting += expected;
     EXPECT_EQ(TrianglesIntersect(a, b), expected);
     EXPECT_EQ(TrianglesIntersect(b, a), expected);
   }
-  EXPECT_GT(num_piercing, 100);
+  EXPECT_GT(num_intersecting, 100);
 }
 
 TEST(SelfIntersections, NoneOnCleanSurfaces) {

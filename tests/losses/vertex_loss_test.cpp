@@ -84,7 +84,7 @@ TEST(VertexLoss, GramFormKeepsSmallErrorsOfFarAwayHeadsInFloat32) {
   torch::manual_seed(4);
   const int64_t num_vertices = 500;
   Problem p = MakeProblem(num_vertices);
-  p.core[0] += 100;  // The head stands 100 cm away from the origin.
+  p.core[0] += 100;  // The head is 100 cm away from the origin.
   p.u.select(1, 0).fill_(1);
   p.v.select(1, 0).fill_(1);
   p.target = torch::mm(Products(p.u, p.v), p.core) + 0.1 * torch::randn_like(p.target);

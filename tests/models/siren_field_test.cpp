@@ -58,7 +58,7 @@ TEST(SirenField, GradientOfOperatorsEqualsCentralDifferences) {
   }
 }
 
-TEST(SirenField, KnowsNoGradientByItsPoints) {
+TEST(SirenField, HasNoGradientByItsPoints) {
   Problem p = SomeProblem(1, false);
   p.points.requires_grad_();
   testing::ExpectError([&] { SirenField(kSmall, p.parameters, p.points); }, "no gradient by its points");

@@ -17,7 +17,7 @@ std::vector<int64_t> ConvolutionSizes(const TrunkOptions& options) {
   return trunk.convolutions->forward(torch::rand({2, 1, options.resolution, options.resolution})).sizes().vec();
 }
 
-TEST(SketchConvolution, StaysInFloat32AndAnswersAsAutocastPromises) {
+TEST(SketchConvolution, StaysInFloat32AndReturnsWhatAutocastPromises) {
   torch::manual_seed(1);
   SketchConvolution convolution(torch::nn::Conv2dOptions(1, 4, 5).stride(2));
   const torch::Tensor sketches = torch::rand({2, 1, 16, 16}), exact = convolution->forward(sketches);
@@ -107,9 +107,9 @@ TEST(ResidualBlock, WithoutItsConvolutionsIsTheShortCut) {
   EXPECT_EQ(ResidualBlock(3, 4, 2)->forward(input).sizes().vec(), (std::vector<int64_t>{2, 4, 3, 3}));
 }
 
-TEST(Greatest, IsTheGreatestOfEachChannel) {
+TEST(GlobalMaxPool, IsTheMaximumOfEachChannel) {
   const auto input = torch::tensor({{{1.0f, 5.0f, 2.0f}, {-3.0f, -1.0f, -2.0f}}});
-  EXPECT_TRUE(torch::equal(Greatest()->forward(input), torch::tensor({{5.0f, -1.0f}})));
+  EXPECT_TRUE(torch::equal(GlobalMaxPool()->forward(input), torch::tensor({{5.0f, -1.0f}})));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(OccludingStrokes, HiddenPartsAreCutOff) {
   EXPECT_GT(seen, 0.5 * all);
 }
 
-TEST(SuggestiveStrokes, NoneIsShorterThanAskedFor) {
+TEST(SuggestiveStrokes, NoneIsShorterThanTheMinimum) {
   ContourOptions options{.low = 0, .high = 0, .min_angle = 0, .min_length = 0};
   const size_t num_all = OfTorus(options).size();
   ASSERT_GT(num_all, 0u);
@@ -121,7 +121,7 @@ TEST(SuggestiveStrokes, MarksSayWhereLinesAreLookedFor) {
   testing::ExpectError([&] { strokes({true}); }, "1 marks");
 }
 
-TEST(DrawContours, TellsOccludingFromSuggestiveContoursAndDoesNotDependOnTheUnit) {
+TEST(DrawContours, SeparatesOccludingFromSuggestiveContoursAndDoesNotDependOnTheUnit) {
   TriangleMesh torus = testing::Torus(3, 1, 120, 60);
   const ContourOptions options{.low = 0, .high = 0, .min_angle = 5, .min_length = 5};
   const auto strokes = DrawContours(torus, kTilted, options);

@@ -175,7 +175,7 @@ class ReferenceContours : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ReferenceContours, AgreeWithTheProgramOnceItsFaultIsInjected) {
   const auto reference = testing::RtscReference::Load(GetParam());
-  if (!reference) GTEST_SKIP() << "no golden files beside the checkout";
+  if (!reference) GTEST_SKIP() << "no golden files next to the checkout";
   const TriangleMesh& mesh = reference->mesh;
   Camera camera;  // Looks along -z from the reference's eye.
   camera.perspective = true;

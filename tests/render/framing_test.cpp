@@ -101,7 +101,7 @@ TEST(FrameStrokes, OptionsAreParsedAndUsed) {
   EXPECT_THROW(ParseOptions<FrameOptions>(Json{{"curve_height", 3.0}}), Error);
 }
 
-TEST(FrameDrawing, TellsWhereTheStrokesStand) {
+TEST(FrameDrawing, ReturnsThePlacementOfTheStrokes) {
   const Stroke face = Circle(500, 500, 100, 150);
   const FramedDrawing framed = FrameDrawing({1000, 1000, {face, {0, {{10, 990}}}}});
   ASSERT_EQ(framed.strokes.size(), 1U);
@@ -111,8 +111,8 @@ TEST(FrameDrawing, TellsWhereTheStrokesStand) {
   EXPECT_NEAR((framed.placement.scale * framed.box.center() + framed.placement.shift).x(), 128, 1e-6);
 }
 
-TEST(Place, ScalesThenShifts) {
-  const auto placed = Place({{3, {{10, 20}, {-1, 0}}}}, {2, {5, -7}});
+TEST(MapToCanvas, ScalesThenShifts) {
+  const auto placed = MapToCanvas({{3, {{10, 20}, {-1, 0}}}}, {2, {5, -7}});
   EXPECT_EQ(placed[0].kind, 3);
   EXPECT_EQ(placed[0].points[0], (std::array<float, 2>{25, 33}));
   EXPECT_EQ(placed[0].points[1], (std::array<float, 2>{3, -7}));

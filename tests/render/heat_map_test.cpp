@@ -123,7 +123,7 @@ TEST(DrawColourBar, GoesFromLowBelowToHighAboveWithLabelledTicks) {
   EXPECT_GT(height, 50);
   EXPECT_NEAR(Lightness(Pixel(image, top, column)), Lightness(ColourOf(2.0, {0.0, 2.0})), 4);
   EXPECT_NEAR(Lightness(Pixel(image, bottom, column)), Lightness(ColourOf(0.0, {0.0, 2.0})), 4);
-  // Ticks at 0, 1 and 2 stand right of the bar, with white between them.
+  // Ticks at 0, 1 and 2 are right of the bar, with white between them.
   int right = column;
   while (Pixel(image, top + height / 4, right) != kWhite) ++right;
   std::vector<int> ticks;
@@ -146,7 +146,7 @@ TEST(DrawColourBar, GoesFromLowBelowToHighAboveWithLabelledTicks) {
   EXPECT_FALSE(has_ink(top + height / 4 - 3, top + height / 4 + 3));
 }
 
-TEST(DrawColourBar, TheUnitStandsAbove) {
+TEST(DrawColourBar, TheUnitIsAbove) {
   Image with_unit(100, kColourBarWidth, 3), without_unit = with_unit;
   DrawColourBar(with_unit, {0.0, 2.0}, "mm");
   DrawColourBar(without_unit, {0.0, 2.0}, "");

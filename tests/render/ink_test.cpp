@@ -30,7 +30,7 @@ TEST(InkMask, BlackBarIsItself) {
   EXPECT_EQ(InkMask(bar), bar);
 }
 
-TEST(InkMask, FaintLinesCountBesideBlackOnes) {
+TEST(InkMask, FaintLinesCountNextToBlackOnes) {
   Image image = White();
   Fill(image, 200, 100, 5, 300, 0);
   Fill(image, 300, 100, 5, 300, 150);

@@ -33,29 +33,29 @@ Image Lit(const Image& image, Light light) {
   return lit;
 }
 
-TEST(FlattenPaper, WhitePaperBecomes255AndBlackStaysBlack) {
-  const Image flat = FlattenPaper(Lines());
+TEST(NormaliseBackground, WhitePaperBecomes255AndBlackStaysBlack) {
+  const Image flat = NormaliseBackground(Lines());
   EXPECT_EQ(flat.channels, 1);
   EXPECT_EQ(flat.at(5, 5), 255);
   EXPECT_EQ(flat.at(240, 128), 255);
   EXPECT_EQ(flat.at(160, 185), 0) << "inside of the large area";
 }
 
-TEST(FlattenPaper, DoesNotDependOnTheLight) {
-  const Image expected = FlattenPaper(Lines());
+TEST(NormaliseBackground, DoesNotDependOnTheLight) {
+  const Image expected = NormaliseBackground(Lines());
   const auto grey = [](int, int) { return 0.6; };
-  EXPECT_LE(LargestDifference(FlattenPaper(Lit(Lines(), grey)), expected), 3);
+  EXPECT_LE(LargestDifference(NormaliseBackground(Lit(Lines(), grey)), expected), 3);
   const auto gradient = [](int row, int column) { return 0.95 - 0.4 * row / 256.0 - 0.15 * column / 256.0; };
-  EXPECT_LE(LargestDifference(FlattenPaper(Lit(Lines(), gradient)), expected), 12);
+  EXPECT_LE(LargestDifference(NormaliseBackground(Lit(Lines(), gradient)), expected), 12);
   const auto vignette = [](int row, int column) {
     return 0.95 - 0.5 * (std::pow(row / 128.0 - 1, 2) + std::pow(column / 128.0 - 1, 2)) / 2;
   };
-  EXPECT_LE(LargestDifference(FlattenPaper(Lit(Lines(), vignette)), expected), 12);
+  EXPECT_LE(LargestDifference(NormaliseBackground(Lit(Lines(), vignette)), expected), 12);
 }
 
-TEST(FlattenPaper, ShadowWithAHardEdgeIsPaper) {
+TEST(NormaliseBackground, ShadowWithAHardEdgeIsPaper) {
   const auto shadow = [](int row, int column) { return 3 * row + column > 500 ? 0.75 : 0.95; };
-  const Image lines = Lines(), flat = FlattenPaper(Lit(lines, shadow));
+  const Image lines = Lines(), flat = NormaliseBackground(Lit(lines, shadow));
   for (int row = 2; row < 254; ++row) {
     for (int column = 2; column < 254; ++column) {
       const bool is_paper = lines.at(row - 2, column) == 255 && lines.at(row + 2, column) == 255 &&
@@ -67,31 +67,31 @@ TEST(FlattenPaper, ShadowWithAHardEdgeIsPaper) {
   }
 }
 
-TEST(FlattenPaper, LightLinesOnDarkAreInverted) {
+TEST(NormaliseBackground, LightLinesOnDarkAreInverted) {
   Image inverted = Lines();
   for (uint8_t& value : inverted.pixels) value = static_cast<uint8_t>(255 - value);
-  EXPECT_LE(LargestDifference(FlattenPaper(inverted), FlattenPaper(Lines())), 2);
+  EXPECT_LE(LargestDifference(NormaliseBackground(inverted), NormaliseBackground(Lines())), 2);
 }
 
-TEST(FlattenPaper, ReadsColourByItsLuma) {
+TEST(NormaliseBackground, ReadsColourByItsLuma) {
   Image colour(40, 60, 3, 200);
   for (int column = 10; column < 50; ++column) {
     colour.at(20, column, 0) = colour.at(20, column, 2) = 0;
   }
-  const Image flat = FlattenPaper(colour);
+  const Image flat = NormaliseBackground(colour);
   EXPECT_EQ(flat.channels, 1);
   EXPECT_EQ(flat.at(5, 5), 255);
   EXPECT_LT(flat.at(20, 30), 215);
 }
 
-TEST(FlattenPaper, AnySizeDownToOnePixel) {
+TEST(NormaliseBackground, AnySizeDownToOnePixel) {
   for (const auto& [height, width] : {std::pair{1, 1}, {1, 300}, {300, 2}, {7, 5}}) {
-    const Image flat = FlattenPaper(Image(height, width, 1, 90));
+    const Image flat = NormaliseBackground(Image(height, width, 1, 90));
     EXPECT_EQ(flat.height, height);
     EXPECT_EQ(flat.width, width);
     for (const uint8_t value : flat.pixels) EXPECT_GE(value, 250);
   }
-  EXPECT_THROW(FlattenPaper(Image()), Error);
+  EXPECT_THROW(NormaliseBackground(Image()), Error);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ std::vector<Vector2d> Straight(const Vector2d& from, const Vector2d& to) {
   return points;
 }
 
-/// Lines from the node 0 at (100, 100) in directions told in degrees, 60 pixels long.
+/// Lines from the node 0 at (100, 100) in directions in degrees, 60 pixels long.
 SkeletonGraph Star(const std::vector<double>& degrees) {
   SkeletonGraph graph;
   graph.nodes.push_back({{100, 100}, 2.0});
@@ -54,7 +54,7 @@ TEST(TraceSkeleton, CrossingIsTwoStrokesThatGoStraightOn) {
   }
 }
 
-TEST(TraceSkeleton, SideLineEndsOnTheLineThatGoesOn) {
+TEST(TraceSkeleton, SideLineEndsOnTheLineThatContinues) {
   const auto strokes = TraceSkeleton(Star({0, 90, 180}));
   ASSERT_EQ(strokes.size(), 2U);
   const auto& side = std::abs(strokes[0].points[0][1] - strokes[0].points.back()[1]) > 1 ? strokes[0] : strokes[1];
@@ -64,10 +64,10 @@ TEST(TraceSkeleton, SideLineEndsOnTheLineThatGoesOn) {
 
 TEST(TraceSkeleton, SharpTurnAtAJunctionEndsAStroke) {
   EXPECT_EQ(TraceSkeleton(Star({0, 120, 240})).size(), 3U);
-  EXPECT_EQ(TraceSkeleton(Star({0, 135, 240})).size(), 2U) << "45 degrees go on";
+  EXPECT_EQ(TraceSkeleton(Star({0, 135, 240})).size(), 2U) << "45 degrees continue";
 }
 
-TEST(TraceSkeleton, CornerWithoutJunctionGoesOn) {
+TEST(TraceSkeleton, CornerWithoutJunctionContinues) {
   EXPECT_EQ(TraceSkeleton(Star({0, 60})).size(), 1U);
 }
 

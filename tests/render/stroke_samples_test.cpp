@@ -7,7 +7,7 @@
 namespace daumier::render {
 namespace {
 
-TEST(StrokeSamples, StandAtEqualLengthsAlongAllStrokes) {
+TEST(StrokeSamples, LieAtEqualLengthsAlongAllStrokes) {
   // 10 to the right, a dot, then 30 down in two pieces: 8 points 5 apart, the first at 2.5.
   const std::vector<Stroke> strokes{{0, {{0, 0}, {10, 0}}}, {0, {{99, 99}}}, {0, {{50, 20}, {50, 40}, {50, 50}}}};
   const auto samples = SampleStrokes(strokes, 8);

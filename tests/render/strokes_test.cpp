@@ -52,7 +52,7 @@ TEST(RasteriseStrokes, LineBetweenTwoRowsOfPixelsDarkensBothAlike) {
 }
 
 TEST(RasteriseStrokes, IsScaledFromTheCanvas) {
-  // Canvas y = 101 is y = 50.5 at half size, the centre of row 50; h = 0.5 there, so coverage 1 on it and 0 beside it.
+  // Canvas y = 101 is y = 50.5 at half size, the centre of row 50; h = 0.5 there, so coverage 1 on it and 0 next to it.
   const Image image = RasteriseStrokes({Line({{50, 101}, {200, 101}})}, 128, {.width = 2.0});
   EXPECT_EQ(image.height, 128);
   EXPECT_EQ(image.channels, 1);

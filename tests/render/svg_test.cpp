@@ -124,7 +124,7 @@ TEST_F(Svg, ViewBoxIsFittedIntoTheSheet) {
   EXPECT_EQ(stretched.strokes[0].points, (Points{{10, 20}, {20, 20}}));
 }
 
-TEST_F(Svg, SizeComesFromWhatTheFileTells) {
+TEST_F(Svg, SizeComesFromTheFile) {
   const auto box_alone = Read("<svg viewBox='0 0 30 40' width='100%'><path d='M0 0H1'/></svg>");
   EXPECT_EQ(box_alone.width, 30.0);
   EXPECT_EQ(box_alone.height, 40.0);

@@ -27,7 +27,7 @@ TEST(Visibility, ASphereHidesItsBackAndWhatLiesBehindIt) {
   EXPECT_FALSE(sees(0, 0, -2));
   EXPECT_FALSE(sees(1, 0.5, -3));
   EXPECT_TRUE(sees(1, 0.5, 3));
-  EXPECT_TRUE(sees(2.5, 0, -3)) << "beside it";
+  EXPECT_TRUE(sees(2.5, 0, -3)) << "next to it";
   EXPECT_TRUE(sees(2, 0, 0)) << "the contour itself";
   EXPECT_TRUE(sees(900, 0, 0)) << "outside of the picture";
 }

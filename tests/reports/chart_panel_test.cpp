@@ -13,7 +13,7 @@ TEST(ChartPanel, PlacesValuesByHand) {
   EXPECT_EQ(panel.y(50), 20);
 }
 
-TEST(ChartPanel, AxesTellTheirMeaningAndAreWellFormed) {
+TEST(ChartPanel, AxesHaveTitlesAndAreWellFormed) {
   const ChartPanel panel{60, 300, 20, 120, 10, 50};
   const std::string svg = ChartSvg(320, 200, "a < b", ".line { stroke: red; }",
                                    panel.Axes(render::NiceTicks(0, 50, 5), "steps", "error (mm)") + panel.Baseline());

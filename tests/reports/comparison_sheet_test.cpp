@@ -52,7 +52,7 @@ TEST(ComparisonSheet, PredictorsShareTheColours) {
   };
   EXPECT_EQ(sheet(2, 5), sheet(2, 5));
   EXPECT_NE(sheet(2, 5), sheet(2, 2));
-  // At its end and beyond, a colour stays the same; but the error below tells the difference.
+  // At its end and beyond, a colour stays the same; but the error below shows the difference.
   ComparedFace far = MakeFace(face_template, {20, 30});
   for (ComparedPrediction& prediction : far.predictions) prediction.mean_error_mm = 25;
   ComparedFace farther = far;

@@ -12,7 +12,7 @@ std::string Chart(const std::vector<CurvePanel>& panels) {
   return CurveChartSvg(panels, "training", "steps", "error (mm)");
 }
 
-TEST(CurveChart, LegendTellsTheLeastOfEachNameTheSmallestFirst) {
+TEST(CurveChart, LegendListsTheMinimumOfEachNameAscending) {
   const std::string svg =
       Chart({{"person", {{"b", {1, 2, 3}, {9, 4.5, 5}}, {"a", {1, 2}, {3, 2.25}}, {"b", {1}, {4}}}}});
   ExpectWellFormed(svg);

@@ -10,7 +10,7 @@ namespace daumier::reports {
 namespace {
 
 TEST(ErrorHistogram, CountsByHand) {
-  // The largest error over 5 bins asks for 0.92 at least, so bins are 1 mm wide.
+  // The largest error over 5 bins requires a width of at least 0.92, so bins are 1 mm wide.
   const ErrorHistogram histogram = MakeErrorHistogram({0.0, 0.99, 1.0, 2.5, 2.6, 4.6}, 5);
   EXPECT_EQ(histogram.bin_width, 1.0);
   EXPECT_EQ(histogram.counts, (std::vector<int>{2, 1, 2, 0, 1}));
@@ -22,7 +22,7 @@ TEST(ErrorHistogram, AnErrorOnABorderIsInTheUpperBin) {
   EXPECT_EQ(histogram.counts, (std::vector<int>{0, 1, 1, 1, 0, 0, 1, 1}));
 }
 
-TEST(ErrorHistogram, HoldsEachFaceOnceInAboutTheBinsAskedFor) {
+TEST(ErrorHistogram, HoldsEachFaceOnceInAboutTheRequestedBins) {
   Rng rng(3);
   for (const double scale : {1e-3, 0.7, 13.0, 4e4}) {
     std::vector<double> errors;

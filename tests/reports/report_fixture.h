@@ -39,14 +39,14 @@ inline ReportData SyntheticReport() {
   return data;
 }
 
-/// How often a part stands in a text.
+/// Number of occurrences of a part in a text.
 inline int Count(const std::string& text, const std::string& part) {
   int count = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return count;
 }
 
-/// Expects that each tag is closed in the order in which tags were opened, that attributes stand in quotes, and that
+/// Expects that each tag is closed in the order in which tags were opened, that attributes are in quotes, and that
 /// all is in one element.
 inline void ExpectWellFormed(const std::string& xml) {
   std::vector<std::string> open;

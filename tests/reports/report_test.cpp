@@ -27,7 +27,7 @@ TEST(Report, WritesFourFilesIntoTheFolder) {
   EXPECT_EQ(names, (std::vector<std::string>{"errors.svg", "index.html", "mean_error.png", "sheet.png"}));
   EXPECT_EQ(ReadFile(folder / "errors.svg"), ErrorCurveSvg(SyntheticReport().face_errors_mm));
   const render::Image mean_error = render::ReadImage(folder / "mean_error.png");
-  EXPECT_GT(mean_error.width, 2 * mean_error.height * 4 / 5) << "front and side stand side by side";
+  EXPECT_GT(mean_error.width, 2 * mean_error.height * 4 / 5) << "front and side are side by side";
 }
 
 TEST(Report, ASheetHasARowASample) {

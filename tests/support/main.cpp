@@ -37,7 +37,7 @@ void AllowWarnings() {
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  // The listeners that stand behind the default printer are told of a test's end before it: their failures are seen.
+  // Listeners after the default printer are called before it at the end of a test, so that it prints their failures.
   ::testing::UnitTest::GetInstance()->listeners().Append(new daumier::testing::WarningsFail);
   return RUN_ALL_TESTS();
 }

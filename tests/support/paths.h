@@ -22,7 +22,7 @@ inline std::optional<std::filesystem::path> FolderFrom(const char* variable, con
   return path;
 }
 
-/// Data sets that lie beside the checkout: $DAUMIER_SHARED_DATA, else ../shared/data.
+/// Data sets next to the checkout: $DAUMIER_SHARED_DATA, else ../shared/data.
 inline std::optional<std::filesystem::path> SharedData() {
   return FolderFrom("DAUMIER_SHARED_DATA", SourceRoot() / "../shared/data");
 }

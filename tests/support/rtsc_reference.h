@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-/// What the reference program for suggestive contours, rtsc 1.6, gives for one head, where it lies beside the checkout.
+/// What the reference program for suggestive contours, rtsc 1.6, gives for one head, if it lies next to the checkout.
 namespace daumier::testing {
 
 struct RtscReference {

@@ -7,7 +7,8 @@
 
 namespace daumier::testing {
 
-/// Models of random numbers for faces of so many vertices: 6 identity and 3 expression weights; curves of 9 points.
+/// Models of random numbers for faces of num_vertices vertices: 6 identity and 3 expression weights; curves of 9
+/// points.
 inline sketch::FittedModels RandomModels(int num_vertices, int residual = 0, uint64_t seed = 1) {
   sketch::FittedModels models{RandomBilinear(num_vertices, 6, 3, seed), RandomBilinear(6, 4, 2, seed + 1), {}};
   if (residual > 0) {

@@ -41,7 +41,7 @@ class SyntheticGrid {
   int at(int i, int j) const { return vertex_[Column(i)][j]; }
   const geometry::PolygonMesh& mesh() const { return mesh_; }
 
-  /// Mirror map told by the grid.
+  /// Mirror map of the grid.
   std::vector<int> Mirror() const {
     std::vector<int> mirror(mesh_.vertices.rows());
     for (int j = 0; j < kRows; ++j) {
@@ -176,7 +176,7 @@ class SyntheticAnnotation {
            faces::View view = faces::View::kFrontal) {
     annotation_.curves.push_back({name, kind, view, closed, std::move(path)});
   }
-  /// A curve on each side; `cells` tell the left one.
+  /// A curve on each side; `cells` specify the left one.
   void AddPair(const std::string& name, const std::string& kind, const Cells& cells) {
     Add(name + "_left", kind, false, Trace(cells));
     Add(name + "_right", kind, false, MirrorOf(Trace(cells)));

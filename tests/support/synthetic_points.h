@@ -6,7 +6,7 @@
 
 namespace daumier::testing {
 
-/// Points of a database of synthetic faces: as many samples as are told, a gap as the synthetic mouth allows.
+/// Points of a database of synthetic faces: the given number of samples, a gap as the synthetic mouth allows.
 inline void BuildSyntheticPoints(const std::filesystem::path& faces, const std::filesystem::path& directory,
                                  int num_samples = 40) {
   datasets::PointsOptions options;

@@ -30,7 +30,7 @@ TEST(ModuleState, HoldsParametersAndBuffersByName) {
                                              "1.running_var", "1.weight"}));
 }
 
-TEST(ModuleState, SavedAndLoadedModuleAnswersTheSame) {
+TEST(ModuleState, SavedAndLoadedModuleHasTheSameOutput) {
   const TempDir folder;
   auto saved = SmallNetwork(1), loaded = SmallNetwork(2);
   const auto images = torch::randn({2, 1, 5, 5});

@@ -10,7 +10,7 @@
 namespace daumier::tensor {
 namespace {
 
-TEST(SetUpTorch, UsesAllCoresUnlessToldOtherwise) {
+TEST(SetUpTorch, UsesAllCoresByDefault) {
   EXPECT_EQ(SetUpTorch(1), 1);
   EXPECT_EQ(torch::get_num_threads(), 1);
   EXPECT_GE(SetUpTorch(), 1);

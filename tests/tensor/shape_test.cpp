@@ -29,7 +29,7 @@ TEST(Shape, RefusesAnotherSizeAnotherRankAndUndefined) {
   ExpectError([] { CheckShape(torch::Tensor(), {2}, "images"); }, "images is undefined");
 }
 
-TEST(Shape, TellsWhichTensorsALoopMayRead) {
+TEST(Shape, DetectsTensorsThatALoopMayRead) {
   const torch::Tensor images = torch::zeros({2, 3, 4, 5});
   EXPECT_TRUE(IsDenseFloat(images));
   EXPECT_TRUE(IsDenseFloat(images.contiguous(torch::MemoryFormat::ChannelsLast)));

@@ -22,7 +22,7 @@ void WriteRun(const std::filesystem::path& folder) {
   WriteManifest(folder, manifest);
 }
 
-TEST(WithAbsoluteData, MakesFoldersAbsoluteOrSaysWhichAreNotTold) {
+TEST(WithAbsoluteData, MakesFoldersAbsoluteOrNamesTheMissingOnes) {
   const Json config = {{"epochs", 2}, {"data", {{"faces", "a/../b"}, {"points", "/c"}}}};
   const Json absolute = WithAbsoluteData(config, "row 'a'");
   EXPECT_EQ(absolute["data"]["faces"], (std::filesystem::current_path() / "b").string());
@@ -101,7 +101,7 @@ TEST(OpenRunFolder, RefusesAnotherConfigOrOtherDataSayingWhatDiffers) {
       "data.sketches is \"def\" there and \"xyz\" now");
 }
 
-TEST(OpenRunFolder, StartsAnewWhereARunWasKilledBeforeItsManifest) {
+TEST(OpenRunFolder, RestartsWhereARunWasKilledBeforeItsManifest) {
   const testing::TempDir folder;
   WriteFileAtomically(folder / "resolved.toml", "seed = 1\n");
   EXPECT_THROW(OpenRunFolder(folder.path(), false, kConfig, kData), UsageError);
@@ -117,7 +117,7 @@ TEST(FinishRun, SaysHowTheTrainingEndedAndNamesItsWeights) {
   const Manifest manifest = ReadManifest(folder.path(), "run");
   EXPECT_EQ(manifest.counts, Json::parse(R"({"parameters": 7, "steps": 12, "epochs": 3, "best_epoch": 2})"));
   EXPECT_EQ(manifest.checksums.at(kBestFile), Sha256("weights"));
-  EXPECT_EQ(manifest.config, kConfig) << "what stood there stays";
+  EXPECT_EQ(manifest.config, kConfig) << "the existing manifest is unchanged";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 using namespace toy;
 
-TEST(Trainer, TellsTheEpochOfEachStepAfterResumingToo) {
+TEST(Trainer, PassesTheEpochOfEachStepAlsoAfterResuming) {
   const testing::TempDir run;
   ToyRecipe recipe, resumed;
   recipe.before_loss = [](int call) {
@@ -20,7 +20,7 @@ TEST(Trainer, TellsTheEpochOfEachStepAfterResumingToo) {
   EXPECT_EQ(resumed.epochs, (std::vector<int64_t>{2, 2, 2, 3, 3, 3}));
 }
 
-/// Kills a training in the given step, perhaps with checkpoints amid epochs, and goes on with a network of other
+/// Kills a training in the given step, perhaps with checkpoints amid epochs, and resumes with a network of other
 /// weights.
 void ExpectResumedEqualsUninterrupted(int killed_in_step, int checkpoint_every,
                                       const std::vector<Stage>& stages = {{"", 1, 1}}) {
@@ -94,7 +94,7 @@ TEST(Trainer, ResumedEqualsUninterruptedWithinAndBetweenStages) {
   ExpectResumedEqualsUninterrupted(7, 1, kStages);
 }
 
-TEST(Trainer, SavesOnAnInterruptSaysHowToGoOnAndEndsWithTheSameBytes) {
+TEST(Trainer, SavesOnAnInterruptPrintsTheResumeCommandAndEndsWithTheSameBytes) {
   const testing::TempDir whole, stopped;
   ToyRecipe uninterrupted;
   torch::manual_seed(9);

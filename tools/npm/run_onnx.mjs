@@ -32,9 +32,9 @@ try {
   for (const run of request.runs) {
     const feeds = {};
     for (const input of run.inputs) feeds[input.name] = new ort.Tensor('float32', readFloats(input.file), input.dims);
-    const answer = () => session.run(feeds, run.outputs.map((output) => output.name));
-    const results = await answer();
-    if (request.timed_runs > 0) milliseconds.push(await medianMilliseconds(request.timed_runs, answer));
+    const runSession = () => session.run(feeds, run.outputs.map((output) => output.name));
+    const results = await runSession();
+    if (request.timed_runs > 0) milliseconds.push(await medianMilliseconds(request.timed_runs, runSession));
     for (const { name, file } of run.outputs) {
       const { data } = results[name];
       writeFileSync(file, Buffer.from(data.buffer, data.byteOffset, data.byteLength));

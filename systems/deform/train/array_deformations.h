@@ -5,7 +5,7 @@
 
 namespace daumier::deform {
 
-/// A network that knows vertices alone; a point in a triangle lies where its corners take it.
+/// A network that predicts vertices alone; a point in a triangle is interpolated from its corners.
 class VertexDeformation : public DeformNetwork {
  public:
   using DeformNetwork::DeformNetwork;

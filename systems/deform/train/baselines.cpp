@@ -12,7 +12,7 @@ eval::FaceRows RowsOf(const torch::Tensor& faces) {
   return tensor::CopyToMatrix<float>(faces.flatten(1));
 }
 
-/// Of faces that are given away: frees them.
+/// Takes ownership of the faces and frees them.
 eval::FaceRows TakeRows(torch::Tensor faces) {
   eval::FaceRows rows = RowsOf(faces);
   faces.reset();  // The caller keeps the argument until the end of its expression.

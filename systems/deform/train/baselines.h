@@ -13,9 +13,9 @@ namespace daumier::deform {
 /// The baselines of eval/ on tensors of faces.
 class DeformBaselines {
  public:
-  /// training: (T, V, 3) float32, given away; validation: (n, V, 3), on which the ridge weight is chosen. As many
-  /// components as are asked for, but at most T - 1. @throws Error if there are less than two training faces or no
-  /// validation face, or if shapes disagree.
+  /// training: (T, V, 3) float32, moved from; validation: (n, V, 3), on which the ridge weight is chosen. The requested
+  /// number of components, but at most T - 1. @throws Error if there are less than two training faces or no validation
+  /// face, or if shapes disagree.
   DeformBaselines(torch::Tensor training, const torch::Tensor& validation, int num_components);
 
   /// (V, 3): the mean of the training faces.

@@ -65,7 +65,7 @@ class CodeObjective {
   CodeEnergyValue At(const torch::Tensor& code) const;
   /// Half the second derivatives without those of D (Gauss-Newton), M x M:
   ///   weight / 3S J^T J of all_points + weight / 3P J^T W J of each sparse term + weight / M of the prior.
-  /// rows: (S) int64, the points of all_points that stand for all; ignored if that is absent. J by forward differences
+  /// rows: (S) int64, the points that represent all of all_points; ignored if that is absent. J by forward differences
   /// of the code. Does not depend on targets but through the code.
   Eigen::MatrixXd HalfHessian(const torch::Tensor& code, const torch::Tensor& rows) const;
   /// Other targets (P, 3) of a sparse term. @throws Error if there is no such term, or as the constructor.

@@ -1,7 +1,7 @@
 #include "systems/deform/train/evaluation.h"
 
 #include "core/error.h"
-#include "core/even_choice.h"
+#include "core/evenly_spaced.h"
 #include "core/files.h"
 #include "core/log.h"
 #include "core/run_manifest.h"
@@ -42,7 +42,7 @@ class DeformEvaluation {
       : options_(options),
         run_(LoadDeformRun(run_directory)),
         own_(OpenOwnFaces(databases)),
-        other_(OpenOtherFaces(databases)),
+        other_(OpenExternalFaces(databases)),
         split_(datasets::SplitOfRun(run_.directory, run_.manifest, run_.config, own_)),
         measurement_(*run_.network, Faces(), run_.manifest.seed, Unit(), task) {}
 
@@ -169,8 +169,8 @@ class DeformEvaluation {
     return databases.Open<faces::FaceDatabase>(run_.config.at("data").at("faces").get<std::string>());
   }
 
-  /// Null if a side of the run's split is measured.
-  const faces::FaceDatabase* OpenOtherFaces(FolderCache& databases) const {
+  /// Null if a subset of the run's split is measured.
+  const faces::FaceDatabase* OpenExternalFaces(FolderCache& databases) const {
     if (options_.faces.empty()) return nullptr;
     const auto& faces = databases.Open<faces::FaceDatabase>(options_.faces);
     const auto& own = run_.face_template.triangles;
@@ -189,7 +189,7 @@ class DeformEvaluation {
       measured_faces.faces.resize(size_t(other_->num_faces()));
       std::iota(measured_faces.faces.begin(), measured_faces.faces.end(), 0);
     } else {
-      measured_faces.faces = EvenChoice(datasets::SideOf(split_, options_.split), options_.max_faces);
+      measured_faces.faces = EvenlySpaced(datasets::SubsetOf(split_, options_.split), options_.max_faces);
       if (measured_faces.faces.empty())
         throw UsageError(fmt::format("the side '{}' of the split has no face", options_.split));
     }
@@ -202,8 +202,8 @@ class DeformEvaluation {
   void MeasureBaselines() {
     log::Info("Fitting the baselines");
     const faces::ModelFrame frame = run_.network->frame();
-    baselines_.emplace(VerticesOf(own_, EvenChoice(split_.train, kMostTraining), frame),
-                       VerticesOf(own_, EvenChoice(split_.validation, kMostValidation), frame),
+    baselines_.emplace(VerticesOf(own_, EvenlySpaced(split_.train, kMostTraining), frame),
+                       VerticesOf(own_, EvenlySpaced(split_.validation, kMostValidation), frame),
                        run_.network->options().latent);
     measurement_.MeasureBaselines(*baselines_);
   }

@@ -41,8 +41,8 @@ std::string InputsAndOutputs(const DeformRun& run) {
   } else {
     text += fmt::format(
         "| `latent` | (1, {1}) float32 | a code |\n"
-        "| `points` | ({0}, 3) float32 | points on the template, in model units: its vertices stand in "
-        "`points_template.safetensors`, and any point between them may be asked for |\n"
+        "| `points` | ({0}, 3) float32 | points on the template, in model units: its vertices are in "
+        "`points_template.safetensors`, and any point between them is valid |\n"
         "| `positions` | ({0}, 3) float32 | where they go, in model units |\n\n{0} is any number of points. ",
         exporting::kBatchDimension, latent);
   }

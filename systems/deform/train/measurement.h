@@ -18,7 +18,7 @@ namespace daumier::deform {
 struct MeasuredFaces {
   torch::Tensor vertices;          ///< (n, V, 3) float32
   geometry::Triangles triangles;   ///< Of all of them.
-  std::vector<int> faces, groups;  ///< n: their indices, and whom they show.
+  std::vector<int> faces, groups;  ///< n: their indices, and the persons they show.
 };
 
 /// Errors of one predicted face.

@@ -1,7 +1,7 @@
 #include "systems/deform/train/recipe.h"
 
 #include "core/error.h"
-#include "core/even_choice.h"
+#include "core/evenly_spaced.h"
 #include "systems/deform/train/unseen_faces.h"
 #include "tensor/array.h"
 #include "tensor/torch_version.h"
@@ -42,7 +42,7 @@ DeformRecipe::DeformRecipe(const DeformTrainingOptions& options, const faces::Fa
   decoder_ = std::make_shared<AutoDecoder>(MakeDeformNetwork(options.network, TemplateOf(points), points.frame()),
                                            int64_t(split.train.size()));
   decoder_->to(device_);
-  const datasets::PointDataset validation(faces, points, EvenChoice(split.validation, options.validation.faces),
+  const datasets::PointDataset validation(faces, points, EvenlySpaced(split.validation, options.validation.faces),
                                           options.points, options.seed);
   validation_vertices_ = TargetsOf(validation).to(device_);
 }

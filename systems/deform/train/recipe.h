@@ -11,13 +11,13 @@ namespace daumier::deform {
 
 /// A deformable model and a code of each training face, learnt together [Jung et al. 2022, eq. 1]:
 ///   data_weight mean |D(z_k, p) - g|^2 + code_weight mean z_k^2,
-/// the first mean over the coordinates of all points of the batch, the second over its codes' numbers. Losses also tell
-/// training_error_mm, the mean distance of the batch's points. Validation finds the codes of unseen faces with the
-/// network held fixed, and tells their mean vertex error as mean_vertex_error_mm and, in model units, vertex_error.
-/// Databases have to outlive it.
+/// the first mean over the coordinates of all points of the batch, the second over its codes' numbers. Losses also
+/// report training_error_mm, the mean distance of the batch's points. Validation finds the codes of unseen faces with
+/// the network held fixed, and reports their mean vertex error as mean_vertex_error_mm and, in model units,
+/// vertex_error. Databases have to outlive it.
 class DeformRecipe : public train::Recipe {
  public:
-  /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a side of the split that
+  /// Draws the first weights and codes from LibTorch's CPU generator. @throws Error if a subset of the split that
   /// training needs is empty, UsageError if the precision is not float32.
   DeformRecipe(const DeformTrainingOptions& options, const faces::FaceDatabase& faces,
                const datasets::PointDatabase& points, const datasets::Split& split, torch::Device device);

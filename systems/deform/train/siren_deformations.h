@@ -43,8 +43,8 @@ class HypernetworkDeformation : public SirenDeformation {
   std::vector<HypernetworkBranch> branches_;  ///< Of w0, b0, w1, b1, ...
 };
 
-/// One SIREN for all codes. The code stands beside the input of layer 0 and of the middle layer [Jung et al. 2022,
-/// section 4.2], which is as if it moved their biases. First weights: U(+-1/3) for layer 0 and for the code,
+/// One SIREN for all codes. The code is concatenated to the input of layer 0 and of the middle layer [Jung et al. 2022,
+/// section 4.2], which is equivalent to a shift of their biases. First weights: U(+-1/3) for layer 0 and for the code,
 /// U(+-sqrt(6 / width) / omega) for the others [Sitzmann et al. 2020], biases U(+-1/sqrt(inputs)) / omega.
 class ConditionedDeformation : public SirenDeformation {
  public:

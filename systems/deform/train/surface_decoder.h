@@ -7,7 +7,7 @@
 namespace daumier::deform {
 
 /// The surface of one code at any resolution. What depends on the code alone (the parameters that a hypernetwork makes)
-/// is worked out once; the memory that a SIREN needs beside its result does not grow with the points.
+/// is computed once; the memory that a SIREN needs in addition to its result does not grow with the points.
 class SurfaceDecoder {
  public:
   /// code: (M). @throws Error if its shape disagrees.
@@ -15,8 +15,8 @@ class SurfaceDecoder {
 
   /// (V, 3), model units: DeformNetwork::DeformVertices of the code.
   torch::Tensor Vertices() const;
-  /// The vertices of a subdivided template, (subdivider.num_vertices(), 3): a SIREN is asked at each of them, an array
-  /// knows the middles of its vertices alone. template_vertices: those of the network, subdivided, (.., 3).
+  /// The vertices of a subdivided template, (subdivider.num_vertices(), 3): a SIREN is evaluated at each of them, an
+  /// array interpolates its vertices. template_vertices: those of the network, subdivided, (.., 3).
   torch::Tensor Vertices(const geometry::Subdivider& subdivider, const torch::Tensor& template_vertices) const;
 
  private:

@@ -10,7 +10,7 @@ namespace daumier::sketch {
 /// v (N, Kv), residual (N, K) of a network that has one, and vertices (N, V, 3) in cm.
 exporting::ExportedFunction SketchFunction(SketchNetwork network);
 
-/// A finished sketch run as it is exported. @throws Error as LoadSketchRun.
+/// The export of a finished sketch run. @throws Error as LoadSketchRun.
 exporting::RunExport DescribeSketchExport(const std::filesystem::path& run_directory);
 
 }  // namespace daumier::sketch

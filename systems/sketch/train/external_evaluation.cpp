@@ -111,7 +111,7 @@ class ExternalEvaluation {
     if (!same_topology_ || variation_.augmentation.strength > 0) return;
     const std::optional<SketchRunData> own = OwnData();
     if (!own) return;
-    log::Info("Fitting the free baselines on {} training faces", own->split.train.size());
+    log::Info("Fitting the training-free baselines on {} training faces", own->split.train.size());
     const eval::SketchSamples samples{[&](int face) { return own->faces.vertices(face); },
                                       [&](int face) { return own->sketches.curve_points(face); }};
     const eval::NearestNeighbour nearest(eval::ReadRows(samples.curve_points, own->split.train));

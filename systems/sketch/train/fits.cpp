@@ -1,6 +1,6 @@
 #include "systems/sketch/train/fits.h"
 
-#include "datasets/read/shape_numbers.h"
+#include "datasets/read/curve_coefficients.h"
 #include "eval/metrics.h"
 
 #include <algorithm>

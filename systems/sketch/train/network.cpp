@@ -38,7 +38,7 @@ void Check(const faces::BilinearModel& model) {
       model.expression_factors.cols(), model.num_identity, model.num_expression);
 }
 
-/// `layers` fully connected ones of `width` neurons; returns the width of what comes out.
+/// `layers` fully connected ones of `width` neurons; returns the width of the output.
 int64_t Stack(nn::Sequential& branch, int64_t from, int layers, int width) {
   for (int layer = 0; layer < layers; ++layer) {
     branch->push_back(nn::Linear(from, width));
@@ -62,7 +62,7 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
   DAUMIER_CHECK(bilinear.core.cols() % 3 == 0, "the bilinear model has {} coordinates, expected three a vertex",
                 bilinear.core.cols());
   DAUMIER_CHECK(options.trunk != "shape" || options.shape_input == "none",
-                "network.trunk=\"shape\" reads the shape-level numbers itself: network.shape_input has to be \"none\"");
+                "network.trunk=\"shape\" reads the curve coefficients itself: network.shape_input has to be \"none\"");
   DAUMIER_CHECK(models.basis.size() == options.residual &&
                     (options.residual == 0 || (models.basis.rows.cols() == bilinear.core.cols() &&
                                                models.basis.deviation.size() == options.residual)),
@@ -153,16 +153,16 @@ SketchNetworkImpl::BranchFeatures SketchNetworkImpl::Features(const SketchInput&
   return last;
 }
 
-FaceCoefficients SketchNetworkImpl::Answer(const BranchFeatures& features) {
-  FaceCoefficients answer{u_mean_ + u_deviation_ * identity_output_->forward(features.identity),
+FaceCoefficients SketchNetworkImpl::Predict(const BranchFeatures& features) {
+  FaceCoefficients result{u_mean_ + u_deviation_ * identity_output_->forward(features.identity),
                           v_mean_ + v_deviation_ * expression_output_->forward(features.expression),
                           {}};
   if (residual_output_) {
     const torch::Tensor both =
         expression_branch_ ? torch::cat({features.identity, features.expression}, 1) : features.identity;
-    answer.residual = residual_deviation_ * residual_output_->forward(both);
+    result.residual = residual_deviation_ * residual_output_->forward(both);
   }
-  return answer;
+  return result;
 }
 
 torch::Tensor SketchNetworkImpl::Linear(const FaceCoefficients& coefficients) const {

@@ -10,11 +10,11 @@
 
 namespace daumier::sketch {
 
-/// What a network reads of B sketches; what its options do not ask for may be undefined.
+/// Input of a network for B sketches; arrays that its options do not use may be undefined.
 struct SketchInput {
   torch::Tensor images;  ///< (B, 1, R, R), ink = 1, paper = 0.
   torch::Tensor points;  ///< (B, 4, P), as datasets::SketchDataset reads them.
-  torch::Tensor shape;   ///< (B, S), the shape-level numbers, u and v of the 2-D curve model, in its own units.
+  torch::Tensor shape;   ///< (B, S), the curve coefficients, u and v of the 2-D curve model, in its own units.
 
   int64_t size() const { return (images.defined() ? images : points.defined() ? points : shape).size(0); }
 };
@@ -32,7 +32,7 @@ struct FaceCoefficients {
 };
 
 /// Sketch -> u, v of a bilinear face [Han et al. 2017, section 4.3, figure 7]: a trunk, and behind it two branches of
-/// fully connected layers (ReLU) with an output layer each, or one branch with both. The shape-level numbers,
+/// fully connected layers (ReLU) with an output layer each, or one branch with both. The curve coefficients,
 /// standardised, pass a layer of their own for each branch and join its last features ("late"), or join the features
 /// of the trunk as they are ("early", which the paper tried and dropped).
 /// The outputs are standardised coefficients; u = mean + deviation * output, over the training identities, and v over
@@ -50,9 +50,9 @@ class SketchNetworkImpl : public torch::nn::Module {
   };
   /// @throws Error if what is read is missing or has another shape.
   BranchFeatures Features(const SketchInput& input);
-  FaceCoefficients Answer(const BranchFeatures& features);
-  /// Answer(Features(input)).
-  FaceCoefficients forward(const SketchInput& input) { return Answer(Features(input)); }
+  FaceCoefficients Predict(const BranchFeatures& features);
+  /// Predict(Features(input)).
+  FaceCoefficients forward(const SketchInput& input) { return Predict(Features(input)); }
 
   /// (B, K), so that the faces are Linear(c) * basis(): the products u_k v_l, or with a residual their coordinates in
   /// the basis plus the residual. @throws Error if the shapes disagree with the model.
@@ -65,9 +65,9 @@ class SketchNetworkImpl : public torch::nn::Module {
   /// Frozen convolutions are not trained, and normalise as in evaluation.
   void FreezeConvolutions(bool frozen);
   void train(bool on = true) override;
-  /// Standardised coefficients: what the output layers answer where u and v are these.
+  /// Standardised coefficients: the output of the last layers for these u and v.
   FaceCoefficients Standardised(const FaceCoefficients& coefficients) const;
-  /// Shape-level numbers from standardised ones, (B, S).
+  /// Curve coefficients from standardised ones, (B, S).
   torch::Tensor ShapeOf(const torch::Tensor& standardised) const {
     return shape_mean_ + shape_deviation_ * standardised;
   }

@@ -15,7 +15,7 @@ struct SketchPredictions {
 /// Faces that are predicted at once.
 inline constexpr size_t kBlock = 64;
 
-/// Runs networks on the sketches of a database: each network sees the same augmented sketch of a face.
+/// Runs networks on the sketches of a database: each network reads the same augmented sketch of a face.
 class SketchReader {
  public:
   /// `variation` and `seed` determine the sketch of a face, as in datasets::VariedSketch. The database has to outlive

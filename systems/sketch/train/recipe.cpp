@@ -22,7 +22,7 @@ namespace {
 
 namespace nn = torch::nn;
 
-/// What LibTorch's cross-entropy passes over.
+/// The label that LibTorch's cross-entropy ignores.
 constexpr int64_t kNoClass = -100;
 
 std::vector<int> Indices(int begin, int end) {
@@ -135,7 +135,7 @@ void SketchRecipe::PrecomputeMoments() {
   std::vector<torch::Tensor> linear, constant;
   const std::span<const int> faces = training_.faces();
   for (size_t begin = 0; begin < faces.size(); begin += kBlock) {
-    const losses::VertexMoments block = gram_loss_->Moments(
+    const losses::SufficientStatistics block = gram_loss_->Moments(
         tensor::TakeTensor(Vertices(faces.subspan(begin, std::min(kBlock, faces.size() - begin)))).to(device_));
     linear.push_back(block.linear);
     constant.push_back(block.constant);
@@ -205,19 +205,19 @@ train::LossTerms SketchRecipe::ClassificationLoss(const SketchNetworkImpl::Branc
 
 train::LossTerms SketchRecipe::RegressionLoss(const SketchNetworkImpl::BranchFeatures& features,
                                               const torch::Tensor& samples) {
-  const auto answer = network_->Standardised(network_->Answer(features));
+  const auto predicted = network_->Standardised(network_->Predict(features));
   const auto truth =
       network_->Standardised({coefficients_.u.index_select(0, samples), coefficients_.v.index_select(0, samples), {}});
-  const torch::Tensor u = MeanSquaredLength(answer.u - truth.u), v = MeanSquaredLength(answer.v - truth.v);
+  const torch::Tensor u = MeanSquaredLength(predicted.u - truth.u), v = MeanSquaredLength(predicted.v - truth.v);
   return {u + v, {{"u_error", u}, {"v_error", v}}};
 }
 
 train::LossTerms SketchRecipe::VertexLoss(const SketchNetworkImpl::BranchFeatures& features,
                                           const train::Batch& batch) {
-  const torch::Tensor linear = network_->Linear(network_->Answer(features));
+  const torch::Tensor linear = network_->Linear(network_->Predict(features));
   if (!gram_loss_) return {losses::VertexLoss(network_->basis(), linear, batch.at("vertices"), vertex_weights_), {}};
-  const losses::VertexMoments moments{moments_.linear.index_select(0, batch.samples),
-                                      moments_.constant.index_select(0, batch.samples)};
+  const losses::SufficientStatistics moments{moments_.linear.index_select(0, batch.samples),
+                                             moments_.constant.index_select(0, batch.samples)};
   return {(*gram_loss_)(linear, moments), {}};
 }
 

@@ -46,8 +46,8 @@ TORCH_MODULE(SketchClassifier);
 /// to outlive it.
 class SketchRecipe : public train::Recipe {
  public:
-  /// Draws the first weights from LibTorch's CPU generator. @throws Error if a side of the split that training needs is
-  /// empty.
+  /// Draws the first weights from LibTorch's CPU generator. @throws Error if a subset of the split that training needs
+  /// is empty.
   SketchRecipe(const SketchTrainingOptions& options, const faces::FaceDatabase& faces,
                const datasets::SketchDatabase& sketches, const datasets::Split& split, const FittedModels& models,
                torch::Device device);
@@ -92,7 +92,7 @@ class SketchRecipe : public train::Recipe {
   torch::Tensor vertex_weights_;
   std::optional<losses::GramVertexLoss> gram_loss_;
   // A row a training sample, each of the stage that needs it alone.
-  losses::VertexMoments moments_;
+  losses::SufficientStatistics moments_;
   torch::Tensor identity_classes_, expression_classes_;  ///< (N) int64; -100 is no class.
   FaceCoefficients coefficients_;
 };

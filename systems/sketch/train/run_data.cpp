@@ -6,7 +6,7 @@
 namespace daumier::sketch {
 
 const std::vector<int>& SketchRunData::side(const std::string& name) const {
-  return datasets::SideOf(split, name);
+  return datasets::SubsetOf(split, name);
 }
 
 SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory) {

@@ -23,8 +23,8 @@ struct SketchRunData {
   const std::vector<int>& side(const std::string& name) const;
 };
 
-/// Opens the databases that resolved.toml names by `databases`. @throws Error as LoadSketchRun and the databases, and if
-/// a database differs from the one that the run was trained on, by its hash, or the split from that of the manifest.
+/// Opens the databases that resolved.toml names by `databases`. @throws Error as LoadSketchRun and the databases, and
+/// if a database differs from the one that the run was trained on, by its hash, or the split from that of the manifest.
 SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases);
 /// The same with a cache of its own.
 SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory);

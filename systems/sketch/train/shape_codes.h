@@ -13,8 +13,8 @@ namespace daumier::sketch {
 class ShapeCodes {
  public:
   /// start: the predictions of that network for the test faces; absent: nothing can be recovered. Given coefficients of
-  /// training and validation faces are computed too if `with_training`. Nothing is computed if neither the run's network
-  /// reads coefficients nor `with_training`. `test` has to outlive it.
+  /// training and validation faces are computed too if `with_training`. Nothing is computed if neither the run's
+  /// network reads coefficients nor `with_training`. `test` has to outlive it.
   ShapeCodes(const SketchTestSet& test, std::optional<StoredCoefficients> start, bool with_training);
 
   bool can_recover() const { return start_.has_value(); }

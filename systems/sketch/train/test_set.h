@@ -22,7 +22,7 @@ struct SketchErrors {
   std::vector<double> of_vertices;    ///< One a vertex: mean over faces.
 };
 
-/// The faces of one side of a run's split, the sketches of them that networks read, and how errors are measured.
+/// The faces of one subset of a run's split, the sketches of them that networks read, and how errors are measured.
 class SketchTestSet {
  public:
   /// `data` has to outlive it. @throws UsageError if the side is empty.

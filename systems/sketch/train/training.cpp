@@ -41,7 +41,7 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
   if (options.network.residual > 0) {
     models.basis = datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed);
   }
-  // Only now does the folder hold a run: what the fit refuses can be told otherwise in the same folder.
+  // Only now does the folder hold a run: options that the fit refuses can be corrected in the same folder.
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
   manifest.details["bilinear"] = bilinear.proof;
   manifest.details["curves"] = curves.proof;
@@ -51,7 +51,7 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
   return models;
 }
 
-FittedModels TakeUpRun(const fs::path& directory, const SketchTrainingOptions& options) {
+FittedModels ResumeRun(const fs::path& directory, const SketchTrainingOptions& options) {
   VerifyChecksums(directory, ReadManifest(directory, "run"));
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
   return ReadFittedModels(directory);
@@ -84,7 +84,7 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
                                           ToJson(SketchTrainingOptions()));
   const FittedModels models =
-      begun ? TakeUpRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
+      begun ? ResumeRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
 
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);

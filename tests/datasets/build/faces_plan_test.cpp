@@ -28,7 +28,7 @@ TEST(ChooseExpressions, OrderIsThatOfTheWishes) {
   ExpectError([&] { ChooseExpressions(available, {"neutral", "neutral"}, "x"); }, "named twice");
 }
 
-TEST(PlanFaces, ManifestTellsCountsAndSourcesButNoPath) {
+TEST(PlanFaces, ManifestHoldsCountsAndSourcesButNoPath) {
   const faces::FaceTemplate face = testing::SyntheticFace();
   const ShardedBuild build = PlanFaces(face, Options({0.0, 0.1}), 5, {"neutral", "smile", "frown"});
   EXPECT_EQ(build.manifest.counts.at("faces"), 30);

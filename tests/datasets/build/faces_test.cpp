@@ -89,10 +89,10 @@ TEST_F(BuildFacesTest, LevelsByPartsDifferFromPersonToPersonAndAreRecorded) {
       strengths.gammas[Eigen::Index(p)] = row[0];
       strengths.log_stretches.row(Eigen::Index(p)) << row[1], row[2], row[3];
     }
-    const auto lumps = shard.at("lumps").As<float>();
+    const auto bumps = shard.at("lumps").As<float>();
     ASSERT_EQ(shard.at("lumps").shape, (std::vector<int64_t>{2, options.parts.num_lumps * 3 / 2, 5}));
-    for (size_t i = lumps.size() / 2; i < lumps.size(); i += 5) {
-      strengths.lumps.push_back({static_cast<int>(lumps[i]), lumps[i + 1], {lumps[i + 2], lumps[i + 3], lumps[i + 4]}});
+    for (size_t i = bumps.size() / 2; i < bumps.size(); i += 5) {
+      strengths.bumps.push_back({static_cast<int>(bumps[i]), bumps[i + 1], {bumps[i + 2], bumps[i + 3], bumps[i + 4]}});
     }
     const geometry::Points neutral = database.points(database.index({person, 0, 0}));
     const geometry::Points expected =
@@ -101,7 +101,7 @@ TEST_F(BuildFacesTest, LevelsByPartsDifferFromPersonToPersonAndAreRecorded) {
   }
 }
 
-TEST_F(BuildFacesTest, InterpolatedFacesStandBehindTheGrid) {
+TEST_F(BuildFacesTest, InterpolatedFacesFollowTheGrid) {
   FacesOptions options = testing::SyntheticFacesOptions(4);
   options.num_interpolated = 11;  // A shard of 8 and one of 3.
   options.family_size = 2;
@@ -123,7 +123,7 @@ TEST_F(BuildFacesTest, InterpolatedFacesStandBehindTheGrid) {
   ExpectError([&] { database.id(32); }, "not one of the grid of 32 faces");
 }
 
-TEST_F(BuildFacesTest, InterpolationThatIsStoppedGoesOnWithTheSameBytes) {
+TEST_F(BuildFacesTest, InterruptedInterpolationResumesWithTheSameBytes) {
   FacesOptions options = testing::SyntheticFacesOptions(4);
   options.num_interpolated = 5;
   options.family_size = 2;

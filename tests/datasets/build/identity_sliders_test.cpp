@@ -66,7 +66,7 @@ TEST_F(IdentitySlidersTest, AreOneAControlAndOneAPartOfAMixture) {
   EXPECT_TRUE(young && old);
 }
 
-TEST_F(IdentitySlidersTest, AreTheWeightsWhereNoControlsAreTold) {
+TEST_F(IdentitySlidersTest, AreTheWeightsWithoutControls) {
   const IdentitySliders sliders = SlidersAfter([](Json& details) { details.erase("identity_controls"); });
   const auto num_weights = Eigen::Index(testing::SyntheticModel().identity_shapes.cols());
   ASSERT_EQ(sliders.names.size(), size_t(num_weights));

@@ -44,7 +44,7 @@ TEST(DrawInterpolation, ParentsAreTwoPersonsOfOneFamilyAndReachEveryPlace) {
   EXPECT_EQ(expressions.size(), 4u);
 }
 
-/// Two persons, one level, two expressions, one vertex, told by hand.
+/// Two persons, one level, two expressions, one vertex, chosen by hand.
 class InterpolateTest : public ::testing::Test {
  protected:
   InterpolateTest() {

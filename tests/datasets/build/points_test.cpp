@@ -114,7 +114,7 @@ TEST(PointsConfig, EveryFileIsParsed) {
   }
 }
 
-TEST(PointsConfig, PaperHasAsManySamplesAsTheReferenceBesideItsVertices) {
+TEST(PointsConfig, PaperHasAsManySamplesAsTheReferenceInAdditionToVertices) {
   const auto file = testing::SourceRoot() / "configs/points/paper.toml";
   EXPECT_EQ(11551 + ParseOptions<PointsOptions>(LoadConfig(file), file.string()).num_samples, 23132);
 }

@@ -66,7 +66,7 @@ TEST_F(ShardedBuildTest, ManifestNamesEveryFile) {
   EXPECT_EQ(Contents(whole_).size(), 12u);
 }
 
-TEST_F(ShardedBuildTest, ABuildThatFailedGoesOnAndEndsWithTheSameBytes) {
+TEST_F(ShardedBuildTest, AFailedBuildResumesAndEndsWithTheSameBytes) {
   Build build;
   build.fails_at = 6;
   ExpectError([&] { BuildShards(other_, build); }, "shard 6 fails");

@@ -13,7 +13,7 @@
 namespace daumier::datasets {
 namespace {
 
-TEST(SketchCamera, MeanHeadStandsInTheMiddle) {
+TEST(SketchCamera, MeanHeadIsCentred) {
   const faces::FaceTemplate face = testing::SyntheticFace();
   for (const faces::View view : {faces::View::kFrontal, faces::View::kSide}) {
     const geometry::Points pixels = render::Project(SketchCamera(face, view, 0.62), face.neutral);
@@ -67,7 +67,7 @@ TEST(NoisyCamera, TurnsAboutTheMiddleByAtMostTwiceTheDeviation) {
     largest = std::max(largest, degrees);
   }
   EXPECT_LE(largest, 10 + 1e-6);
-  EXPECT_GT(largest, 9.9) << "cut off, and reached in so many draws";
+  EXPECT_GT(largest, 9.9) << "cut off, and reached in this number of draws";
   EXPECT_NEAR(std::sqrt(sum_of_squares / kDraws), 5 * 0.96, 0.2) << "the deviation of what is clamped at two";
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using testing::TempDir;
 
-TEST(FaceStatistics, TellCountsLicencesAndComponents) {
+TEST(FaceStatistics, HoldCountsLicencesAndComponents) {
   const TempDir folder;
   testing::BuildSyntheticFaces(folder / "faces", 3);
   const Json statistics = FaceStatistics(folder / "faces");
@@ -28,7 +28,7 @@ TEST(NumPrincipalComponents, IsTheRankWhereTheShareIsAll) {
   const TempDir folder;
   testing::BuildSyntheticFaces(folder / "faces", 2);
   const faces::FaceDatabase database(folder / "faces");
-  // Expressions of one face: three linear offsets beside neutral.
+  // Expressions of one face: three linear offsets in addition to neutral.
   EXPECT_EQ(NumPrincipalComponents(database, std::vector<int>{0, 1, 2, 3}, 1 - 1e-9), 3);
   EXPECT_EQ(NumPrincipalComponents(database, std::vector<int>{0, 1}, 0.99), 1);
   EXPECT_EQ(NumPrincipalComponents(database, std::vector<int>{0, 0}, 0.99), 0);

@@ -213,7 +213,7 @@ TEST(Augment, GapsHaveTheirLength) {
   EXPECT_NEAR(num_gaps, 0.5 * 200 * double(Face().size()), 100);
 }
 
-TEST(Augment, RetracesStrokesWholeBesideThemselves) {
+TEST(Augment, RetracesWholeStrokesAtTheirRootMeanSquare) {
   AugmentationOptions options = Nothing();
   options.retrace = 1;
   options.retrace_px = 2;

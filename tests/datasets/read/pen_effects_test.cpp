@@ -34,54 +34,54 @@ Vector2d Move(const Stroke& before, const Stroke& after, size_t i) {
   return ToVector(after.points[i]) - ToVector(before.points[i]);
 }
 
-TEST(Tremble, HasItsRootMeanSquareAndNothingMuchShorter) {
+TEST(Jitter, HasItsRootMeanSquareAndNothingMuchShorter) {
   // A cubic B-spline with knots l apart and rms s has slopes of rms s / l sqrt((2/3) / (151/315)) = 1.179 s / l.
   const Stroke line = Line(3000);
   double square = 0, slope = 0;
   int count = 0;
   Rng rng(1);
   for (int trial = 0; trial < 10; ++trial) {
-    const Stroke trembled = Tremble(line, 0.8, 16, rng);
+    const Stroke jittered = Jitter(line, 0.8, 16, rng);
     for (size_t i = 1; i < line.points.size(); ++i, ++count) {
-      square += Move(line, trembled, i).squaredNorm() / 2;
-      slope += (Move(line, trembled, i) - Move(line, trembled, i - 1)).squaredNorm() / 2;
+      square += Move(line, jittered, i).squaredNorm() / 2;
+      slope += (Move(line, jittered, i) - Move(line, jittered, i - 1)).squaredNorm() / 2;
     }
   }
   EXPECT_NEAR(std::sqrt(square / count), 0.8, 0.04);
   EXPECT_NEAR(std::sqrt(slope / count), 1.179 * 0.8 / 16, 0.004);
 }
 
-TEST(Tremble, IsTheSameAtEveryArcLength) {
+TEST(Jitter, IsTheSameAtEveryArcLength) {
   // Over many strokes; the rms of a cubic B-spline varies by 2 % between its knots.
   const Stroke line = Line(33);
   std::vector<double> squares(33, 0);
   Rng rng(2);
   constexpr int kTrials = 4000;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const Stroke trembled = Tremble(line, 1, 16, rng);
-    for (size_t i = 0; i < 33; ++i) squares[i] += Move(line, trembled, i).squaredNorm() / 2 / kTrials;
+    const Stroke jittered = Jitter(line, 1, 16, rng);
+    for (size_t i = 0; i < 33; ++i) squares[i] += Move(line, jittered, i).squaredNorm() / 2 / kTrials;
   }
   for (const double square : squares) EXPECT_NEAR(std::sqrt(square), 1, 0.05);
 }
 
-TEST(Tremble, ClosedStrokesStayClosedAndSmoothAtTheSeam) {
+TEST(Jitter, ClosedStrokesStayClosedAndSmoothAtTheSeam) {
   Rng rng(3);
   for (const double radius : {2.0, 20.0, 80.0}) {
-    const Stroke circle = Circle(radius), trembled = Tremble(circle, 1, 16, rng);
-    EXPECT_TRUE(IsClosed(trembled));
-    const Vector2d bend = Move(circle, trembled, 1) - 2 * Move(circle, trembled, 0) + Move(circle, trembled, 99);
+    const Stroke circle = Circle(radius), jittered = Jitter(circle, 1, 16, rng);
+    EXPECT_TRUE(IsClosed(jittered));
+    const Vector2d bend = Move(circle, jittered, 1) - 2 * Move(circle, jittered, 0) + Move(circle, jittered, 99);
     EXPECT_LT(bend.norm(), 0.4);
   }
 }
 
-TEST(Tremble, MovesAPointAloneAndNothingByNothing) {
+TEST(Jitter, MovesAPointAloneAndNothingByNothing) {
   Rng rng(4);
   const Stroke dot{0, {{5, 6}}};
-  EXPECT_NE(Tremble(dot, 1, 16, rng).points, dot.points);
-  EXPECT_EQ(Tremble(Line(20), 0, 16, rng).points, Line(20).points);
-  EXPECT_EQ(Tremble(Line(20), 0, 16, rng).kind, 3);
-  EXPECT_TRUE(Tremble({}, 1, 16, rng).points.empty());
-  for (const auto& point : Tremble({0, {{1, 2}, {1, 2}, {1, 2}}}, 1, 16, rng).points)
+  EXPECT_NE(Jitter(dot, 1, 16, rng).points, dot.points);
+  EXPECT_EQ(Jitter(Line(20), 0, 16, rng).points, Line(20).points);
+  EXPECT_EQ(Jitter(Line(20), 0, 16, rng).kind, 3);
+  EXPECT_TRUE(Jitter({}, 1, 16, rng).points.empty());
+  for (const auto& point : Jitter({0, {{1, 2}, {1, 2}, {1, 2}}}, 1, 16, rng).points)
     EXPECT_TRUE(std::isfinite(point[0]) && std::isfinite(point[1]));
 }
 

@@ -113,7 +113,7 @@ TEST_F(PointDatabaseTest, DamagedFilesAreRefused) {
   EXPECT_NO_THROW(PointDatabase(directory_.path()));
 }
 
-TEST_F(PointDatabaseTest, ShapesThatTheManifestDoesNotTellAreRefused) {
+TEST_F(PointDatabaseTest, ShapesThatDifferFromTheManifestAreRefused) {
   AddShard(second_, {4, 5, 6, 7}, {0, 0, 0, 0, 0, 0, 0, 0});
   WriteManifest(directory_.path(), manifest_);
   ExpectRefused("triangles have the shape [2,2]");

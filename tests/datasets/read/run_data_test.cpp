@@ -41,7 +41,8 @@ TEST_F(RunDataTest, RefusesFacesThatTheRunWasNotTrainedOn) {
   CheckSameData(run_, manifest_, config_, "faces");
   testing::BuildSyntheticFaces(folder_ / "others", 2);
   config_["data"]["faces"] = (folder_ / "others").string();
-  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); }, "holds other faces than");
+  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); },
+                       "the faces differ from the training data of");
 }
 
 TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
@@ -49,15 +50,15 @@ TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {
   const Split split = SplitOfRun(run_, manifest_, config_, faces);
   EXPECT_EQ(SplitToJson(faces, split), manifest_.details.at("split"));
   config_["split"]["test"] = 0.5;
-  testing::ExpectError([&] { SplitOfRun(run_, manifest_, config_, faces); }, "was split otherwise");
+  testing::ExpectError([&] { SplitOfRun(run_, manifest_, config_, faces); }, "split does not match the run's manifest");
 }
 
 TEST_F(RunDataTest, ASplitHasThreeSides) {
   const Split split{{1}, {2}, {3}};
-  EXPECT_EQ(SideOf(split, "train"), std::vector<int>{1});
-  EXPECT_EQ(SideOf(split, "validation"), std::vector<int>{2});
-  EXPECT_EQ(SideOf(split, "test"), std::vector<int>{3});
-  EXPECT_THROW(SideOf(split, "left"), UsageError);
+  EXPECT_EQ(SubsetOf(split, "train"), std::vector<int>{1});
+  EXPECT_EQ(SubsetOf(split, "validation"), std::vector<int>{2});
+  EXPECT_EQ(SubsetOf(split, "test"), std::vector<int>{3});
+  EXPECT_THROW(SubsetOf(split, "left"), UsageError);
 }
 
 }  // namespace

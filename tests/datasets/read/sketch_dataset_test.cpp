@@ -1,7 +1,7 @@
 #include "datasets/read/sketch_dataset.h"
 
 #include "core/files.h"
-#include "datasets/read/shape_numbers.h"
+#include "datasets/read/curve_coefficients.h"
 #include "datasets/read/training_fit.h"
 #include "faces/face_database.h"
 #include "render/stroke_samples.h"

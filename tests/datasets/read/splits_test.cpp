@@ -110,7 +110,7 @@ TEST_F(SplitTest, PersonsOfOneGroupStayOnOneSide) {
     std::set<int> all = sides[0];
     all.insert(sides[1].begin(), sides[1].end());
     all.insert(sides[2].begin(), sides[2].end());
-    EXPECT_EQ(all.size(), 4u) << "a group stands on two sides";
+    EXPECT_EQ(all.size(), 4u) << "a group is in two subsets";
     EXPECT_EQ(split.train.size() + split.validation.size() + split.test.size(), 64u);
   }
 }

@@ -19,7 +19,7 @@ TEST(StrokeArc, MeasuresAndFindsPointsByHand) {
   EXPECT_EQ(arc.PointAt(8), Vector2d(3, 7));
 }
 
-TEST(StrokeArc, EndsStandForWhatLiesBeyondThem) {
+TEST(StrokeArc, EndsExtendConstantly) {
   const render::Stroke stroke{0, {{0, 0}, {3, 4}}}, dot{0, {{7, 8}}};
   EXPECT_EQ(StrokeArc(stroke).PointAt(-1), Vector2d(0, 0));
   EXPECT_EQ(StrokeArc(stroke).PointAt(6), Vector2d(3, 4));
@@ -33,7 +33,7 @@ TEST(StrokeArc, HasNoLengthBelowTwoPoints) {
   testing::ExpectError([&] { StrokeArc(nothing).PointAt(0); }, "without points");
 }
 
-TEST(IsClosed, AsksForThreePointsThatEndWhereTheyBegin) {
+TEST(IsClosed, RequiresThreePointsThatEndWhereTheyBegin) {
   EXPECT_TRUE(IsClosed({0, {{1, 2}, {5, 5}, {1, 2}}}));
   EXPECT_FALSE(IsClosed({0, {{1, 2}, {5, 5}, {1, 3}}}));
   EXPECT_FALSE(IsClosed({0, {{1, 2}, {1, 2}}}));

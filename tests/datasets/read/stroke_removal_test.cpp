@@ -48,7 +48,7 @@ TEST(DrawRemovedStrokes, DrawsOneAfterTheOtherWithoutReplacement) {
   EXPECT_NEAR(double(count) / kDraws, stays, 4 * std::sqrt(stays * (1 - stays) / kDraws));
 }
 
-TEST(DrawRemovedStrokes, RemovesAsManyAsAskedForButNeverAll) {
+TEST(DrawRemovedStrokes, RemovesTheRequestedNumberButNeverAll) {
   const auto strokes = LinesOfLengths({0.1, 0.2, 0.3, 0.4, 0.5});
   Rng rng(3);
   for (int count = -1; count <= 7; ++count) {

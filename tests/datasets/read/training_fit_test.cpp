@@ -59,7 +59,7 @@ class TrainingFitTest : public ::testing::Test {
   static inline faces::FaceDatabase* database_ = nullptr;
 };
 
-TEST_F(TrainingFitTest, NoFaceBesideTheTrainingFacesIsRead) {
+TEST_F(TrainingFitTest, OnlyTrainingFacesAreRead) {
   for (const std::string kind : {"person", "random"}) {
     const Split split = MakeSplit(*database_, {.kind = kind, .validation = 0.15, .test = 0.15}, 2);
     const FittedBilinear fitted = FitOnTraining(*database_, split, kRanks);

@@ -119,8 +119,8 @@ TEST(ShapeFile, HostileHeadersAreRefused) {
   };
   constexpr int32_t kMost = std::numeric_limits<int32_t>::max();
   for (const int32_t shapes : {-1, 0, 1001, kMost})
-    ExpectError([&] { CountShapes(with_header(shapes, 5), 5, "shape.bs"); }, "no shape.bs");
-  ExpectError([&] { CountShapes(with_header(3, -1), -1, "shape.bs"); }, "no shape.bs");
+    ExpectError([&] { CountShapes(with_header(shapes, 5), 5, "shape.bs"); }, "not a shape.bs file");
+  ExpectError([&] { CountShapes(with_header(3, -1), -1, "shape.bs"); }, "not a shape.bs file");
   ExpectError([&] { CountShapes(with_header(1000, kMost), kMost, "shape.bs"); }, "truncated");
   std::string nan = ShapeFile(Shapes(0));
   const float value = std::numeric_limits<float>::quiet_NaN();

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// The synthetic head as somebody else's topology: quads and a small annotation of the user's.
+/// The synthetic head as an external topology: quads and a small annotation of the user's.
 namespace daumier::testing {
 
 inline const SyntheticGrid& ForeignGrid() {
@@ -19,7 +19,7 @@ inline const SyntheticGrid& ForeignGrid() {
   return grid;
 }
 
-/// Landmarks, hairline, and the regions that no hole tells; `regions` false: landmarks and hairline alone.
+/// Landmarks, hairline, and the regions that no hole determines; `regions` false: landmarks and hairline alone.
 inline Json ForeignAnnotationJson(bool regions = true) {
   Json json = {
       {"format", 1}, {"landmarks", SyntheticFace().annotation.landmarks}, {"hairline", ForeignGrid().at(0, 21)}};

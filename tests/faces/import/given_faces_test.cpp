@@ -37,7 +37,7 @@ TEST(GivenFaces, TemplateIsTheMeanInCentimetres) {
   EXPECT_LT(((given.face(0, 1) - given.face(0, 0)).col(1).array() - 10).abs().maxCoeff(), 1e-9);
 }
 
-TEST(GivenFaces, AnnotationTellsTheUnitAndTheCrop) {
+TEST(GivenFaces, AnnotationSetsTheUnitAndTheCrop) {
   AnnotationFile file = testing::ForeignAnnotation(false);
   file.cm_per_unit = 20;
   const auto& grid = testing::ForeignGrid();

@@ -50,7 +50,7 @@ TEST_F(MatFileTest, SmallElementsAndPackedTypesAreRead) {
   EXPECT_EQ(arrays.at("tl")[1], 9);
 }
 
-TEST_F(MatFileTest, OtherVariablesArePassedOver) {
+TEST_F(MatFileTest, OtherVariablesAreSkipped) {
   const std::string text = MatVariable("text", {1, 2}, 4, BytesOf<uint16_t>({'h', 'i'}), 4);
   const std::string six = MatVariable("six", {2, 3}, 7, BytesOf(kSixByColumns), 7);
   EXPECT_EQ(Read(MatFile(text + MatCompressed(text) + six), {"six"}).at("six")[5], 5);

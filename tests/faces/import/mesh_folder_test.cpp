@@ -45,7 +45,7 @@ TEST(MeshFolder, FolderOfAFileMayBeItsPerson) {
   EXPECT_EQ(given.groups, (std::vector<std::string>{"bob", "bob", "eve"}));
 }
 
-TEST(MeshFolder, PlyAndObjMayStandTogether) {
+TEST(MeshFolder, PlyAndObjMayBeMixed) {
   const TempDir folder;
   geometry::PolygonMesh triangles = ForeignMesh();
   const geometry::Triangles all = geometry::Triangulate(triangles);

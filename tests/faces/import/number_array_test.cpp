@@ -80,7 +80,7 @@ TEST(NumberArray, SizesThatDisagreeOrOverflowAreRefused) {
   ExpectError([] { Floats({1}, {0})[1]; }, "element 1 of 1");
 }
 
-TEST(NumberArray, MissingArraysAreNamedBesideThoseThere) {
+TEST(NumberArray, MissingArraysAreNamedWithThoseOfTheFile) {
   const NumberArrays arrays = {{"f", Floats({1}, {0})}};
   EXPECT_EQ(ArrayOf(arrays, "f", "m.npz").size(), 1);
   ExpectError([&] { ArrayOf(arrays, "g", "m.npz"); }, "m.npz has no array 'g'; it has: f");

@@ -13,7 +13,7 @@ TEST(SketchEvalOptions, OtherFacesNeedTheirSketches) {
   testing::ExpectError([] { CheckEvalOptions({.sketches = "b"}); }, "give both 'faces' and 'sketches'");
 }
 
-TEST(SketchEvalOptions, OtherFacesExcludeWhatIsOfASideOfTheSplit) {
+TEST(SketchEvalOptions, OtherFacesExcludeSubsetsOfTheSplit) {
   const SketchEvalOptions others{.faces = "a", .sketches = "b"};
   const auto expect = [&](const char* key, auto&& change) {
     SketchEvalOptions options = others;

@@ -52,7 +52,7 @@ TEST_F(ShapeInputTest, SnappingImprovesAWrongPrediction) {
   EXPECT_LT(recovered, 0.9 * predicted);
 }
 
-TEST_F(ShapeInputTest, PointsThatAreNotShownAreNotLookedAt) {
+TEST_F(ShapeInputTest, HiddenPointsAreIgnored) {
   const ShapeInput input(curves_, *sketches_, faces_->face_template());
   auto strokes = sketches_->strokes(split_.test.front());
   std::vector<std::vector<bool>> visible;

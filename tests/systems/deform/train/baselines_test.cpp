@@ -10,7 +10,7 @@
 namespace daumier::deform {
 namespace {
 
-/// Faces of 20 vertices in a space of three directions and, with noise, a little beside it.
+/// Faces of 20 vertices in a space of three directions and, with noise, a little outside it.
 torch::Tensor Faces(int64_t count, uint64_t seed, double noise = 0) {
   torch::manual_seed(9);
   const torch::Tensor axes = torch::randn({3, 60}), mean = torch::randn({60});

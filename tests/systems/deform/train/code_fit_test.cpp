@@ -64,7 +64,7 @@ TEST_F(CodeFitTest, EnergyIsThatOfTheCodeAndBeginsAtZero) {
 }
 
 TEST_F(CodeFitTest, EnergiesOfGaussNewtonNeverRise) {
-  options_.solve.num_rows = 3;  // Too few to know the surface, so that some steps are bad.
+  options_.solve.num_rows = 3;  // Too few to determine the surface, so that some steps are bad.
   for (const std::string& kind : testing::DeformKinds()) {
     const auto network = Network(kind);
     const CodeFit fit = FitCode(*network, Surface(*network, 4 * code_) + 0.1 * template_, options_);
@@ -89,7 +89,7 @@ TEST_F(CodeFitTest, ALinearModelIsSolvedInOneStepAsByRidgeRegression) {
   EXPECT_NEAR(fit.energies[1], least, 1e-5 * least);
   EXPECT_LE(fit.steps, 2);
   EXPECT_LT((fit.code - ridge).abs().max().item<double>(), 1e-5);
-  // A part of the points tells less of the matrix, but nothing else is minimised.
+  // A part of the points approximates the matrix, but the minimised energy is the same.
   options_.solve.num_rows = 20;
   EXPECT_NEAR(FitCode(network, targets, options_).energy, least, 1e-4 * least);
 }
@@ -168,7 +168,7 @@ TEST_F(CodeFitTest, APriorAloneGivesItsMean) {
   EXPECT_TRUE(torch::equal(FitCode(*network, energy, {}).code, torch::zeros({8})));
 }
 
-TEST_F(CodeFitTest, WithoutAnyWeightTheStartIsTheAnswer) {
+TEST_F(CodeFitTest, WithoutAnyWeightTheStartIsTheResult) {
   const auto network = Network("hypernetwork");
   const std::vector<int> handles = {3, 40};
   CodeEnergy energy;

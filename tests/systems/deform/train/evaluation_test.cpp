@@ -1,6 +1,6 @@
 #include "systems/deform/train/evaluation.h"
 
-#include "core/even_choice.h"
+#include "core/evenly_spaced.h"
 #include "datasets/read/run_data.h"
 #include "eval/metrics.h"
 #include "systems/deform/metrics.h"
@@ -72,7 +72,7 @@ TEST_F(DeformEvalTest, FacesAreSpreadEvenlyOverTheSide) {
   const faces::FaceDatabase faces(*folder_ / "faces");
   const datasets::Split split = datasets::SplitOfRun(*folder_ / "run", ReadManifest(*folder_ / "run", "run"),
                                                      LoadConfig(*folder_ / "run" / "resolved.toml"), faces);
-  EXPECT_EQ(metrics.at("faces").get<std::vector<int>>(), EvenChoice(split.validation, 3));
+  EXPECT_EQ(metrics.at("faces").get<std::vector<int>>(), EvenlySpaced(split.validation, 3));
   EXPECT_EQ(metrics.at("table").size(), 1u);
   EXPECT_TRUE(metrics.at("ridge").is_null());
 }

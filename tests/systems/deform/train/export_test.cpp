@@ -56,7 +56,7 @@ TEST(DeformExport, TheModelCarriesItsFrame) {
   EXPECT_EQ(dimension(1, 1).dim_value(), 3);
 }
 
-TEST(DeformExport, ARunBecomesAFolderThatTellsFrameTemplateAndLicences) {
+TEST(DeformExport, ARunBecomesAFolderWithFrameTemplateAndLicences) {
   testing::AllowWarnings();  // There may be no runtime.
   const testing::TempDir folder;
   const auto decoder = testing::WriteDeformRun(folder / "run", "hypernetwork");

@@ -66,8 +66,8 @@ TEST(ConditionedDeformation, TheCodeMovesTheBiasesOfTheFirstAndTheMiddleLayerAlo
   }
 }
 
-// A code beside the input of a layer: W [x, z] + b = W_x x + (b + W_z z).
-TEST(ConditionedDeformation, IsASirenThatReadsTheCodeBesideItsInput) {
+// A code concatenated to the input of a layer: W [x, z] + b = W_x x + (b + W_z z).
+TEST(ConditionedDeformation, IsASirenOfInputAndCodeConcatenated) {
   torch::manual_seed(3);
   ConditionedDeformation network(SmallDeformOptions("conditioning"), SomeTemplate(), {});
   const at::NoGradGuard no_grad;

@@ -42,7 +42,7 @@ TEST(SurfaceDecoder, ASubdividedSurfaceBeginsWithTheVertices) {
   }
 }
 
-TEST(SurfaceDecoder, ASirenIsAskedBetweenVertices) {
+TEST(SurfaceDecoder, ASirenIsEvaluatedBetweenVertices) {
   const geometry::Subdivider subdivider(SomeTriangles(), 12, 1);
   const auto network = NetworkOf("hypernetwork");
   const torch::Tensor code = 0.1 * torch::randn({8}), fine = SubdividedTemplate(*network, subdivider);

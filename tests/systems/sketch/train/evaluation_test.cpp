@@ -195,7 +195,7 @@ TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumb
                        "this is a run of the task 'deform' (expected a run of 'sketch')");
 }
 
-TEST_F(SketchEvalTest, FitsAndRefinesIfAsked) {
+TEST_F(SketchEvalTest, FitsAndRefinesIfRequested) {
   const Json metrics = Metrics({.fit = true, .deform = true});
   std::map<std::string, std::string> input;
   for (const Json& row : metrics.at("table")) input[row.at("name")] = row.at("shape_input");
@@ -248,7 +248,7 @@ TEST_F(SketchEvalTest, ManifestProvesThatNothingWasFittedOnValidationOrTestPerso
 }
 
 TEST_F(SketchEvalTest, RefusesAnUnknownSideAndOptionsThatExcludeEachOther) {
-  testing::ExpectError([&] { Evaluate("run", {.split = "tset"}); }, "no side of a split");
+  testing::ExpectError([&] { Evaluate("run", {.split = "tset"}); }, "unknown subset");
   testing::ExpectError([&] { Evaluate("run", {.faces = "faces"}); }, "give both 'faces' and 'sketches'");
   testing::ExpectError([&] { Evaluate("run", {.faces = "faces", .sketches = "sketches", .fit = true}); },
                        "faces excludes fit");

@@ -90,7 +90,7 @@ TEST(SketchExport, WithoutARuntimeWritesAGraphThatHoldsTheNetwork) {
   EXPECT_EQ(num_found, static_cast<int>(state.size()) - std::count_if(state.begin(), state.end(), is_unused));
 }
 
-TEST(SketchExport, AnswersAsLibTorchInOnnxRuntime) {
+TEST(SketchExport, HasTheOutputsOfLibTorchInOnnxRuntime) {
   const TempDir folder;
   WriteSketchRun(folder / "run");
   testing::AllowWarnings();  // There may be no runtime.
@@ -100,7 +100,7 @@ TEST(SketchExport, AnswersAsLibTorchInOnnxRuntime) {
   EXPECT_EQ(report["opset"], 13);
 }
 
-TEST(SketchExport, EveryKindOfNetworkAnswersAsLibTorchInOnnxRuntime) {
+TEST(SketchExport, EveryKindOfNetworkHasTheOutputsOfLibTorchInOnnxRuntime) {
   testing::AllowWarnings();  // There may be no runtime.
   for (const auto& [name, options] : testing::SmallSketchNetworks()) {
     SCOPED_TRACE(name);

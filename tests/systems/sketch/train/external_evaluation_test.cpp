@@ -72,9 +72,9 @@ TEST_F(ExternalEvaluationTest, BaselinesAreFittedOnTheTrainingFacesOfTheRun) {
     };
     const std::vector<float> points = samples.curve_points(face);
     nearest_errors.push_back(error(samples.vertices(own.split.train[size_t(nearest.Nearest(points))])));
-    const eval::FaceRows answer =
+    const eval::FaceRows predicted =
         ridge.Predict(Eigen::Map<const eval::FaceRows>(points.data(), 1, Eigen::Index(points.size())));
-    ridge_errors.push_back(error({answer.data(), size_t(answer.size())}));
+    ridge_errors.push_back(error({predicted.data(), size_t(predicted.size())}));
   }
   EXPECT_EQ(table[6].at("name"), "nearest neighbour");
   EXPECT_NEAR(table[6].at("error").get<double>(), Mean(nearest_errors), 1e-6);

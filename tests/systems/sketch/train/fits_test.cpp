@@ -57,20 +57,20 @@ TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelpsAndDeformingItMore) {
   const RefinedRow refined(data_, reader_);
   const auto faces = std::span(data_.split.train).first(4);
   // Wrong by a little: what the model makes of the true coefficients, pulled towards the mean.
-  SketchPredictions answers;
+  SketchPredictions predictions;
   const auto& model = data_.run.models.bilinear;
   const faces::BilinearProjector projector(model);
-  answers.u.resize(4, model.num_identity), answers.v.resize(4, model.num_expression);
-  answers.faces.resize(4, model.num_coordinates());
+  predictions.u.resize(4, model.num_identity), predictions.v.resize(4, model.num_expression);
+  predictions.faces.resize(4, model.num_coordinates());
   for (Eigen::Index i = 0; i < 4; ++i) {
     const auto truth = projector.Project(data_.faces.vertices(faces[size_t(i)]));
-    answers.u.row(i) = 0.8f * truth.u.transpose() + 0.2f * model.identity_factors.colwise().mean();
-    answers.v.row(i) = truth.v.transpose();
-    answers.faces.row(i) =
-        faces::Reconstruct(model, answers.u.row(i).transpose(), answers.v.row(i).transpose()).transpose();
+    predictions.u.row(i) = 0.8f * truth.u.transpose() + 0.2f * model.identity_factors.colwise().mean();
+    predictions.v.row(i) = truth.v.transpose();
+    predictions.faces.row(i) =
+        faces::Reconstruct(model, predictions.u.row(i).transpose(), predictions.v.row(i).transpose()).transpose();
   }
-  const eval::FaceRows rows = refined.Refine(faces, answers);
-  EXPECT_LT(MeanError(rows, faces), MeanError(answers.faces, faces));
+  const eval::FaceRows rows = refined.Refine(faces, predictions);
+  EXPECT_LT(MeanError(rows, faces), MeanError(predictions.faces, faces));
   EXPECT_LT(MeanError(DeformedRow(data_, reader_).Deform(faces, rows), faces), MeanError(rows, faces));
 }
 

@@ -28,16 +28,16 @@ int64_t Parameters(const SketchNetworkOptions& options, const FittedModels& mode
   return SketchNetwork(options, models)->num_parameters();
 }
 
-TEST(SketchNetwork, EveryKindAnswersCoefficientsAndVerticesForAnyBatch) {
+TEST(SketchNetwork, EveryKindPredictsCoefficientsAndVerticesForAnyBatch) {
   for (const auto& [name, options] : SmallSketchNetworks()) {
     SCOPED_TRACE(name);
     auto network = SmallNetwork(options);
     for (const int64_t batch : {2, 5}) {
-      const auto answer = network->forward(RandomSketchInput(options, batch));
-      EXPECT_EQ(answer.u.sizes().vec(), (std::vector<int64_t>{batch, 6}));
-      EXPECT_EQ(answer.v.sizes().vec(), (std::vector<int64_t>{batch, 3}));
-      EXPECT_EQ(answer.residual.defined(), options.residual > 0);
-      EXPECT_EQ(network->Decode(answer).sizes().vec(), (std::vector<int64_t>{batch, 30}));
+      const auto predicted = network->forward(RandomSketchInput(options, batch));
+      EXPECT_EQ(predicted.u.sizes().vec(), (std::vector<int64_t>{batch, 6}));
+      EXPECT_EQ(predicted.v.sizes().vec(), (std::vector<int64_t>{batch, 3}));
+      EXPECT_EQ(predicted.residual.defined(), options.residual > 0);
+      EXPECT_EQ(network->Decode(predicted).sizes().vec(), (std::vector<int64_t>{batch, 30}));
     }
     EXPECT_EQ(network->num_vertices(), 10);
   }
@@ -49,9 +49,9 @@ TEST(SketchNetwork, ReadsWhatItsOptionsSayAndNothingElse) {
     auto network = SmallNetwork(options);
     network->eval();
     const SketchInput all = RandomSketchInput(options, 2), others = RandomSketchInput(options, 2);
-    const auto answer = network->Decode(network->forward(all));
+    const auto predicted = network->Decode(network->forward(all));
     const auto changes = [&](const SketchInput& input) {
-      return !torch::equal(network->Decode(network->forward(input)), answer);
+      return !torch::equal(network->Decode(network->forward(input)), predicted);
     };
     EXPECT_EQ(changes({others.images, all.points, all.shape}), options.reads_image());
     EXPECT_EQ(changes({all.images, others.points, all.shape}), options.reads_points());
@@ -123,7 +123,7 @@ TEST(SketchNetwork, ResidualIsAddedInABasisThatHoldsTheBilinearFace) {
                               bilinear + residual.mm(tensor::CopyToTensor(models.basis.rows)), 1e-4, 1e-4));
 }
 
-TEST(SketchNetwork, AnswersAreStandardisedOverTheFittedFaces) {
+TEST(SketchNetwork, OutputsAreStandardisedOverTheFittedFaces) {
   FittedModels models = RandomModels(10);
   models.bilinear.identity_factors.col(2).setConstant(0.25f);  // Does not vary: the floor keeps it alive.
   torch::manual_seed(5);
@@ -141,12 +141,12 @@ TEST(SketchNetwork, AnswersAreStandardisedOverTheFittedFaces) {
     const auto column = models.bilinear.identity_factors.col(k);
     const float deviation = std::sqrt((column.array() - column.mean()).square().mean());
     const float expected = column.mean() + deviation;
-    const float answer = after.u[0][k].item<float>();
+    const float predicted = after.u[0][k].item<float>();
     if (k == 2) {
-      EXPECT_GT(answer, 0.25f);
-      EXPECT_LT(answer, 0.27f);
+      EXPECT_GT(predicted, 0.25f);
+      EXPECT_LT(predicted, 0.27f);
     } else {
-      EXPECT_NEAR(answer, expected, 1e-5);
+      EXPECT_NEAR(predicted, expected, 1e-5);
     }
   }
   EXPECT_TRUE(torch::equal(after.v[0], after.v[2]));
@@ -170,7 +170,7 @@ TEST(SketchNetwork, EvaluationIsDeterministicAndTakesEachSketchAlone) {
   }
 }
 
-TEST(SketchNetwork, FrozenConvolutionsNeitherLearnNorNormaliseAnew) {
+TEST(SketchNetwork, FrozenConvolutionsNeitherLearnNorUpdateNormalisation) {
   const SketchNetworkOptions options = SmallSketchNetworks().at("PixelCNN");
   auto network = SmallNetwork(options);
   network->train();
@@ -239,8 +239,8 @@ TEST(SketchNetwork, OfAWidthThatATrainingRefusesTakesSketchesInEitherLayout) {
   auto network = SmallNetwork(options);
   network->eval();
   const auto images = RandomSketchInput(options, 3).images;
-  const auto answer = network->Decode(network->forward({images, {}, {}}));
-  EXPECT_TRUE(torch::equal(network->Decode(network->forward({ChannelsLast(images), {}, {}})), answer));
+  const auto predicted = network->Decode(network->forward({images, {}, {}}));
+  EXPECT_TRUE(torch::equal(network->Decode(network->forward({ChannelsLast(images), {}, {}})), predicted));
 }
 
 TEST(SketchNetwork, PointsMayComeInAnyOrder) {
@@ -248,9 +248,9 @@ TEST(SketchNetwork, PointsMayComeInAnyOrder) {
   auto network = SmallNetwork(options);
   network->eval();
   SketchInput input = RandomSketchInput(options, 2);
-  const auto answer = network->forward(input).u;
+  const auto predicted = network->forward(input).u;
   input.points = input.points.index_select(2, torch::randperm(options.num_points));
-  EXPECT_TRUE(torch::allclose(network->forward(input).u, answer, 1e-5, 1e-6));
+  EXPECT_TRUE(torch::allclose(network->forward(input).u, predicted, 1e-5, 1e-6));
 }
 
 TEST(SketchNetwork, EveryKindOverfitsEightSketchesByTheirVertices) {

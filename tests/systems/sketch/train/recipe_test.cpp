@@ -148,7 +148,7 @@ TEST_F(SketchRecipeTest, ValidatesInMillimetresOverTheFaceRegion) {
   EXPECT_NEAR(error, faces::MillimetresPerCm(faces_.face_template()) * distances.mean().item<double>(), 1e-3 * error);
 }
 
-TEST_F(SketchRecipeTest, AugmentsTrainingSketchesAnewInEachEpochAndThoseOfValidationOnce) {
+TEST_F(SketchRecipeTest, AugmentsTrainingSketchesInEachEpochAndThoseOfValidationOnce) {
   const std::vector<int> samples = {0, 7, 11, 3};
   const auto images = [&](SketchRecipe& recipe, int64_t epoch) {
     return ReadBatch(recipe, samples, epoch).at("images");
@@ -193,7 +193,7 @@ TEST_F(SketchRecipeTest, StagesAreThoseOfThePaper) {
   testing::ExpectError([&] { MakeRecipe("gram"); }, "add up to 1.15");
 }
 
-TEST_F(SketchRecipeTest, ClassificationOfAnUntrainedNetworkKnowsNothing) {
+TEST_F(SketchRecipeTest, ClassificationOfAnUntrainedNetworkIsAtChance) {
   options_.stages.classification = 0.5;
   SketchRecipe recipe = MakeRecipe("gram");
   recipe.EnterStage(0);
@@ -216,7 +216,8 @@ TEST_F(SketchRecipeTest, RegressionIsTheDistanceFromTheFactorsOfTheFace) {
   const torch::NoGradGuard no_grad;
   const int sample = 11, face = split_.train[11];
   const train::LossTerms terms = Loss(recipe, {sample}, 0);
-  const auto answer = SketchNetwork(recipe.network())->forward({ReadBatch(recipe, {sample}, 0).at("images"), {}, {}});
+  const auto predicted =
+      SketchNetwork(recipe.network())->forward({ReadBatch(recipe, {sample}, 0).at("images"), {}, {}});
   const auto identities = datasets::TrainingIdentities(faces_, split_);
   const auto row =
       std::find(identities.begin(), identities.end(), face / faces_.num_expressions()) - identities.begin();
@@ -225,7 +226,7 @@ TEST_F(SketchRecipeTest, RegressionIsTheDistanceFromTheFactorsOfTheFace) {
   for (int k = 0; k < factors.cols(); ++k) {
     const auto column = factors.col(k);
     const double deviation = std::sqrt((column.array() - column.mean()).square().mean());
-    expected += std::pow((answer.u[0][k].item<double>() - factors(row, k)) / deviation, 2);
+    expected += std::pow((predicted.u[0][k].item<double>() - factors(row, k)) / deviation, 2);
   }
   EXPECT_NEAR(terms.parts.at("u_error").item<double>(), expected, 1e-3 * expected);
   EXPECT_GT(terms.parts.at("v_error").item<double>(), 0);

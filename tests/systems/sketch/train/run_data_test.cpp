@@ -17,7 +17,7 @@ TEST_F(SketchRunDataTest, RefusesOtherDataThanTheRunWasTrainedOn) {
   Json config = LoadConfig(run / "resolved.toml");
   config["data"]["faces"] = (*folder_ / "other_faces").string();
   WriteFileAtomically(run / "resolved.toml", ToToml(config));
-  testing::ExpectError([&] { OpenSketchRunData(run); }, "holds other faces than");
+  testing::ExpectError([&] { OpenSketchRunData(run); }, "the faces differ from the training data of");
 }
 
 TEST_F(SketchRunDataTest, RefusesASplitThatComesOutOtherwise) {
@@ -26,7 +26,7 @@ TEST_F(SketchRunDataTest, RefusesASplitThatComesOutOtherwise) {
   Manifest manifest = ReadManifest(run, "run");
   manifest.details["split"]["test"]["faces_checksum"] = "0";
   WriteManifest(run, manifest);
-  testing::ExpectError([&] { OpenSketchRunData(run); }, "was split otherwise");
+  testing::ExpectError([&] { OpenSketchRunData(run); }, "split does not match the run's manifest");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using testing::ExpectError;
 using testing::TempDir;
 
-TEST(SketchRun, LoadedNetworkAnswersAsTheSavedOne) {
+TEST(SketchRun, LoadedNetworkPredictsAsTheSavedOne) {
   const TempDir folder;
   auto saved = testing::WriteSketchRun(folder.path());
   auto run = LoadSketchRun(folder.path());

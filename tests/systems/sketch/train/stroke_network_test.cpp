@@ -38,11 +38,11 @@ TEST(InkOf, OfATracedTrainingRasterIsTheRaster) {
   const testing::TempDir folder;
   render::WriteImage(folder / "face.png", render::RasteriseStrokes(fitting::Circles(), 512));
   const render::Drawing traced = render::ReadDrawings(folder / "face.png")[0];
-  const auto sketch = SketchTensor(render::Place(traced.strokes, SheetPlacement(traced)), 64);
+  const auto sketch = SketchTensor(render::MapToCanvas(traced.strokes, SheetPlacement(traced)), 64);
   EXPECT_LT((sketch - TrainingRaster(64)).abs().mean().item<double>(), 0.03);
 }
 
-TEST(TrainedStrokeNetwork, AnswersWhatTheNetworkAnswers) {
+TEST(TrainedStrokeNetwork, PredictsAsTheNetwork) {
   const testing::TempDir folder;
   auto network = testing::WriteSketchRun(folder.path());
   const SketchPredictor predictor = OpenStrokeNetwork(folder.path());

@@ -76,7 +76,7 @@ TEST_F(SketchSystemTest, AnAblationTrainsAndMeasuresEveryRowAndResumes) {
   testing::ExpectError([&] { ablation::RunAblation(Load(), System(), out, {}, Task(InterruptToken())); },
                        "The same command resumes it");
   SetInterrupted(false);
-  EXPECT_EQ(ablation::PlanAblation(Load(), System(), out).front().state, ablation::RowState::kToGoOn);
+  EXPECT_EQ(ablation::PlanAblation(Load(), System(), out).front().state, ablation::RowState::kToResume);
 
   const Json table = ablation::RunAblation(Load(), System(), out);
   std::vector<std::string> names;

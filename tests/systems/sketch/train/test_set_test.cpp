@@ -44,7 +44,7 @@ TEST_F(SketchTestSetTest, AShiftedFaceHasTheErrorOfTheShift) {
   EXPECT_NEAR(*reports::ValueOf(test_.EmptyTable(), row, "interocular_share"), mm / eyes, 0.1 * mm / eyes);
 }
 
-TEST_F(SketchTestSetTest, PredictorsThatBuildOnEachOtherAreAskedTogether) {
+TEST_F(SketchTestSetTest, PredictorsThatBuildOnEachOtherRunTogether) {
   int num_blocks = 0;
   const std::vector<SketchErrors> errors = test_.Measure("both", 2, [&](const FaceBlock& block) {
     ++num_blocks;

@@ -87,7 +87,7 @@ TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
     config["sketch"] = {{"augmentation", {{"strength", strength}}}};
     const fs::path whole = Run(fmt::format("whole{}", strength)), stopped = Run(fmt::format("stopped{}", strength));
     RunSketch(config, {whole, false}, {});
-    // Stopped after the first step, then after the second, then let go on.
+    // Interrupted after the first step, then after the second, then resumed to the end.
     std::stop_source stop;
     stop.request_stop();
     const Task cancelled(stop.get_token());
@@ -116,7 +116,7 @@ TEST_F(SketchTrainingTest, RefusesToResumeAnotherConfigAndToOverwriteARun) {
       "optimiser.learning_rate is 0.005 there and 0.25 now");
 }
 
-TEST_F(SketchTrainingTest, WhatTheFitRefusesCanBeToldOtherwiseInTheSameFolder) {
+TEST_F(SketchTrainingTest, OptionsThatTheFitRefusesCanBeCorrectedInTheSameFolder) {
   Json config = Config();
   config["bilinear"]["num_identity"] = 500;
   testing::ExpectError([&] { RunSketch(config, {Run("refused"), false}, {}); }, "");

@@ -6,7 +6,7 @@
 namespace daumier::fitting {
 
 /// The synthetic face and a bilinear model of it, seen from the front on the canvas of sketches.
-struct SeenFace {
+struct ProjectedFace {
   faces::FaceTemplate face_template = testing::SyntheticFace();
   faces::BilinearModel model = testing::SyntheticBilinear(face_template, 4, 3, 5);
   ProjectedCurves curves =

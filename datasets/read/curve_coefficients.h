@@ -10,9 +10,9 @@ namespace daumier::datasets {
 std::vector<float> PointWeights(const SketchDatabase& sketches, const std::vector<render::Stroke>& strokes,
                                 const std::vector<std::vector<bool>>& visible);
 
-/// The shape-level numbers of a sketch whose strokes are known to be the template's curves, as in training and in a
-/// test alone: all points that came in, where the sketch has them, and whether it shows them (AugmentedSketch::moved
-/// and visible; an empty `visible`: all). Points that it does not show are not looked at.
+/// The curve coefficients of a sketch whose strokes are the labelled curves of the template, as in training and tests
+/// only. Input: all points, moved as in the sketch, and their visibility (AugmentedSketch::moved and visible; an empty
+/// `visible`: all). Hidden points are ignored.
 /// @throws Error if the number of points differs from that of the encoder.
 faces::CurveCode GivenShape(const faces::CurveEncoder& encoder, const SketchDatabase& sketches,
                             const std::vector<render::Stroke>& strokes,

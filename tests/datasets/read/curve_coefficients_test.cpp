@@ -1,4 +1,4 @@
-#include "datasets/read/shape_numbers.h"
+#include "datasets/read/curve_coefficients.h"
 
 #include "datasets/read/training_fit.h"
 #include "tests/support/expect_error.h"

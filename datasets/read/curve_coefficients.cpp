@@ -1,4 +1,4 @@
-#include "datasets/read/shape_numbers.h"
+#include "datasets/read/curve_coefficients.h"
 
 namespace daumier::datasets {
 
