@@ -29,14 +29,6 @@ Json ResolvedEval(const systems::System& system, const AblationRow& row) {
   return system.resolve_evaluation(row.eval, fmt::format("eval of row '{}'", row.name()));
 }
 
-Json ReadJson(const fs::path& file) {
-  try {
-    return Json::parse(ReadFile(file));
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: not JSON: {}", file.string(), error.what()));
-  }
-}
-
 }  // namespace
 
 AblationRuns::AblationRuns(const Ablation& ablation, const AblationSystem& system, const fs::path& directory)

@@ -39,7 +39,7 @@ void Register(const RegisterArguments& arguments) {
     MakeDirectory(arguments.out / "pictures");
     datasets::WriteRegistrationPictures(database, arguments.inputs, arguments.out / "pictures");
   }
-  PrintResult(Json::parse(ReadFile(arguments.out / "quality.json")).at("summary"), arguments.as_json);
+  PrintResult(ReadJson(arguments.out / "quality.json").at("summary"), arguments.as_json);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
   const fs::path path = directory / kFileName;
   const std::string text = ReadFile(path);
   try {
-    Manifest manifest = Parse(Json::parse(text, nullptr, false));
+    Manifest manifest = Parse(TryParseJson(text).value_or(Json()));
     DAUMIER_CHECK(kind.empty() || manifest.kind == kind, "this is a folder of {}, expected one of {}", manifest.kind,
                   kind);
     return manifest;

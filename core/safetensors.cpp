@@ -140,7 +140,7 @@ SafetensorsFile::SafetensorsFile(const std::filesystem::path& path)
                   bytes.size());
     const size_t data_start = kLengthBytes + header_size;
     const std::string_view data = bytes.substr(data_start);
-    const Json header = Json::parse(bytes.substr(kLengthBytes, header_size), nullptr, false);
+    const Json header = TryParseJson(bytes.substr(kLengthBytes, header_size)).value_or(Json());
     DAUMIER_CHECK(header.is_object(), "malformed header");
 
     std::vector<Extent> extents;

@@ -3,7 +3,6 @@
 #include "eval/metrics.h"
 #include "geometry/symmetric_eigen.h"
 
-
 #include <algorithm>
 
 namespace daumier::eval {

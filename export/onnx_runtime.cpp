@@ -80,7 +80,7 @@ std::optional<OnnxOutputs> RunInNode(const fs::path& model, const std::vector<te
   if (!child.has_value()) return std::nullopt;
   DAUMIER_CHECK(child->exit_code == 0, "ONNX Runtime cannot run {}: {}", model.string(), child->err);
 
-  const Json reply = Json::parse(child->out);
+  const Json reply = ParseJson(child->out, "the reply of run_onnx.mjs");
   OnnxOutputs result{.runtime = reply.at("runtime"), .outputs = {}, .milliseconds = reply.at("milliseconds")};
   for (size_t run = 0; run < runs.size(); ++run) {
     tensor::NamedTensors& outputs = result.outputs.emplace_back();

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 std::optional<Json> ReadMetrics(const fs::path& run_directory) {
   const fs::path file = ReportMetrics(run_directory);
   if (!fs::exists(file)) return std::nullopt;
-  const Json metrics = Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false);
-  DAUMIER_CHECK(metrics.is_object(), "{} is no JSON object; run `daumier eval` again", file.string());
+  std::optional<Json> metrics = TryParseJson(ReadFile(file));
+  DAUMIER_CHECK(metrics && metrics->is_object(), "{} is no JSON object; run `daumier eval` again", file.string());
   return metrics;
 }
 

@@ -45,14 +45,6 @@ class Entry {
   std::string where_;
 };
 
-Json Parse(std::string_view text, std::string_view name) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: {}", name, error.what()));
-  }
-}
-
 void CheckFormat(const Entry& file) {
   const int format = file.get<int>("format");
   DAUMIER_CHECK(format == AnnotationFile::kFormat, "{}: format {} is not known; this program reads format {}",
@@ -119,7 +111,7 @@ const std::vector<int>& RegionFor(const Annotation& annotation, const std::strin
 }
 
 AnnotationFile ParseAnnotationFile(std::string_view text, std::string_view name) {
-  const Json json = Parse(text, name);
+  const Json json = ParseJson(text, std::string(name));
   const Entry file(json, std::string(name),
                    {"format", "source", "landmarks", "hairline", "cm_per_unit", "crop", "regions", "curves"});
   CheckFormat(file);
@@ -152,7 +144,7 @@ AnnotationFile ParseAnnotationFile(std::string_view text, std::string_view name)
 }
 
 std::vector<ExpressionRecipe> ParseExpressionFile(std::string_view text, std::string_view name) {
-  const Json json = Parse(text, name);
+  const Json json = ParseJson(text, std::string(name));
   const Entry file(json, std::string(name), {"format", "source", "expressions"});
   CheckFormat(file);
   std::vector<ExpressionRecipe> recipes;

@@ -6,7 +6,6 @@
 #include "faces/leading_eigenvectors.h"
 #include "geometry/symmetric_eigen.h"
 
-
 #include <algorithm>
 #include <cmath>
 

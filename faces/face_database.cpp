@@ -169,7 +169,7 @@ FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory) {
   const auto text_path = directory / kTemplateText, arrays_path = directory / kTemplateArrays;
   int version = 0;
   try {
-    const Json text = Json::parse(ReadFile(text_path));
+    const Json text = ReadJson(text_path);
     version = text.at("format_version").get<int>();
     DAUMIER_CHECK(version == kTemplateVersion || version == kTemplateVersionWithUv,
                   "{}: format version {} is not supported (expected {} or {}). Read it with the program that wrote it.",

@@ -44,7 +44,7 @@ geometry::TextureCoordinates UvOfJson(const Json& json, const std::filesystem::p
 geometry::PolygonMesh ParseThreeJson(const std::filesystem::path& file) {
   Json json;
   try {
-    json = Json::parse(ReadFile(file));
+    json = ReadJson(file);
     const auto coordinates = json.at("vertices").get<std::vector<double>>();
     const auto faces = json.at("faces").get<std::vector<int>>();
     constexpr size_t kRecord = 10;
@@ -92,9 +92,9 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
   std::vector<std::string> paths;
   std::string version;
   try {
-    const Json list = Json::parse(ReadFile(list_file));
+    const Json list = ReadJson(list_file);
     for (const auto& [path, words] : list.at("targets").items()) paths.push_back(path);
-    version = Json::parse(ReadFile(folder / "package.json")).at("version").get<std::string>();
+    version = ReadJson(folder / "package.json").at("version").get<std::string>();
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: {}", list_file.string(), error.what()));
   }

@@ -59,7 +59,7 @@ std::vector<Drawing> ReadQuickDraw(const std::filesystem::path& path) {
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     try {
-      drawings.push_back(DrawingOf(Json::parse(line)));
+      drawings.push_back(DrawingOf(ParseJson(line, "a drawing")));
     } catch (const std::exception& error) {
       throw Error(fmt::format("{}:{}: {}", path.string(), line_number, error.what()));
     }

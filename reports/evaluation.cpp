@@ -49,12 +49,7 @@ void WriteEvaluation(const fs::path& out, const Evaluation& evaluation) {
 }
 
 Json ReadMetrics(const fs::path& report) {
-  const fs::path file = report / kMetricsFile;
-  try {
-    return Json::parse(ReadFile(file));
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: not JSON: {}", file.string(), error.what()));
-  }
+  return ReadJson(report / kMetricsFile);
 }
 
 std::optional<Predictions> ReadReportPredictions(const fs::path& report) {

@@ -18,7 +18,7 @@ fs::path SiblingPath(const fs::path& directory, const char* suffix) {
 
 std::optional<double> ReadSeconds(const fs::path& file) {
   if (!fs::exists(file)) return std::nullopt;
-  const Json time = Json::parse(ReadFile(file), nullptr, /*allow_exceptions=*/false);
+  const Json time = TryParseJson(ReadFile(file)).value_or(Json());
   DAUMIER_CHECK(time.is_object() && time.contains("seconds") && time["seconds"].is_number(),
                 "{} is damaged: it has no seconds. Delete it to resume without the time until now", file.string());
   return time["seconds"].get<double>();
@@ -57,7 +57,7 @@ std::optional<Checkpoint> ReadCheckpoint(const fs::path& directory) {
   // Between the two renames of WriteCheckpoint only the old folder exists.
   const fs::path source = fs::exists(directory) ? directory : SiblingPath(directory, ".old");
   if (!fs::exists(source)) return std::nullopt;
-  const Json head = Json::parse(ReadFile(source / kStateFile), nullptr, /*allow_exceptions=*/false);
+  const Json head = TryParseJson(ReadFile(source / kStateFile)).value_or(Json());
   DAUMIER_CHECK(
       head.is_object() && head.contains("format_version") && head.contains("state") && head.contains("checksums"),
       "{} is damaged: it is no checkpoint state", (source / kStateFile).string());

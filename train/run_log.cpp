@@ -21,8 +21,8 @@ void DropLinesAfter(const std::filesystem::path& file, int64_t last_step) {
   std::istringstream lines(ReadFile(file));
   std::string kept, line;
   while (std::getline(lines, line)) {
-    const Json entry = Json::parse(line, nullptr, /*allow_exceptions=*/false);
-    if (entry.is_discarded() || !entry.contains("step") || entry["step"].get<int64_t>() > last_step) break;
+    const std::optional<Json> entry = TryParseJson(line);
+    if (!entry || !entry->contains("step") || entry->at("step").get<int64_t>() > last_step) break;
     kept += line + "\n";
   }
   WriteFileAtomically(file, kept);
@@ -83,7 +83,7 @@ std::vector<MetricsRecord> ReadMetrics(const std::filesystem::path& run_director
   double last_seconds = 0;
   std::istringstream lines(ReadFile(run_directory / RunLog::kMetricsFile));
   for (std::string text; std::getline(lines, text);) {
-    Json line = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+    Json line = TryParseJson(text).value_or(Json());
     if (!line.is_object()) continue;
     const double seconds = line.value("seconds", 0.0), total = records.empty() ? 0 : records.back().seconds;
     std::optional<double> wall;

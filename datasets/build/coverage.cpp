@@ -4,7 +4,6 @@
 #include "datasets/build/stats.h"
 #include "geometry/symmetric_eigen.h"
 
-
 #include <algorithm>
 
 namespace daumier::datasets {

@@ -54,7 +54,7 @@ std::vector<double> ReadNumbers(const std::filesystem::path& path) {
   if (text.find_first_not_of(" \t\r\n") == text.find('[') && text.find('[') != std::string::npos) {
     std::vector<double> numbers;
     try {
-      AppendNumbers(Json::parse(text), numbers);
+      AppendNumbers(ParseJson(text, path.string()), numbers);
     } catch (const Json::exception& error) {
       throw Error(fmt::format("{}: malformed: {}", path.string(), error.what()));
     }

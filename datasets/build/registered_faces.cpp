@@ -223,7 +223,7 @@ Json ReadRegistrationQuality(const fs::path& directory, int person) {
   const auto quality = shard.metadata().find("quality");
   DAUMIER_CHECK(quality != shard.metadata().end(), "{}: no registered face: the metadata lack `quality`",
                 path.string());
-  return Json::parse(quality->second);
+  return ParseJson(quality->second, path.string());
 }
 
 }  // namespace daumier::datasets

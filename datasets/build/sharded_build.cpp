@@ -52,7 +52,7 @@ struct Journal {
 Journal ReadJournal(const fs::path& directory) {
   const fs::path path = directory / kJournal;
   try {
-    const Json json = Json::parse(ReadFile(path));
+    const Json json = TryParseJson(ReadFile(path)).value_or(Json());
     DAUMIER_CHECK(json.at("format_version") == kJournalVersion, "{}: unknown format version {}", path.string(),
                   json.at("format_version").dump());
     return {json.at("plan"), json.at("checksums").get<std::map<std::string, std::string>>()};

@@ -4,7 +4,6 @@
 #include "core/random.h"
 #include "geometry/symmetric_eigen.h"
 
-
 #include <algorithm>
 #include <vector>
 
@@ -25,8 +24,7 @@ int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const 
     block.rowwise() -= block.colwise().mean().eval();
     gram.selfadjointView<Eigen::Lower>().rankUpdate(block);
   }
-  const Eigen::VectorXd variances =
-      geometry::SymmetricEigenvalues(gram).cwiseMax(0);
+  const Eigen::VectorXd variances = geometry::SymmetricEigenvalues(gram).cwiseMax(0);
   const double total = variances.sum();
   double explained = 0;
   int count = 0;

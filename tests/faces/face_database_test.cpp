@@ -357,7 +357,7 @@ TEST_F(FaceDatabaseTest, ATemplateThatDoesNotFitIsRefused) {
   Replace("template.json", "\"format_version\": 1", "\"format_version\": 3");
   ExpectRefused("template.json: format version 3 is not supported (expected 1 or 2)", false);
   WriteFileAtomically(directory_ / "template.json", "{\"format_version\":");
-  ExpectRefused("template.json: malformed", false);
+  ExpectRefused("template.json: not JSON", false);
   std::filesystem::remove(directory_ / "template.json");
   ExpectRefused("template.json", false);
 }

@@ -73,7 +73,7 @@ TEST_F(LandmarkFileTest, RefusesWhatIsNot68Landmarks) {
   ExpectError([&] { with(Lines(68, [](int) { return std::string("nose"); })); }, "'nose' is not a number");
   ExpectError([&] { with(Lines(68, [](int) { return std::string("1.5"); })); }, "1.5 is no vertex");
   ExpectError([&] { with(Lines(68, [](int) { return std::string("100"); })); }, "is vertex 100, but the mesh has 100");
-  ExpectError([&] { with("[1, 2"); }, "malformed");
+  ExpectError([&] { with("[1, 2"); }, "not JSON");
   ExpectError([&] { LandmarkFile(folder_ / "absent.txt"); }, "absent.txt");
 }
 
