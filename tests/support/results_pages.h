@@ -2,7 +2,6 @@
 #include "core/files.h"
 #include "tests/support/paths.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

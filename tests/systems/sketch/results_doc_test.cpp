@@ -38,7 +38,7 @@ std::string DatabaseTable(const Json& databases) {
 /// The row of that name of an ablation's record.
 Json RowOf(const Json& record, const std::string& name) {
   for (const Json& row : record.at("table"))
-    if (row.at("name") == name) return row;
+    if (row.at("name").get<std::string>() == name) return row;
   throw Error(fmt::format("the record has no row {}", name));
 }
 
