@@ -28,7 +28,7 @@ LeadingEigenvectors FindLeadingEigenvectors(const Eigen::MatrixXd& matrix, int c
   solver.init();
   solver.compute(Spectra::SortRule::LargestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) return FromAll(matrix, count);
-  return {eigen.values, eigen.vectors};
+  return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 }  // namespace daumier::faces

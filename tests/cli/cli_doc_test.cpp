@@ -1,0 +1,65 @@
+#include "core/files.h"
+#include "tests/cli/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace daumier::testing {
+namespace {
+
+const std::vector<std::string> kCommands = {"dataset faces", "dataset sketches", "dataset points", "dataset gallery",
+                                            "dataset stats", "register",         "train",          "eval",
+                                            "ablate",        "predict",          "draw",           "export",
+                                            "info"};
+
+std::vector<std::string> Words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// docs/cli.md: the help of every command.
+std::string CommandLineDocument() {
+  std::string document =
+      "# Command line\n\nThe help of every command, as `daumier COMMAND --help` prints it. A test compares this page "
+      "with the "
+      "program;\n`DAUMIER_WRITE_DOCS=1 ctest --test-dir build/release -R '^cli$'` writes it.\n";
+  for (const std::string& command : kCommands) {
+    std::vector<std::string> arguments = Words(command);
+    arguments.push_back("--help");
+    const ProcessResult help = Daumier(arguments);
+    EXPECT_EQ(help.exit_code, 0) << command << ": " << help.err;
+    std::string text = help.out;
+    text.erase(text.find_last_not_of('\n') + 1);
+    document += fmt::format("\n## daumier {}\n\n```text\n{}\n```\n", command, text);
+  }
+  return document;
+}
+
+TEST(CommandLineDocument, IsTheHelpOfEveryCommand) {
+  const std::filesystem::path page = SourceRoot() / "docs/cli.md";
+  const std::string document = CommandLineDocument();
+  if (std::getenv("DAUMIER_WRITE_DOCS") != nullptr) WriteFileAtomically(page, document);
+  EXPECT_EQ(ReadFile(page), document);
+}
+
+TEST(CommandLineDocument, HasEveryVerb) {
+  std::istringstream lines(Daumier({"--help"}).out);
+  std::string line;
+  while (std::getline(lines, line) && line != "Subcommands:") {
+  }
+  int num_verbs = 0;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> words = Words(line);
+    if (words.empty()) continue;
+    ++num_verbs;
+    const bool found = std::any_of(kCommands.begin(), kCommands.end(),
+                                   [&](const std::string& command) { return Words(command)[0] == words[0]; });
+    EXPECT_TRUE(found) << words[0];
+  }
+  EXPECT_GT(num_verbs, 5);
+}
+
+}  // namespace
+}  // namespace daumier::testing
