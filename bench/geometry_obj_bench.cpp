@@ -4,6 +4,7 @@
 #include "geometry/obj.h"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>

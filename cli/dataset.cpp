@@ -31,8 +31,7 @@ std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, cons
   command->add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
   command->footer("Options:\n" + HelpText<Options>());
   return [arguments, build] {
-    build(ParseOptions<Options>(arguments->config.Load(), arguments->config.file.string()), arguments->out,
-          TaskOfProcess());
+    build(ParseOptions<Options>(arguments->config.Load(), arguments->config.Where()), arguments->out, TaskOfProcess());
   };
 }
 

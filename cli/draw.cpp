@@ -42,7 +42,8 @@ void Draw(const DrawArguments& arguments) {
 }  // namespace
 
 Verb DrawVerb() {
-  return {"draw", "A line drawing of a mesh: occluding and suggestive contours, borders", [](CLI::App& command) {
+  return {"draw", "A line drawing of a mesh: occluding and suggestive contours, borders",
+          [](CLI::App& command) {
             auto arguments = std::make_shared<DrawArguments>();
             command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, y up, facing +z")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");
@@ -58,7 +59,8 @@ Verb DrawVerb() {
                 ->capture_default_str();
             command.footer("Options:\n" + HelpText<render::ContourOptions>());
             return [arguments] { Draw(*arguments); };
-          }};
+          },
+          /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

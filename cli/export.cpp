@@ -8,7 +8,8 @@
 namespace daumier::cli {
 
 Verb ExportVerb() {
-  return {"export", "Write a run as ONNX with parity report and model card", [](CLI::App& command) {
+  return {"export", "Write a run as ONNX with parity report and model card",
+          [](CLI::App& command) {
             struct Arguments {
               std::filesystem::path run, out;
               bool as_json = false;
@@ -22,7 +23,8 @@ Verb ExportVerb() {
               const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
               PrintResult(library.export_run(arguments->run, arguments->out, TaskOfProcess()), arguments->as_json);
             };
-          }};
+          },
+          /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

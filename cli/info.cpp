@@ -8,7 +8,8 @@ namespace daumier::cli {
 
 Verb InfoVerb() {
   return {
-      "info", "Versions, device, BLAS library and kernel, threads, measured speed", [](CLI::App& command) {
+      "info", "Versions, device, BLAS library and kernel, threads, measured speed",
+      [](CLI::App& command) {
         auto as_json = std::make_shared<bool>(false);
         command.add_flag("--json", *as_json, "Machine-readable");
         return [as_json] {
@@ -18,7 +19,8 @@ Verb InfoVerb() {
           info["blas"] = {{"library", blas.library}, {"kernel", blas.kernel}, {"double_library", blas.double_library}};
           PrintResult(info, *as_json);
         };
-      }};
+      },
+      /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

@@ -46,7 +46,8 @@ void Predict(const PredictArguments& arguments) {
 }  // namespace
 
 Verb PredictVerb() {
-  return {"predict", "Drawings to meshes and pictures", [](CLI::App& command) {
+  return {"predict", "Drawings to meshes and pictures",
+          [](CLI::App& command) {
             auto arguments = std::make_shared<PredictArguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
             command
@@ -62,7 +63,8 @@ Verb PredictVerb() {
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
             command.add_option("--out", arguments->out, "Folder to write")->required();
             return [arguments] { Predict(*arguments); };
-          }};
+          },
+          /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

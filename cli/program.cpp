@@ -15,12 +15,29 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kMisused = 2;
 
+/// What is wrong, the help of the option that it is about, and where the rest of the help is.
+std::string FailureText(const CLI::App* app, const CLI::Error& error) {
+  const CLI::App* command = app;
+  std::string name = app->get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  const std::string what = error.what();
+  std::string text = fmt::format("{}: {}\n", name, what);
+  for (const CLI::Option* option : command->get_options()) {
+    if (what.starts_with(option->get_name() + ":") || what.starts_with(option->get_name() + " "))
+      text += fmt::format("  {}  {}\n", option->get_name(), option->get_description());
+  }
+  return text + fmt::format("See {} --help\n", name);
+}
+
 }  // namespace
 
 int RunProgram(int argc, char** argv) {
-  CLI::App app{"Trains, evaluates and exports systems for stylised 3D faces."};
+  CLI::App app{"Trains, evaluates and exports systems for stylised 3D faces.", "daumier"};
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::help);
+  app.failure_message(FailureText);
   bool quiet = false;
   int threads = 0;
   app.add_flag("-q,--quiet", quiet, "Only warnings and errors on stderr");
@@ -30,7 +47,12 @@ int RunProgram(int argc, char** argv) {
   for (const Verb& verb : {DatasetVerb(), RegisterVerb(), TrainVerb(), AblateVerb(), EvalVerb(), PredictVerb(),
                            DrawVerb(), ExportVerb(), InfoVerb()}) {
     CLI::App* command = app.add_subcommand(verb.name, verb.summary);
-    command->callback([&action, run = verb.set_up(*command)] { action = run; });
+    command->callback([&action, keep = verb.keeps_freed_memory, run = verb.set_up(*command)] {
+      action = [keep, run] {
+        if (keep) KeepFreedMemory();
+        run();
+      };
+    });
   }
 
   try {

@@ -27,7 +27,7 @@ void Register(const RegisterArguments& arguments) {
   const bool is_folder = fs::is_directory(arguments.template_name);
   if (!is_folder) config["source"]["name"] = arguments.template_name;
   if (!arguments.licence.empty()) config["licence"] = arguments.licence;
-  const auto options = ParseOptions<datasets::RegisterOptions>(config, arguments.config.file.string());
+  const auto options = ParseOptions<datasets::RegisterOptions>(config, arguments.config.Where());
   const auto face_template = datasets::RegistrationTemplateOf(options, is_folder ? arguments.template_name : "");
   datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out, TaskOfProcess());
   const faces::FaceDatabase database(arguments.out);

@@ -31,7 +31,7 @@ Verb TrainVerb() {
             return [arguments] {
               const Json config = arguments->config.Load();
               const systems::System& system = SystemOfConfig(config);
-              const Json resolved = system.resolve_config(config, arguments->config.file.string());
+              const Json resolved = system.resolve_config(config, arguments->config.Where());
               const systems::RunPlace place{arguments->out, arguments->resume, ParseDevice(arguments->device)};
               FolderCache databases;
               systems::LoadTrainingLibrary().at(system.name).train(resolved, place, databases, TaskOfProcess());

@@ -10,6 +10,10 @@ Json ConfigArguments::Load() const {
   return LoadConfig(file, overrides);
 }
 
+std::string ConfigArguments::Where() const {
+  return file.empty() ? "the command line" : file.string();
+}
+
 void AddConfigArguments(CLI::App& command, ConfigArguments& arguments) {
   command.add_option("--config", arguments.file, "TOML file of options; key=value overrides it");
   command.add_option("overrides", arguments.overrides, "key=value or table.key=value, in TOML syntax");

@@ -16,6 +16,7 @@ struct Verb {
   std::string name;
   std::string summary;
   std::function<std::function<void()>(CLI::App& command)> set_up;
+  bool keeps_freed_memory = true;  ///< KeepFreedMemory: for work that repeats, not for a single file or a server.
 };
 
 Verb DatasetVerb();
@@ -35,6 +36,8 @@ struct ConfigArguments {
 
   /// The resolved config. @throws UsageError as LoadConfig.
   Json Load() const;
+  /// The file, or "the command line": the place that messages name.
+  std::string Where() const;
 };
 
 /// Adds `--config FILE` and the trailing `key=value ...` to a command.

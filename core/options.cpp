@@ -96,14 +96,13 @@ std::string FormatHelp(const std::vector<FieldInfo>& fields) {
   return text;
 }
 
-std::string FormatMarkdown(const std::vector<FieldInfo>& fields) {
-  std::string text = "| key | default | allowed | meaning |\n|---|---|---|---|\n";
-  for (const FieldInfo& field : fields) {
-    std::string help;
-    for (const char c : field.help) help += c == '|' ? std::string("\\|") : std::string(1, c);
-    text += fmt::format("| `{}` | `{}` | {} | {} |\n", field.key, field.value, field.allowed, help);
-  }
-  return text;
+void FailWithHelp(const OptionError& error, const std::vector<FieldInfo>& fields) {
+  const std::string key = error.key.substr(0, error.key.find('['));
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const FieldInfo& one) { return one.key == key; });
+  if (field == fields.end()) throw UsageError(error.what());
+  std::string help = FormatHelp({*field});
+  help.pop_back();
+  throw UsageError(fmt::format("{}\n{}", error.what(), help));
 }
 
 void FailUnknownKey(std::string_view where, const std::string& key, const std::set<std::string>& known) {
@@ -113,21 +112,23 @@ void FailUnknownKey(std::string_view where, const std::string& key, const std::s
 }
 
 void FailType(std::string_view where, const std::string& key, std::string_view expected, const Json& found) {
-  throw UsageError(fmt::format("{}: '{}' is {}, expected {}", where, key,
-                               found.dump(-1, ' ', false, Json::error_handler_t::replace), expected));
+  throw OptionError(fmt::format("{}: '{}' is {}, expected {}", where, key,
+                                found.dump(-1, ' ', false, Json::error_handler_t::replace), expected),
+                    key);
 }
 
 void CheckRange(std::string_view where, const std::string& key, double value, const Range& range) {
   if (value >= range.min && value <= range.max) return;  // Written so that NaN is out of every range.
-  throw UsageError(fmt::format("{}: '{}' is {}, expected {}", where, key, value, DescribeAllowed(range)));
+  throw OptionError(fmt::format("{}: '{}' is {}, expected {}", where, key, value, DescribeAllowed(range)), key);
 }
 
 void CheckChoice(std::string_view where, const std::string& key, const std::string& value, const Choices& choices) {
   const std::set<std::string> words(choices.words.begin(), choices.words.end());
   if (words.count(value) == 1) return;
   const std::string nearest = NearestWord(value, words);
-  throw UsageError(fmt::format("{}: '{}' is '{}', expected {}{}", where, key, value, DescribeAllowed(choices),
-                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+  throw OptionError(fmt::format("{}: '{}' is '{}', expected {}{}", where, key, value, DescribeAllowed(choices),
+                                nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
+                    key);
 }
 
 }  // namespace options_internal

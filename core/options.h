@@ -39,7 +39,8 @@ struct Table {};
 std::string NearestWord(std::string_view word, const std::set<std::string>& known);
 
 /// Fills an options struct from `json`. `where` names the source in messages, for example a file.
-/// @throws UsageError on an unknown key (suggesting the nearest), a wrong type or a value out of range.
+/// @throws UsageError on an unknown key (suggesting the nearest), a wrong type or a value out of range
+/// (with the help of that option).
 template <class Options>
 Options ParseOptions(const Json& json, std::string_view where = "options");
 
@@ -50,10 +51,6 @@ Json ToJson(const Options& options);
 /// One line a field: dotted key, default, allowed values, meaning.
 template <class Options>
 std::string HelpText();
-
-/// The same as a Markdown table, for docs/.
-template <class Options>
-std::string OptionsMarkdown();
 
 }  // namespace daumier
 

@@ -9,7 +9,7 @@
 
 namespace daumier {
 
-/// What HelpText and OptionsMarkdown print of one field.
+/// What HelpText prints of one field.
 struct FieldInfo {
   std::string key;      ///< Dotted: "exaggeration.gamma".
   std::string value;    ///< The default, in TOML syntax.
@@ -25,8 +25,16 @@ std::string DescribeAllowed(const Choices& choices);
 std::string DescribeAllowed(const Text& text);
 std::string DescribeAllowed(const Flag& flag);
 std::string FormatHelp(const std::vector<FieldInfo>& fields);
-std::string FormatMarkdown(const std::vector<FieldInfo>& fields);
 
+/// A value that an option does not take.
+class OptionError : public UsageError {
+ public:
+  OptionError(const std::string& message, std::string option_key) : UsageError(message), key(std::move(option_key)) {}
+  std::string key;  ///< "levels[1]": of a list with the position.
+};
+
+/// @throws UsageError: the message of `error` and the help of its option alone.
+[[noreturn]] void FailWithHelp(const OptionError& error, const std::vector<FieldInfo>& fields);
 [[noreturn]] void FailUnknownKey(std::string_view where, const std::string& key, const std::set<std::string>& known);
 [[noreturn]] void FailType(std::string_view where, const std::string& key, std::string_view expected,
                            const Json& found);
@@ -167,10 +175,15 @@ std::vector<FieldInfo> DescribeFields() {
 
 template <class Options>
 Options ParseOptions(const Json& json, std::string_view where) {
+  const std::vector<FieldInfo> fields = DescribeFields<Options>();
   std::set<std::string> keys;
-  for (const FieldInfo& field : DescribeFields<Options>()) keys.insert(field.key);
+  for (const FieldInfo& field : fields) keys.insert(field.key);
   Options options;
-  options_internal::Reader(json, where, "", keys).Read(options);
+  try {
+    options_internal::Reader(json, where, "", keys).Read(options);
+  } catch (const options_internal::OptionError& error) {
+    options_internal::FailWithHelp(error, fields);
+  }
   return options;
 }
 
@@ -185,11 +198,6 @@ Json ToJson(const Options& options) {
 template <class Options>
 std::string HelpText() {
   return options_internal::FormatHelp(DescribeFields<Options>());
-}
-
-template <class Options>
-std::string OptionsMarkdown() {
-  return options_internal::FormatMarkdown(DescribeFields<Options>());
 }
 
 }  // namespace daumier

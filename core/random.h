@@ -6,8 +6,8 @@
 
 namespace daumier {
 
-/// xoshiro256** [Blackman and Vigna 2018] with its own distributions, so that a seed gives the same bytes on every
-/// platform.
+/// xoshiro256** [Blackman and Vigna 2018] with its own distributions, so that a seed gives the same bytes with
+/// every compiler. Normal() uses the C library's log and cos: its last bit may differ between C libraries.
 class Rng {
  public:
   using State = std::array<uint64_t, 4>;

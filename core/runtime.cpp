@@ -126,12 +126,15 @@ int NumThreads() {
 void SetUpRuntime(int threads) {
   if (threads < 0) throw UsageError(fmt::format("cannot compute with {} threads", threads));
   asked_threads = threads;
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
-  mallopt(M_TOP_PAD, 256 << 20);
   if (auto* const set_num_threads = FindFunction<void(int)>("omp_set_num_threads")) {
     set_num_threads(NumThreads());
   }
+}
+
+void KeepFreedMemory() {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+  mallopt(M_TOP_PAD, 256 << 20);
 }
 
 BlasInfo DescribeBlas() {

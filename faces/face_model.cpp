@@ -64,7 +64,7 @@ geometry::Points IdentityFace(const FaceModel& model, const Eigen::VectorXf& ide
   const geometry::Points face = neutral + geometry::PointsFrom({offset.data(), size_t(offset.size())});
   if (!model.align_identities) return face;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(neutral.rows());
-  for (const int vertex : model.face_template.annotation.regions.at("face")) weights[vertex] = 1;
+  for (const int vertex : RegionFor(model.face_template.annotation, "face", "errors")) weights[vertex] = 1;
   return geometry::AlignSimilarity(face, neutral, weights).Apply(face);
 }
 

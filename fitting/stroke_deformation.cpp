@@ -76,7 +76,9 @@ Eigen::MatrixX2d StrokeDeformer::Forces(const CurvePull& pull, const Eigen::Vect
   Eigen::MatrixXd system = compliance_(active, active);
   system.diagonal() += weights(active).cwiseInverse();
   const Eigen::MatrixX2d means = weights(active).cwiseInverse().asDiagonal() * weighted(active, Eigen::all);
-  forces(active, Eigen::all) = Eigen::LLT<Eigen::MatrixXd>(system).solve(means).eval();
+  const Eigen::LLT<Eigen::MatrixXd> factor(system);
+  DAUMIER_CHECK(factor.info() == Eigen::Success, "the system of {} pulled points is singular", active.size());
+  forces(active, Eigen::all) = factor.solve(means).eval();
   return forces;
 }
 

@@ -34,7 +34,8 @@ Coverage MeasureCoverage(const faces::FaceDatabase& basis, const faces::FaceData
   DAUMIER_CHECK(basis.num_vertices() == rebuilt.num_vertices(),
                 "faces of {} vertices cannot be rebuilt from faces of {}; both databases need one topology",
                 rebuilt.num_vertices(), basis.num_vertices());
-  const std::vector<int>& region = basis.face_template().annotation.regions.at("face");
+  const std::vector<int>& region =
+      faces::RegionFor(basis.face_template().annotation, "face", "a comparison of databases");
   Coverage coverage;
   const std::vector<int> chosen = SampleFaces(basis, kMaxBasisFaces);
   coverage.num_basis_faces = static_cast<int>(chosen.size());

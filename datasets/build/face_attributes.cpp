@@ -75,7 +75,7 @@ AttributeTable FaceAttributes(const faces::FaceDatabase& database) {
   table.values.resize(database.num_faces(), Eigen::Index(table.names.size()));
   const std::vector<double> gammas = database.gammas();
   const faces::FaceTemplate& face_template = database.face_template();
-  const std::vector<int>& region = face_template.annotation.regions.at("face");
+  const std::vector<int>& region = faces::RegionFor(face_template.annotation, "face", "attributes");
   const auto num_measured = Eigen::Index(MeasuredAttributeNames().size());
   const IdentitySliders sliders = SlidersOf(database);
   OnAllCores(database.num_faces(), [&](int64_t index) {

@@ -92,8 +92,9 @@ std::string WriteShard(const geometry::NonRigidRegistration& registration, const
       {result.template_from_target.Apply(target.mesh.vertices), target.mesh.triangles});
   const geometry::RegistrationOptions& options = registration.options();
   const geometry::RegistrationQuality quality =
-      geometry::MeasureRegistration(registration.source().mesh, result.vertices, face.annotation.regions.at("face"),
-                                    matcher, {options.max_distance_end, options.max_angle});
+      geometry::MeasureRegistration(registration.source().mesh, result.vertices,
+                                    faces::RegionFor(face.annotation, "face", "the quality of a registration"), matcher,
+                                    {options.max_distance_end, options.max_angle});
   const double landmark_error =
       (result.vertices(registration.source().landmarks, Eigen::all) - result.template_from_target.Apply(landmarks))
           .rowwise()

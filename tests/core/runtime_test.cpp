@@ -55,8 +55,8 @@ TEST(Runtime, SetUpSetsTheThreadsOfOpenMp) {
   EXPECT_EQ(max_threads(), NumCores());
 }
 
-TEST(Runtime, MallocKeepsTheMemoryOfLargeArrays) {
-  SetUpRuntime(0);
+TEST(Runtime, MallocKeepsTheMemoryOfLargeArraysOnRequest) {
+  KeepFreedMemory();
   constexpr size_t kSize = size_t{48} << 20;
   const size_t num_mapped_before = mallinfo2().hblks, free_before = mallinfo2().fordblks;
   void* const large = std::malloc(kSize);

@@ -222,7 +222,7 @@ train::LossTerms SketchRecipe::VertexLoss(const SketchNetworkImpl::BranchFeature
 }
 
 std::map<std::string, double> SketchRecipe::Validate() {
-  const std::vector<int>& region = faces_.face_template().annotation.regions.at("face");
+  const std::vector<int>& region = faces::RegionFor(faces_.face_template().annotation, "face", "errors");
   const double mm_per_cm = faces::MillimetresPerCm(faces_.face_template());
   std::vector<double> errors;
   for (int begin = 0; begin < validation_.size(); begin += int(kBlock)) {
