@@ -68,7 +68,7 @@ TEST(Prefetcher, ThrowsTheErrorOfAnItemWhereTheItemIsTakenAndNotBefore) {
     }
   }
   for (int i = 4; i < 10; ++i) EXPECT_EQ(items.Next(), i);
-  testing::ExpectError([&] { items.Next(); }, "item 10 of 10");
+  testing::ExpectError([&] { items.Next(); }, "item 10 requested, expected 0 .. 9");
 }
 
 TEST(Prefetcher, StopsWithoutTheItemsThatHaveNotBegun) {

@@ -124,7 +124,7 @@ TEST_F(RegisteredFaces, RefusesBadInputs) {
   std::string few;
   for (int l = 0; l < 68; ++l) few += l < 5 ? "0 " : "-1 ";
   WriteFileAtomically(folder_ / "empty/odd.txt", few);
-  ExpectError(build, "only 5 of 68 landmarks");
+  ExpectError(build, "5 of 68 landmarks are present, expected 6 or more");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
