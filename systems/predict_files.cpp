@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kPictureSide = 360;
+constexpr const char* kKind = "predictions";
 
 struct NamedInput {
   std::string name;
@@ -65,11 +66,22 @@ std::vector<std::string> WriteResult(const fs::path& folder, const std::string& 
   return written;
 }
 
+/// @throws Error if results there would overwrite what is no prediction.
+void CheckOutDirectory(const fs::path& directory) {
+  if (!fs::exists(directory)) return;
+  DAUMIER_CHECK(fs::is_directory(directory), "{} is a file (expected a folder). Name another one", directory.string());
+  if (!fs::exists(directory / "manifest.json")) return;
+  const std::string kind = ReadManifest(directory, "").kind;
+  DAUMIER_CHECK(kind == kKind, "{} is a folder of {} (expected a new one, or one of {}). Name another folder",
+                directory.string(), kind, kKind);
+}
+
 }  // namespace
 
 void PredictFiles(const System& system, const Predictor& predictor, const fs::path& run,
                   const std::vector<fs::path>& files, const fs::path& out_directory, const Json& options,
                   const Task& task) {
+  CheckOutDirectory(out_directory);
   const std::vector<NamedInput> inputs = ReadAll(system, files);
   std::vector<FaceResult> results;
   Json records = Json::object();
@@ -89,7 +101,7 @@ void PredictFiles(const System& system, const Predictor& predictor, const fs::pa
 
   const Manifest of_run = ReadManifest(run, "run");
   Manifest manifest;
-  manifest.kind = "predictions";
+  manifest.kind = kKind;
   manifest.verb = "predict";
   manifest.config = options;
   manifest.seed = of_run.seed;

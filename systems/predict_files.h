@@ -13,7 +13,8 @@ namespace daumier::systems {
 /// the same name are numbered -2, -3, ... details.drawings.NAME holds the record of each result. `options`: of the
 /// predictor, every one present, for the manifest.
 /// Nothing is written unless every file can be read and every input predicted.
-/// @throws Error naming the file and the cause; Cancelled if the task is.
+/// @throws Error naming the file and the cause, or `out_directory` if it is a file or a folder of another kind; Cancelled if
+/// the task is.
 void PredictFiles(const System& system, const Predictor& predictor, const std::filesystem::path& run,
                   const std::vector<std::filesystem::path>& files, const std::filesystem::path& out_directory,
                   const Json& options, const Task& task = {});

@@ -153,6 +153,18 @@ TEST_F(PredictFilesTest, AFileThatCannotBeReadIsNamedAndNothingIsWritten) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+TEST_F(PredictFilesTest, AFolderOfAnotherKindIsUnchanged) {
+  const std::string before = ReadFile(run() / "manifest.json");
+  const fs::path drawing = Draw("anna.svg");
+  ExpectError([&] { PredictFiles(system_, predictor_, run(), {drawing}, run(), {}); },
+              "is a folder of run (expected a new one, or one of predictions)");
+  EXPECT_EQ(ReadFile(run() / "manifest.json"), before);
+  ExpectError([&] { PredictFiles(system_, predictor_, run(), {drawing}, drawing, {}); },
+              "is a file (expected a folder)");
+  Predict({drawing});
+  EXPECT_NO_THROW(Predict({drawing}));
+}
+
 TEST_F(PredictFilesTest, ACancelledTaskWritesNothing) {
   const std::vector<fs::path> files{Draw("anna.svg"), Draw("bert.svg")};
   std::stop_source source;
