@@ -25,7 +25,9 @@ class MatrixProduct : public ::testing::Test {
   template <class A, class B>
   void ExpectProduct(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
     const RowMajorMatrix<T> product = Product(a, b);
-    const Eigen::MatrixXd expected = a.template cast<double>().lazyProduct(b.template cast<double>());
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+    // Eigen's own product of empty factors adds offsets to null pointers, which sanitizers refuse.
+    if (a.size() > 0 && b.size() > 0) expected = a.template cast<double>().lazyProduct(b.template cast<double>());
     ASSERT_EQ(product.rows(), expected.rows());
     ASSERT_EQ(product.cols(), expected.cols());
     if (expected.size() == 0) return;

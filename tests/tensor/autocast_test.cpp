@@ -4,10 +4,14 @@
 #include <torch/nn/modules/linear.h>
 #include <torch/utils.h>
 
+#include <cstdlib>
+
 namespace daumier::tensor {
 namespace {
 
 TEST(Autocast, MultipliesInBfloat16AndKeepsWeightsAndGradientsInFloat32) {
+  // LibTorch 1.13 chooses oneDNN's bfloat16 layers by the processor, and ignores the limit that oneDNN respects.
+  if (std::getenv("ONEDNN_MAX_CPU_ISA") != nullptr) GTEST_SKIP() << "oneDNN is limited by ONEDNN_MAX_CPU_ISA";
   torch::manual_seed(1);
   torch::nn::Linear layer(64, 8);
   const torch::Tensor input = torch::randn({16, 64}), exact = layer->forward(input);
