@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "core/safetensors.h"
 #include "faces/leading_eigenvectors.h"
+#include "faces/principal_components.h"
 #include "geometry/symmetric_eigen.h"
 
 #include <algorithm>
@@ -183,11 +184,7 @@ Eigen::MatrixXf Factors(Eigen::MatrixXd gram, const Eigen::VectorXd& dots, doubl
   gram += dots.replicate(1, gram.cols()) + dots.transpose().replicate(gram.rows(), 1);
   gram.array() += mean_square;
   Eigen::MatrixXd factors = FindLeadingEigenvectors(gram, rank).vectors;
-  for (int k = 0; k < rank; ++k) {
-    Eigen::Index largest;
-    factors.col(k).cwiseAbs().maxCoeff(&largest);
-    if (factors(largest, k) < 0) factors.col(k) *= -1;
-  }
+  for (int k = 0; k < rank; ++k) FixSign(factors.col(k));
   return factors.cast<float>();
 }
 

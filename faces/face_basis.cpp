@@ -2,9 +2,7 @@
 
 #include "core/error.h"
 #include "core/safetensors.h"
-#include "faces/leading_eigenvectors.h"
-
-#include <algorithm>
+#include "faces/principal_components.h"
 
 namespace daumier::faces {
 namespace {
@@ -17,31 +15,17 @@ constexpr double kLeastShare = 1e-12;
 FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<std::span<const float>(int)>& face,
                        int size) {
   DAUMIER_CHECK(size > 0 && size <= num_faces, "{} directions cannot be fitted to {} faces", size, num_faces);
+  const SnapshotComponents components =
+      FindComponents(GramMatrix(num_faces, num_coordinates, face, Centring::kNone), size, kLeastShare);
+  DAUMIER_CHECK(components.variances.size() == size, "{} directions cannot be fitted to faces that span fewer", size);
+
   BilinearModel::Core faces(num_faces, num_coordinates);
   for (int i = 0; i < num_faces; ++i) {
-    const std::span<const float> coordinates = face(i);
-    DAUMIER_CHECK(int(coordinates.size()) == num_coordinates, "face {} has {} coordinates, expected {}", i,
-                  coordinates.size(), num_coordinates);
-    faces.row(i) = Eigen::Map<const Eigen::RowVectorXf>(coordinates.data(), num_coordinates);
+    faces.row(i) = Eigen::Map<const Eigen::RowVectorXf>(face(i).data(), num_coordinates);
   }
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num_faces, num_faces);
-  constexpr Eigen::Index kBlock = 4096;  // Coordinates at a time, so that the double copy stays small.
-  for (Eigen::Index begin = 0; begin < num_coordinates; begin += kBlock) {
-    const Eigen::Index width = std::min<Eigen::Index>(kBlock, num_coordinates - begin);
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(faces.middleCols(begin, width).cast<double>().eval());
-  }
-  const auto [variances, directions] = FindLeadingEigenvectors(gram, size);
-  DAUMIER_CHECK(variances[size - 1] > kLeastShare * variances[0],
-                "{} directions cannot be fitted to faces that span fewer", size);
-
   FaceBasis basis;
-  const Eigen::MatrixXf weights = (directions * variances.cwiseSqrt().cwiseInverse().asDiagonal()).cast<float>();
-  basis.rows = weights.transpose() * faces;
-  for (int k = 0; k < size; ++k) {
-    Eigen::Index largest = 0;
-    basis.rows.row(k).cwiseAbs().maxCoeff(&largest);
-    if (basis.rows(k, largest) < 0) basis.rows.row(k) *= -1;
-  }
+  basis.rows = components.weights.cast<float>().transpose() * faces;
+  for (int k = 0; k < size; ++k) FixSign(basis.rows.row(k));
   return basis;
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "datasets/build/stats.h"
-#include "geometry/symmetric_eigen.h"
+#include "faces/principal_components.h"
 
 #include <algorithm>
 
@@ -13,12 +13,13 @@ constexpr int kMaxBasisFaces = 600;
 constexpr int kCounts[] = {0, 10, 50, 100, 150, 200};
 constexpr double kLeastShare = 1e-9;  // Of the largest variance: what is less is rounding.
 
-/// The coordinates of a region's vertices, next to each other.
-Eigen::VectorXd RegionOf(const faces::FaceDatabase& database, int face, const std::vector<int>& region) {
+/// The coordinates of a region's vertices, one after the other.
+std::vector<float> RegionOf(const faces::FaceDatabase& database, int face, const std::vector<int>& region) {
   const auto all = database.vertices(face);
-  Eigen::VectorXd coordinates(3 * region.size());
-  for (size_t i = 0; i < region.size(); ++i) {
-    for (int k = 0; k < 3; ++k) coordinates[Eigen::Index(3 * i) + k] = all[3 * size_t(region[i]) + k];
+  std::vector<float> coordinates;
+  coordinates.reserve(3 * region.size());
+  for (const int vertex : region) {
+    for (int k = 0; k < 3; ++k) coordinates.push_back(all[3 * size_t(vertex) + k]);
   }
   return coordinates;
 }
@@ -39,17 +40,23 @@ Coverage MeasureCoverage(const faces::FaceDatabase& basis, const faces::FaceData
   Coverage coverage;
   const std::vector<int> chosen = SampleFaces(basis, kMaxBasisFaces);
   coverage.num_basis_faces = static_cast<int>(chosen.size());
-  Eigen::MatrixXd faces(3 * region.size(), coverage.num_basis_faces);  // A column a face.
-  for (int i = 0; i < coverage.num_basis_faces; ++i) faces.col(i) = RegionOf(basis, chosen[i], region);
-  const Eigen::VectorXd mean = faces.rowwise().mean();
-  faces.colwise() -= mean;
-  // With F'F = U S U' the columns of F U S^-1/2 are the components.
-  const geometry::SymmetricEigen gram = geometry::DecomposeSymmetric(faces.transpose() * faces);
-  const Eigen::VectorXd variances = gram.values.reverse();
-  const auto rank = static_cast<int>((variances.array() > kLeastShare * variances[0]).count());
-  const int num_components = std::min(rank, *std::max_element(std::begin(kCounts), std::end(kCounts)));
-  const Eigen::MatrixXd components = faces * gram.vectors.rowwise().reverse().leftCols(num_components) *
-                                     variances.head(num_components).cwiseSqrt().cwiseInverse().asDiagonal();
+  std::vector<std::vector<float>> faces;
+  for (const int face : chosen) faces.push_back(RegionOf(basis, face, region));
+  const auto num_coordinates = static_cast<int>(3 * region.size());
+  const auto column = [&](const std::vector<float>& face) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXf>(face.data(), num_coordinates).cast<double>();
+  };
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(num_coordinates);
+  for (const auto& face : faces) mean += column(face) / double(faces.size());
+  const Eigen::MatrixXd gram = faces::GramMatrix(
+      coverage.num_basis_faces, num_coordinates, [&](int i) { return std::span<const float>(faces[i]); },
+      faces::Centring::kMean);
+  const int most = std::min(coverage.num_basis_faces, *std::max_element(std::begin(kCounts), std::end(kCounts)));
+  const faces::SnapshotComponents found = faces::FindComponents(gram, most, kLeastShare);
+  const auto num_components = static_cast<int>(found.variances.size());
+  Eigen::MatrixXd components = Eigen::MatrixXd::Zero(num_coordinates, num_components);
+  for (size_t i = 0; i < faces.size(); ++i)
+    components += (column(faces[i]) - mean) * found.weights.row(Eigen::Index(i));
 
   for (const int count : kCounts) {
     if (count <= num_components) coverage.components.push_back(count);
@@ -58,7 +65,7 @@ Coverage MeasureCoverage(const faces::FaceDatabase& basis, const faces::FaceData
   coverage.errors_mm.assign(coverage.components.size(), 0.0);
   const double mm_per_cm = faces::MillimetresPerCm(basis.face_template());
   for (int face = 0; face < rebuilt.num_faces(); ++face) {
-    const Eigen::VectorXd difference = RegionOf(rebuilt, face, region) - mean;
+    const Eigen::VectorXd difference = column(RegionOf(rebuilt, face, region)) - mean;
     const Eigen::VectorXd coefficients = components.transpose() * difference;
     for (size_t i = 0; i < coverage.components.size(); ++i) {
       const int count = coverage.components[i];

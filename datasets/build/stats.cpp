@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "faces/principal_components.h"
 #include "geometry/symmetric_eigen.h"
 
 #include <algorithm>
@@ -11,19 +12,9 @@ namespace daumier::datasets {
 
 int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const int> faces, double share) {
   const auto num_faces = static_cast<Eigen::Index>(faces.size());
-  const Eigen::Index num_coordinates = Eigen::Index(3) * database.num_vertices();
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num_faces, num_faces);
-  constexpr Eigen::Index kBlock = 2048;  // Coordinates at a time, so that memory stays flat.
-  for (Eigen::Index begin = 0; begin < num_coordinates; begin += kBlock) {
-    const Eigen::Index size = std::min(kBlock, num_coordinates - begin);
-    Eigen::MatrixXd block(num_faces, size);
-    for (Eigen::Index f = 0; f < num_faces; ++f) {
-      const auto coordinates = database.vertices(faces[f]);
-      block.row(f) = Eigen::Map<const Eigen::RowVectorXf>(coordinates.data() + begin, size).cast<double>();
-    }
-    block.rowwise() -= block.colwise().mean().eval();
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(block);
-  }
+  const Eigen::MatrixXd gram = faces::GramMatrix(
+      int(num_faces), 3 * database.num_vertices(), [&](int i) { return database.vertices(faces[i]); },
+      faces::Centring::kMean);
   const Eigen::VectorXd variances = geometry::SymmetricEigenvalues(gram).cwiseMax(0);
   const double total = variances.sum();
   double explained = 0;
