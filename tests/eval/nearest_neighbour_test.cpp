@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/from_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,12 @@ TEST(NearestNeighbour, IsThatOfASearchInDoubleWhereFloatRoundsTheDifferenceAway)
     (rows.cast<double>().rowwise() - queries.row(i).cast<double>()).rowwise().squaredNorm().minCoeff(&expected);
     EXPECT_EQ(found[size_t(i)], expected);
   }
+}
+
+TEST(NearestNeighbour, SearchesFromSeveralThreads) {
+  const NearestNeighbour nearest(RandomRows(50, 60, 1, 6));
+  const FaceRows queries = RandomRows(10, 60, 1, 7);
+  testing::ExpectTheSameFromThreads(10, [&] { return nearest.Nearest(queries); });
 }
 
 TEST(NearestNeighbour, RefusesNoRowsOtherLengthsAndNumbersThatAreNotFinite) {

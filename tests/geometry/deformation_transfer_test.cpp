@@ -5,6 +5,7 @@
 #include "geometry/triangulate.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/from_threads.h"
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +55,13 @@ TEST(DeformationTransfer, NoDeformationGivesTheTarget) {
   const auto none = ComputeDeformationGradients(sphere, sphere.vertices);
   EXPECT_TRUE(none.triangles.empty());
   EXPECT_LT((DeformationTransfer(potato, {0}).Apply(none) - potato.vertices).norm(), 1e-14);
+}
+
+TEST(DeformationTransfer, AppliesFromSeveralThreads) {
+  const TriangleMesh sphere = testing::Sphere(1, 2);
+  const auto gradients = ComputeDeformationGradients(sphere, Bend(sphere.vertices));
+  const DeformationTransfer transfer(Potato(2), LowerHalf(sphere));
+  testing::ExpectTheSameFromThreads(10, [&] { return transfer.Apply(gradients); });
 }
 
 TEST(DeformationTransfer, AScaledAndMovedTargetGetsTheDeformationScaled) {

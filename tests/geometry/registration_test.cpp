@@ -4,6 +4,7 @@
 #include "geometry/surface_matcher.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/from_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,15 @@ TEST(Registration, TheSameInputGivesTheSameBytes) {
   const Points landmarks = Warp(LandmarksOf(registration.source()));
   EXPECT_EQ(registration.Register(OtherHead(), landmarks).vertices,
             registration.Register(OtherHead(), landmarks).vertices);
+}
+
+TEST(Registration, RegistersFromSeveralThreads) {
+  RegistrationOptions options;
+  options.num_rounds = 1;
+  const NonRigidRegistration registration(Source(), options);
+  const TriangleMesh target = Head(3);
+  const Points landmarks = Warp(LandmarksOf(registration.source()));
+  testing::ExpectTheSameFromThreads(1, [&] { return registration.Register(target, landmarks).vertices; });
 }
 
 TEST(Registration, AnchorsHoldWhatNothingMatches) {

@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/from_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,15 @@ TEST(TriangleTree, OverlappingBoxesAreThoseOfLookingAtEveryTriangle) {
     }
     EXPECT_EQ(tree.Overlapping(box), expected);
   }
+}
+
+TEST(TriangleTree, AnswersQueriesFromSeveralThreads) {
+  const TriangleTree tree(testing::Torus(3, 1, 21, 13));
+  testing::ExpectTheSameFromThreads(20, [&] {
+    std::vector<double> distances;
+    for (double x = -5; x <= 5; x += 0.5) distances.push_back(tree.Closest({x, 1, 0.3}).distance);
+    return distances;
+  });
 }
 
 TEST(TriangleTree, RefusesWhatIsNoSurface) {

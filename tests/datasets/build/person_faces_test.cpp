@@ -1,5 +1,6 @@
 #include "datasets/build/person_faces.h"
 
+#include "tests/support/from_threads.h"
 #include "tests/support/synthetic_database.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,12 @@ TEST(PersonFaces, ThePersonAloneDecides) {
   EXPECT_EQ(first.vertices, again.vertices);
   EXPECT_NE(first.vertices, other.vertices);
   EXPECT_NE(first.expression_strengths, other.expression_strengths);
+}
+
+TEST(PersonFaces, AreMadeInSeveralThreads) {
+  const faces::FaceModel model = testing::SyntheticModel();
+  const PersonFacesMaker maker(model, model.expressions, testing::SyntheticFacesOptions(3));
+  testing::ExpectTheSameFromThreads(3, [&] { return maker.Make(1).vertices; });
 }
 
 TEST(PersonFaces, WithoutVariationEveryStrengthIsOne) {
