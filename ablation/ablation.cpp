@@ -90,7 +90,7 @@ Json RunAblation(const Ablation& ablation, const AblationSystem& system, const f
       continue;
     }
     const bool in_sheet = cell.split == ablation.options.splits.front() && cell.seed == ablation.options.seeds.front();
-    table = WriteAblationReport(ablation, runs, system, directory, in_sheet);
+    table = WriteAblationReport(ablation, runs, system, directory, in_sheet ? RowSheet::kDraw : RowSheet::kKeep);
     ThrowIfCancelled(task, directory);
   }
   if (table.is_null()) table = WriteAblationReport(ablation, runs, system, directory);

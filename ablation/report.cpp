@@ -159,7 +159,7 @@ std::string Page(const Json& table, const std::vector<reports::Metric>& columns,
 }  // namespace
 
 Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, const AblationSystem& system,
-                         const fs::path& directory, bool with_sheet) {
+                         const fs::path& directory, RowSheet row_sheet) {
   std::vector<AblationResult> results;
   std::vector<AblationRuns::Cell> trained;
   for (const std::string& split : ablation.options.splits) {
@@ -184,7 +184,7 @@ Json WriteAblationReport(const Ablation& ablation, const AblationRuns& runs, con
   WriteFileAtomically(directory / "table.json", table.dump(2) + "\n");
   const bool has_curves = WriteCurves(trained, ablation, runs, system.training, directory);
   const fs::path sheet = directory / "sheet.png";
-  if (with_sheet && ablation.options.evaluate)
+  if (row_sheet == RowSheet::kDraw && ablation.options.evaluate)
     WriteSheet(DoneCells(ablation, runs, ablation.options.splits.front(), ablation.options.seeds.front()), runs, sheet);
   WriteFileAtomically(directory / "index.html", Page(table, columns, has_curves, fs::exists(sheet)));
   return table;

@@ -29,6 +29,9 @@ void WriteManifest(const std::filesystem::path& directory, const Manifest& manif
 /// version.
 Manifest ReadManifest(const std::filesystem::path& directory, const std::string& kind);
 
+/// Whether a folder's files are compared with the checksums of its manifest when it is opened.
+enum class Checksums { kVerify, kSkip };
+
 /// @throws Error naming the first file that is missing or whose content differs, and how to remake it.
 void VerifyChecksums(const std::filesystem::path& directory, const Manifest& manifest);
 

@@ -29,7 +29,7 @@ geometry::VertexMap Crop(const SourceMesh& mesh, const AnnotationFile& file, int
   for (const WaypointLoop& cut : file.cuts) {
     const std::string what = "cut " + cut.name;
     if (cut.mirror_of.empty()) {
-      traced[cut.name] = mesh.Trace(cut.waypoints, true, what);
+      traced[cut.name] = mesh.Trace(cut.waypoints, geometry::PathEnds::kClosed, what);
     } else {
       DAUMIER_CHECK(traced.count(cut.mirror_of), "annotation: {} mirrors '{}', which does not precede it", what,
                     cut.mirror_of);
@@ -86,7 +86,8 @@ std::vector<FeatureCurve> TraceCurves(const FaceTemplate& face, const Annotation
     for (const int vertex : rule.curve.vertices) waypoints.push_back(Kept(map, vertex, what));
     std::vector<int> path;
     try {
-      path = geometry::TracePath(face.neutral, neighbours, waypoints, rule.curve.closed);
+      path = geometry::TracePath(face.neutral, neighbours, waypoints,
+                                 rule.curve.closed ? geometry::PathEnds::kClosed : geometry::PathEnds::kOpen);
     } catch (const Error& error) {
       throw Error(fmt::format("annotation of {}, {}: {}", face.source, what, error.what()));
     }
@@ -123,7 +124,7 @@ std::map<std::string, std::vector<int>> FillRegions(const SourceMesh& mesh, cons
       for (const int vertex : rule.vertices) mesh.CheckVertex(vertex, what);
       region = rule.vertices;
     } else {
-      region = mesh.Flood(rule.seed, {mesh.Trace(rule.loop, true, what)}, what);
+      region = mesh.Flood(rule.seed, {mesh.Trace(rule.loop, geometry::PathEnds::kClosed, what)}, what);
     }
   }
   for (auto& [name, region] : regions) {

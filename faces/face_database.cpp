@@ -198,9 +198,9 @@ FaceTemplate ReadFaceTemplate(const std::filesystem::path& directory) {
   return result;
 }
 
-FaceDatabase::FaceDatabase(const std::filesystem::path& directory, bool verify)
+FaceDatabase::FaceDatabase(const std::filesystem::path& directory, Checksums checksums)
     : directory_(directory), manifest_(ReadManifest(directory, "faces")) {
-  if (verify) VerifyChecksums(directory, manifest_);
+  if (checksums == Checksums::kVerify) VerifyChecksums(directory, manifest_);
   face_template_ = ReadFaceTemplate(directory);
   try {
     num_persons_ = manifest_.counts.at("persons").get<int>();

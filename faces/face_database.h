@@ -28,8 +28,8 @@ struct FaceId {
 class FaceDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause; a damaged shard is found by its
-  /// checksum unless `verify` is false.
-  explicit FaceDatabase(const std::filesystem::path& directory, bool verify = true);
+  /// checksum unless Checksums::kSkip.
+  explicit FaceDatabase(const std::filesystem::path& directory, Checksums checksums = Checksums::kVerify);
 
   int num_persons() const { return num_persons_; }
   int num_levels() const { return num_levels_; }

@@ -61,7 +61,8 @@ std::vector<Seed> SeedsOf(const FaceTemplate& face) {
       }
     }
   }
-  for (const int v : face.annotation.regions.at("neck_border")) seeds.push_back({kNone, face.neutral.row(v)});
+  for (const int v : RegionFor(face.annotation, "neck_border", "a division into parts"))
+    seeds.push_back({kNone, face.neutral.row(v)});
   return seeds;
 }
 
@@ -77,10 +78,9 @@ const std::vector<std::string>& FacePartNames() {
 }
 
 FaceParts MakeFaceParts(const FaceTemplate& face_template, int blend_rings) {
-  const auto& regions = face_template.annotation.regions;
-  for (const char* region : {"face", "nose", "ears", "neck_border"})
-    DAUMIER_CHECK(regions.count(region), "the annotation of {} lacks the region '{}', which parts of the face need",
-                  face_template.source, region);
+  const auto region = [&](const char* name) -> const std::vector<int>& {
+    return RegionFor(face_template.annotation, name, "a division into parts");
+  };
   const int num_vertices = face_template.num_vertices(), num_parts = static_cast<int>(Parts().size());
   FaceParts parts;
   parts.names = FacePartNames();
@@ -88,7 +88,7 @@ FaceParts MakeFaceParts(const FaceTemplate& face_template, int blend_rings) {
 
   Eigen::MatrixXd hard = Eigen::MatrixXd::Zero(num_vertices, num_parts);
   const std::vector<Seed> seeds = SeedsOf(face_template);
-  for (const int v : regions.at("face")) {
+  for (const int v : region("face")) {
     const geometry::Vector3 point = face_template.neutral.row(v);
     const auto nearest = std::min_element(seeds.begin(), seeds.end(), [&](const Seed& a, const Seed& b) {
       return (a.position - point).squaredNorm() < (b.position - point).squaredNorm();
@@ -102,8 +102,8 @@ FaceParts MakeFaceParts(const FaceTemplate& face_template, int blend_rings) {
     }
   };
   const int ear_left = IndexOf("ear_left"), ear_right = IndexOf("ear_right"), nose = IndexOf("nose");
-  assign(regions.at("ears"), [&](int v) { return face_template.neutral(v, 0) > 0 ? ear_left : ear_right; });
-  assign(regions.at("nose"), [&](int) { return nose; });
+  assign(region("ears"), [&](int v) { return face_template.neutral(v, 0) > 0 ? ear_left : ear_right; });
+  assign(region("nose"), [&](int) { return nose; });
 
   const auto neighbours = geometry::VertexNeighbours(face_template.triangles, num_vertices);
   const Eigen::VectorXd equal = Eigen::VectorXd::Ones(num_vertices);

@@ -43,7 +43,7 @@ LipContours FindLipContours(const FaceTemplate& face_template) {
   const auto trace = [&](std::initializer_list<int> way) {
     std::vector<int> waypoints;
     for (const int landmark : way) waypoints.push_back(landmarks[landmark]);
-    return geometry::TracePath(face_template.neutral, neighbours, waypoints, false);
+    return geometry::TracePath(face_template.neutral, neighbours, waypoints, geometry::PathEnds::kOpen);
   };
   LipContours contours{trace({kRightCorner, 61, kUpperMiddle, 63, kLeftCorner}),
                        trace({kRightCorner, 67, kLowerMiddle, 65, kLeftCorner})};

@@ -84,15 +84,16 @@ geometry::Points ExaggerateParts(const FaceTemplate& face_template, const FacePa
   DAUMIER_CHECK(strengths.gammas.size() == num_parts && strengths.log_stretches.rows() == num_parts,
                 "strengths of {} and {} parts, the face has {}", strengths.gammas.size(),
                 strengths.log_stretches.rows(), num_parts);
-  const auto& regions = face_template.annotation.regions;
+  constexpr const char* kPurpose = "an exaggeration of parts";
   const Eigen::VectorXd exponent = CurvatureExponent(face_template, face, options);
   geometry::Points log_scales = parts.weights * strengths.log_stretches;
   log_scales.colwise() += (parts.weights * strengths.gammas).cwiseProduct(exponent);
-  const geometry::Points stretched = GradientScaling({face, face_template.triangles}, regions.at("neck_border"))
-                                         .RebuildWithoutFlips(log_scales, options.blend_rings);
+  const geometry::Points stretched =
+      GradientScaling({face, face_template.triangles}, RegionFor(face_template.annotation, "neck_border", kPurpose))
+          .RebuildWithoutFlips(log_scales, options.blend_rings);
   const geometry::Points result = WithBumps(face, face_template.triangles, stretched, strengths.bumps);
   Eigen::VectorXd in_face = Eigen::VectorXd::Zero(face.rows());
-  for (const int v : regions.at("face")) in_face[v] = 1;
+  for (const int v : RegionFor(face_template.annotation, "face", kPurpose)) in_face[v] = 1;
   return geometry::AlignSimilarity(result, face, in_face).Apply(result);
 }
 

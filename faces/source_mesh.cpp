@@ -55,10 +55,11 @@ void SourceMesh::CheckVertex(int vertex, const std::string& what) const {
                 source_, what, vertex, mesh_.vertices.rows());
 }
 
-std::vector<int> SourceMesh::Trace(const std::vector<int>& waypoints, bool closed, const std::string& what) const {
+std::vector<int> SourceMesh::Trace(const std::vector<int>& waypoints, geometry::PathEnds ends,
+                                   const std::string& what) const {
   for (const int vertex : waypoints) CheckVertex(vertex, what);
   try {
-    return geometry::TracePath(mesh_.vertices, neighbours_, waypoints, closed);
+    return geometry::TracePath(mesh_.vertices, neighbours_, waypoints, ends);
   } catch (const Error& error) {
     throw Error(fmt::format("annotation of {}, {}: {}", source_, what, error.what()));
   }

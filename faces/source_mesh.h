@@ -1,5 +1,6 @@
 #pragma once
 #include "geometry/mesh.h"
+#include "geometry/path.h"
 #include "geometry/topology.h"
 
 #include <optional>
@@ -22,7 +23,7 @@ class SourceMesh {
   /// @throws Error if it is no vertex of the mesh.
   void CheckVertex(int vertex, const std::string& what) const;
   /// geometry::TracePath along polygon edges. @throws Error as it does, and as CheckVertex.
-  std::vector<int> Trace(const std::vector<int>& waypoints, bool closed, const std::string& what) const;
+  std::vector<int> Trace(const std::vector<int>& waypoints, geometry::PathEnds ends, const std::string& what) const;
   /// The vertices on the other side, in the same order. @throws Error if the mesh is not its own mirror image.
   std::vector<int> Mirrored(std::vector<int> vertices, const std::string& what) const;
   /// The vertices of the polygons that are reached from those at `seed` without crossing one of the closed loops,

@@ -40,15 +40,15 @@ std::vector<int> ShortestPath(const Points& points, const Adjacency& neighbours,
 }
 
 std::vector<int> TracePath(const Points& points, const Adjacency& neighbours, const std::vector<int>& waypoints,
-                           bool closed) {
+                           PathEnds ends) {
   DAUMIER_CHECK(waypoints.size() >= 2, "a path needs two waypoints, got {}", waypoints.size());
   std::vector<int> path = {waypoints.front()};
-  const size_t num_legs = waypoints.size() - (closed ? 0 : 1);
+  const size_t num_legs = waypoints.size() - (ends == PathEnds::kClosed ? 0 : 1);
   for (size_t i = 0; i < num_legs; ++i) {
     const std::vector<int> leg = ShortestPath(points, neighbours, waypoints[i], waypoints[(i + 1) % waypoints.size()]);
     path.insert(path.end(), leg.begin() + 1, leg.end());
   }
-  if (closed) path.pop_back();
+  if (ends == PathEnds::kClosed) path.pop_back();
   return path;
 }
 

@@ -127,10 +127,10 @@ void Product(const Factors& f) {
 
 }  // namespace
 
-void BlockProduct(const float* a, bool transposed, const float* b, int64_t rows, int64_t inner, int64_t columns,
-                  bool add, float* c) {
-  const Factors factors{a, b, rows, inner, columns, add, c};
-  if (transposed) {
+void BlockProduct(const float* a, Factor form, const float* b, int64_t rows, int64_t inner, int64_t columns,
+                  ProductTo to, float* c) {
+  const Factors factors{a, b, rows, inner, columns, to == ProductTo::kSum, c};
+  if (form == Factor::kTransposed) {
     Product<true>(factors);
   } else {
     Product<false>(factors);

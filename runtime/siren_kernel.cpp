@@ -45,7 +45,8 @@ void SirenKernel::TakeWeights(const float* parameters) {
 }
 
 void SirenKernel::Multiply(int layer, const float* input, int64_t rows, float* output) const {
-  BlockProduct(input, false, transposed_.data() + At(layer), rows, layout_.inputs(layer), layout_.width, false, output);
+  BlockProduct(input, Factor::kPlain, transposed_.data() + At(layer), rows, layout_.inputs(layer), layout_.width,
+               ProductTo::kValue, output);
 }
 
 void SirenKernel::Forward(const float* parameters, const float* points, int64_t num_points, float* displacements) {
@@ -62,7 +63,7 @@ void SirenKernel::Forward(const float* parameters, const float* points, int64_t 
       SineOfBlock(output, parameters + layout_.bias_offset(layer), rows, width, float(layout_.omega));
       input = output;
     }
-    BlockProduct(input, false, transposed_.data() + At(last), rows, width, kProductColumns, false,
+    BlockProduct(input, Factor::kPlain, transposed_.data() + At(last), rows, width, kProductColumns, ProductTo::kValue,
                  padded_output_.data());
     const float* const bias = parameters + layout_.bias_offset(last);
     for (int64_t row = 0; row < rows; ++row)
@@ -95,15 +96,16 @@ void SirenKernel::Backward(const float* parameters, const float* points, int64_t
     for (int layer = last; layer > 0; --layer) {
       const int64_t outputs = layout_.outputs(layer);
       AddRowsOfBlock(gradient, rows, outputs, parameter_gradient + layout_.bias_offset(layer));
-      BlockProduct(gradient, true, activations_.data() + (layer - 1) * area, outputs, rows, width, true,
-                   weight_gradients_.data() + At(layer));
-      BlockProduct(gradient, false, weights_.data() + At(layer), rows, outputs, width, false, next_gradient_.data());
+      BlockProduct(gradient, Factor::kTransposed, activations_.data() + (layer - 1) * area, outputs, rows, width,
+                   ProductTo::kSum, weight_gradients_.data() + At(layer));
+      BlockProduct(gradient, Factor::kPlain, weights_.data() + At(layer), rows, outputs, width, ProductTo::kValue,
+                   next_gradient_.data());
       MultiplyBlock(slopes_.data() + (layer - 1) * area, rows * width, next_gradient_.data());
       std::swap(gradient_, next_gradient_);
       gradient = gradient_.data();
     }
     AddRowsOfBlock(gradient, rows, width, parameter_gradient + layout_.bias_offset(0));
-    BlockProduct(block, true, gradient, 3, rows, width, true, first_gradient_.data());
+    BlockProduct(block, Factor::kTransposed, gradient, 3, rows, width, ProductTo::kSum, first_gradient_.data());
   }
   for (int64_t output = 0; output < width; ++output)
     for (int64_t input = 0; input < 3; ++input)

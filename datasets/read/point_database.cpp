@@ -20,9 +20,9 @@ std::span<const T> Expect(const SafetensorsFile& file, const std::filesystem::pa
 
 }  // namespace
 
-PointDatabase::PointDatabase(const std::filesystem::path& directory, bool verify)
+PointDatabase::PointDatabase(const std::filesystem::path& directory, Checksums checksums)
     : manifest_(ReadManifest(directory, "points")) {
-  if (verify) VerifyChecksums(directory, manifest_);
+  if (checksums == Checksums::kVerify) VerifyChecksums(directory, manifest_);
   face_template_ = faces::ReadFaceTemplate(directory);
   int num_persons = 0;
   try {

@@ -28,8 +28,8 @@ class PointDatabase {
  public:
   /// Maps every shard; reads the template. @throws Error naming file and cause: missing, truncated, of a newer version,
   /// shapes that differ from the manifest, or samples in triangles that the template does not have; a damaged file is
-  /// found by its checksum unless `verify` is false.
-  explicit PointDatabase(const std::filesystem::path& directory, bool verify = true);
+  /// found by its checksum unless Checksums::kSkip.
+  explicit PointDatabase(const std::filesystem::path& directory, Checksums checksums = Checksums::kVerify);
 
   int num_faces() const { return num_faces_; }
   int num_vertices() const { return face_template_.num_vertices(); }

@@ -21,9 +21,9 @@ void CheckOffsets(const std::filesystem::path& path, const SafetensorsFile& shar
 
 }  // namespace
 
-SketchDatabase::SketchDatabase(const std::filesystem::path& directory, bool verify)
+SketchDatabase::SketchDatabase(const std::filesystem::path& directory, Checksums checksums)
     : manifest_(ReadManifest(directory, "sketches")) {
-  if (verify) VerifyChecksums(directory, manifest_);
+  if (checksums == Checksums::kVerify) VerifyChecksums(directory, manifest_);
   int num_persons = 0;
   try {
     num_persons = manifest_.counts.at("persons").get<int>();

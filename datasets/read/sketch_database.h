@@ -18,7 +18,7 @@ namespace daumier::datasets {
 /// template's curves, each with the same number of points everywhere; wrinkles follow, as many as there are.
 class SketchDatabase {
  public:
-  explicit SketchDatabase(const std::filesystem::path& directory, bool verify = true);
+  explicit SketchDatabase(const std::filesystem::path& directory, Checksums checksums = Checksums::kVerify);
 
   int num_faces() const { return num_faces_; }
   /// View 0 is the exact one.

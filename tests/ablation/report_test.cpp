@@ -23,8 +23,8 @@ class AblationReportTest : public ::testing::Test {
     Runs().Train({ablation_.rows[row], split, 1}, databases, {});
     Runs().Evaluate({ablation_.rows[row], split, 1}, databases, {});
   }
-  Json Write(bool with_sheet = true) const {
-    return WriteAblationReport(ablation_, Runs(), FakeSystem::system(), folder_.path(), with_sheet);
+  Json Write(RowSheet row_sheet = RowSheet::kDraw) const {
+    return WriteAblationReport(ablation_, Runs(), FakeSystem::system(), folder_.path(), row_sheet);
   }
   std::string Text(const char* file) const { return ReadFile(folder_ / file); }
   render::Image Sheet() const { return render::ReadImage(folder_ / "sheet.png"); }
@@ -53,7 +53,7 @@ TEST_F(AblationReportTest, DrawsTheSheetOfTheFirstSplitFromTheReports) {
   const render::Image one = Sheet();
   Make(1, "person");
   Make(0, "random");
-  Write(false);
+  Write(RowSheet::kKeep);
   EXPECT_EQ(Sheet(), one) << "it is not drawn again";
   std::filesystem::remove_all(folder_ / "person/seed1/row-2/run/best");
   Write();

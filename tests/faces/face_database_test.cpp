@@ -62,8 +62,8 @@ struct SampleDatabase {
       bytes.replace(bytes.find(from), from.size(), to);
     });
   }
-  void ExpectRefused(const std::string& part, bool verify = true) {
-    ExpectError([&] { FaceDatabase(directory_.path(), verify); }, part);
+  void ExpectRefused(const std::string& part, Checksums checksums = Checksums::kVerify) {
+    ExpectError([&] { FaceDatabase(directory_.path(), checksums); }, part);
   }
 
   TempDir directory_;
@@ -276,7 +276,7 @@ TEST_F(FaceDatabaseTest, UvThatDoesNotFitIsRefused) {
   ExpectError([&] { WriteFaceTemplate(directory_.path(), face); }, fmt::format("uses row {} of UV", face.uv.rows()));
   // Version 2 without its arrays, and with those of another surface.
   Replace("template.json", "\"format_version\": 1", "\"format_version\": 2");
-  ExpectRefused("'uv'", false);
+  ExpectRefused("'uv'", Checksums::kSkip);
   FaceTemplate other = WithUv(template_);
   other.triangles.conservativeResize(other.triangles.rows() - 1, 3);
   other.uv_triangles.conservativeResize(other.triangles.rows(), 3);
@@ -298,19 +298,19 @@ TEST_F(FaceDatabaseTest, UvThatDoesNotFitIsRefused) {
 TEST_F(FaceDatabaseTest, AMissingShardIsNamed) {
   std::filesystem::remove(directory_ / shard_);
   ExpectRefused(shard_);
-  ExpectRefused(shard_, false);
+  ExpectRefused(shard_, Checksums::kSkip);
 }
 
 TEST_F(FaceDatabaseTest, ATruncatedShardIsNamed) {
   Edit(shard_, [](std::string& bytes) { bytes.resize(bytes.size() / 2); });
   ExpectRefused(shard_);
-  ExpectRefused(shard_, false);
+  ExpectRefused(shard_, Checksums::kSkip);
 }
 
 TEST_F(FaceDatabaseTest, AFlippedByteIsFoundByTheChecksum) {
   Edit(shard_, [](std::string& bytes) { bytes[bytes.size() - 100] ^= 1; });
   ExpectRefused(shard_);
-  EXPECT_NO_THROW(FaceDatabase(directory_.path(), false));
+  EXPECT_NO_THROW(FaceDatabase(directory_.path(), Checksums::kSkip));
 }
 
 TEST_F(FaceDatabaseTest, NewerVersionsAreRefused) {
@@ -318,7 +318,7 @@ TEST_F(FaceDatabaseTest, NewerVersionsAreRefused) {
   ExpectRefused("99");
   WriteManifest(directory_.path(), manifest_);
   Replace(shard_, "\"format_version\":\"1\"", "\"format_version\":\"9\"");
-  ExpectRefused("format_version", false);
+  ExpectRefused("format_version", Checksums::kSkip);
 }
 
 TEST_F(FaceDatabaseTest, ShardsOfAnotherShapeAreRefused) {
@@ -353,13 +353,13 @@ TEST_F(FaceDatabaseTest, DistancesOfRegisteredFacesAreThoseOfTheirShard) {
 
 TEST_F(FaceDatabaseTest, ATemplateThatDoesNotFitIsRefused) {
   Replace("template.json", "\"hairline_vertex\": ", "\"hairline_vertex\": 99");
-  ExpectRefused("the hairline names vertex 99", false);
+  ExpectRefused("the hairline names vertex 99", Checksums::kSkip);
   Replace("template.json", "\"format_version\": 1", "\"format_version\": 3");
-  ExpectRefused("template.json: format version 3 is not supported (expected 1 or 2)", false);
+  ExpectRefused("template.json: format version 3 is not supported (expected 1 or 2)", Checksums::kSkip);
   WriteFileAtomically(directory_ / "template.json", "{\"format_version\":");
-  ExpectRefused("template.json: not JSON", false);
+  ExpectRefused("template.json: not JSON", Checksums::kSkip);
   std::filesystem::remove(directory_ / "template.json");
-  ExpectRefused("template.json", false);
+  ExpectRefused("template.json", Checksums::kSkip);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(FaceParts, EveryPartHasAMirrorAndSomeSurface) {
 TEST(FaceParts, NamesTheRegionThatIsMissing) {
   FaceTemplate face = testing::SyntheticFace();
   face.annotation.regions.erase("nose");
-  testing::ExpectError([&] { MakeFaceParts(face, 1); }, "lacks the region 'nose'");
+  testing::ExpectError([&] { MakeFaceParts(face, 1); }, "a division into parts needs the region 'nose'");
 }
 
 }  // namespace

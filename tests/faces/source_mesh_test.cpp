@@ -22,7 +22,7 @@ std::vector<int> Square() {
 
 TEST(SourceMesh, FloodStopsAtTheLoop) {
   const SourceMesh mesh(SourceGrid().mesh(), "grid");
-  const auto loop = mesh.Trace(Square(), true, "loop");
+  const auto loop = mesh.Trace(Square(), geometry::PathEnds::kClosed, "loop");
   EXPECT_EQ(loop.size(), 8u);
   EXPECT_EQ(mesh.Flood(SourceGrid().at(0, 16), {loop}, "inside"), SourceGrid().Block(0, 1, 15, 17));
   EXPECT_EQ(static_cast<Eigen::Index>(mesh.Flood(SourceGrid().at(0, 16), {}, "all").size()),
@@ -47,7 +47,7 @@ TEST(SourceMesh, MessagesNameSourceAndEntry) {
   const SourceMesh mesh(lonely, "grid");
   const int last = static_cast<int>(lonely.vertices.rows()) - 1;
   ExpectError([&] { mesh.CheckVertex(last + 1, "hair"); }, "annotation of grid, hair: vertex");
-  ExpectError([&] { mesh.Trace({0, last}, false, "way"); }, "annotation of grid, way");
+  ExpectError([&] { mesh.Trace({0, last}, geometry::PathEnds::kOpen, "way"); }, "annotation of grid, way");
   ExpectError([&] { mesh.Flood(last, {}, "crop"); }, "is a corner of no polygon");
 }
 

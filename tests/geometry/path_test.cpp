@@ -21,8 +21,9 @@ TEST_F(Paths, FollowTheDiagonal) {
 }
 
 TEST_F(Paths, JoinWaypointsWithoutRepeats) {
-  EXPECT_EQ(TracePath(sheet_.vertices, neighbours_, {0, 2, 10}, false), (std::vector<int>{0, 1, 2, 6, 10}));
-  EXPECT_EQ(TracePath(sheet_.vertices, neighbours_, {0, 2, 10}, true), (std::vector<int>{0, 1, 2, 6, 10, 5}));
+  EXPECT_EQ(TracePath(sheet_.vertices, neighbours_, {0, 2, 10}, PathEnds::kOpen), (std::vector<int>{0, 1, 2, 6, 10}));
+  EXPECT_EQ(TracePath(sheet_.vertices, neighbours_, {0, 2, 10}, PathEnds::kClosed),
+            (std::vector<int>{0, 1, 2, 6, 10, 5}));
 }
 
 TEST_F(Paths, RefuseWhatCannotBeReached) {
@@ -30,7 +31,7 @@ TEST_F(Paths, RefuseWhatCannotBeReached) {
   points << sheet_.vertices, Eigen::RowVector3d::Ones();
   testing::ExpectError([&] { ShortestPath(points, neighbours_, 0, 16); }, "0 and 16 are not connected");
   testing::ExpectError([&] { ShortestPath(points, neighbours_, 0, 17); }, "from vertex 0 to 17");
-  testing::ExpectError([&] { TracePath(points, neighbours_, {0}, false); }, "two waypoints");
+  testing::ExpectError([&] { TracePath(points, neighbours_, {0}, PathEnds::kOpen); }, "two waypoints");
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ TEST(BlockProduct, IsTheSumOverTheInnerIndexForEveryRemainderOfRows) {
           std::vector<float> c = Numbers(rows * columns, 1.1f);
           const std::vector<float> before = c;
           const bool add = rows % 2 == 0;
-          BlockProduct(a.data(), transposed, b.data(), rows, inner, columns, add, c.data());
+          BlockProduct(a.data(), transposed ? Factor::kTransposed : Factor::kPlain, b.data(), rows, inner, columns,
+                       add ? ProductTo::kSum : ProductTo::kValue, c.data());
           for (int64_t i = 0; i < rows; ++i) {
             for (int64_t j = 0; j < columns; ++j) {
               double sum = add ? before[size_t(i * columns + j)] : 0;

@@ -166,7 +166,7 @@ class SyntheticAnnotation {
   std::vector<int> Trace(const Cells& cells) const {
     std::vector<int> waypoints;
     for (const auto& [i, j] : cells) waypoints.push_back(grid_.at(i, j));
-    return geometry::TracePath(grid_.mesh().vertices, neighbours_, waypoints, false);
+    return geometry::TracePath(grid_.mesh().vertices, neighbours_, waypoints, geometry::PathEnds::kOpen);
   }
   std::vector<int> MirrorOf(std::vector<int> path) const {
     for (int& v : path) v = annotation_.mirror[v];

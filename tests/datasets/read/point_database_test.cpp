@@ -50,8 +50,8 @@ class PointDatabaseTest : public ::testing::Test {
     writer.Add<float>("weights", {count, 2, 2}, weights);
     Add(writer, name);
   }
-  void ExpectRefused(const std::string& part, bool verify = true) const {
-    ExpectError([&] { PointDatabase(directory_.path(), verify); }, part);
+  void ExpectRefused(const std::string& part, Checksums checksums = Checksums::kVerify) const {
+    ExpectError([&] { PointDatabase(directory_.path(), checksums); }, part);
   }
 
   TempDir directory_;
@@ -105,9 +105,9 @@ TEST_F(PointDatabaseTest, DamagedFilesAreRefused) {
     testing::WriteQuickly(directory_ / name, flipped);
     ExpectRefused(name);
     testing::WriteQuickly(directory_ / name, bytes.substr(0, bytes.size() - 4));
-    ExpectRefused(name, false);
+    ExpectRefused(name, Checksums::kSkip);
     std::filesystem::remove(directory_ / name);
-    ExpectRefused(name, false);
+    ExpectRefused(name, Checksums::kSkip);
     testing::WriteQuickly(directory_ / name, bytes);
   }
   EXPECT_NO_THROW(PointDatabase(directory_.path()));

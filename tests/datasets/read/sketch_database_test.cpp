@@ -122,7 +122,7 @@ TEST_F(SketchDatabaseTest, DamagedShardsAreRefused) {
   WriteFileAtomically(directory_ / shard_, bytes);
   ExpectError([&] { SketchDatabase(directory_.path()); }, shard_);
   WriteFileAtomically(directory_ / shard_, bytes.substr(0, 90));
-  ExpectError([&] { SketchDatabase(directory_.path(), false); }, shard_);
+  ExpectError([&] { SketchDatabase(directory_.path(), Checksums::kSkip); }, shard_);
   std::filesystem::remove(directory_ / shard_);
   ExpectError([&] { SketchDatabase(directory_.path()); }, shard_);
 }

@@ -52,7 +52,7 @@ class TrainingFitTest : public ::testing::Test {
           "vertices", {database_->num_levels(), database_->num_expressions(), database_->num_vertices(), 3}, vertices);
       writer.Write(ruined / faces::PersonShardName(person));
     }
-    return faces::FaceDatabase(ruined, false);
+    return faces::FaceDatabase(ruined, Checksums::kSkip);
   }
 
   static inline TempDir* folder_ = nullptr;
