@@ -1,5 +1,4 @@
 #pragma once
-#include "core/options.h"
 #include "faces/bilinear_model.h"
 #include "fitting/projected_curves.h"
 
@@ -10,17 +9,9 @@
 namespace daumier::fitting {
 
 struct MorphableFitOptions {
-  bool prior = true;
-  double deviation_px = 0.5;
-  int iterations = 100;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("prior", prior, Flag{}, "Whether u and v keep near to those of the training faces.");
-    visit("deviation_px", deviation_px, Range{1e-3, 100},
-          "Standard deviation of labelled points from the model, pixels; the larger, the more the prior counts.");
-    visit("iterations", iterations, Range{1, 10000}, "Steps of the solver at most.");
-  }
+  bool prior = true;          ///< Whether u and v stay near those of the training faces.
+  double deviation_px = 0.5;  ///< Of labelled points from the model, pixels; the larger, the more the prior counts.
+  int iterations = 100;       ///< Steps of the solver at most.
 };
 
 struct MorphableFit {

@@ -1,5 +1,4 @@
 #pragma once
-#include "core/options.h"
 #include "render/drawing.h"
 
 #include <Eigen/Core>
@@ -10,16 +9,9 @@
 namespace daumier::render {
 
 struct FrameOptions {
-  double curve_height = 0.62;
-  double max_width = 0.8;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("curve_height", curve_height, Range{0.1, 1.0},
-          "Height of the drawing on the canvas, as a share of its side.");
-    visit("max_width", max_width, Range{0.1, 1.0},
-          "Share of the canvas's side that the drawing is wide at most; it gets smaller than curve_height for it.");
-  }
+  double curve_height = 0.62;  ///< Height of the drawing on the canvas, as a share of its side.
+  double max_width =
+      0.8;  ///< Greatest width, as a share of the canvas's side; the drawing gets smaller than curve_height for it.
 };
 
 /// Scale and shift of a sheet on the canvas: p_canvas = scale * p_sheet + shift.

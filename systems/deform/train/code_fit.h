@@ -35,16 +35,9 @@ struct CodeSolveOptions {
 
 /// A fit to all points of a surface, with a prior of mean 0.
 struct CodeFitOptions {
-  double data_weight = 3e3;
-  double code_weight = 1e6;
-  CodeSolveOptions solve;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("data_weight", data_weight, Range{1e-6, 1e12}, "Weight of the mean squared coordinate, in model units.");
-    visit("code_weight", code_weight, Range{0, 1e12}, "Weight of the code's mean square.");
-    visit("solve", solve, Table{}, "How the code is found.");
-  }
+  double data_weight = 3e3;  ///< Of the mean squared coordinate, in model units.
+  double code_weight = 1e6;  ///< Of the code's mean square.
+  CodeSolveOptions solve;    ///< How the code is found.
 };
 
 struct CodeFit {
