@@ -154,6 +154,18 @@ function(daumier_tests name target kind)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS ${kind})
 endfunction()
 
+# libFuzzer's main with the readers of fuzz/targets.cpp: `./dev fuzz`.
+function(daumier_fuzzer)
+  if(NOT DAUMIER_SANITIZE STREQUAL "fuzz")
+    return()
+  endif()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/fuzzer.cpp CONTENT "// The entry is in the library daumier_fuzz.\n")
+  add_executable(daumier_fuzzer ${PROJECT_BINARY_DIR}/fuzzer.cpp)
+  daumier_program(daumier_fuzzer)
+  target_link_libraries(daumier_fuzzer PRIVATE daumier_fuzz)
+  target_link_options(daumier_fuzzer PRIVATE -fsanitize=fuzzer)
+endfunction()
+
 # The program, which links no LibTorch, and next to it the training library, which it loads. Symbols that both have are
 # the program's: one log, one pool of threads, one sgemm_.
 function(daumier_executable)

@@ -1,0 +1,78 @@
+#include "fuzz/targets.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/safetensors.h"
+#include "datasets/build/landmark_file.h"
+#include "faces/annotation_file.h"
+#include "faces/import/mat_file.h"
+#include "faces/import/mesh_folder.h"
+#include "faces/import/npy.h"
+#include "render/read_drawing.h"
+
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <vector>
+
+namespace daumier::fuzz {
+namespace {
+
+void ReadDrawing(const std::filesystem::path& path) {
+  render::ReadDrawings(path);
+}
+void ReadMeshFile(const std::filesystem::path& path) {
+  faces::ReadMesh(path);
+}
+
+constexpr Target kTargets[] = {
+    {"svg", "a.svg", ReadDrawing},
+    {"quickdraw", "a.ndjson", ReadDrawing},
+    {"picture", "a.png", ReadDrawing},
+    {"obj", "a.obj", ReadMeshFile},
+    {"ply", "a.ply", ReadMeshFile},
+    {"landmarks", "a.txt", [](const std::filesystem::path& path) { datasets::LandmarkFile{path}; }},
+    {"npz", "a.npz", [](const std::filesystem::path& path) { faces::ReadNpz(path, {"a"}); }},
+    {"mat", "a.mat", [](const std::filesystem::path& path) { faces::ReadMatFile(path, {"a"}); }},
+    {"safetensors", "a.safetensors", [](const std::filesystem::path& path) { SafetensorsFile{path}; }},
+    {"annotation", "a.json",
+     [](const std::filesystem::path& path) { faces::ParseAnnotationFile(ReadFile(path), "annotation"); }},
+};
+
+}  // namespace
+
+std::span<const Target> Targets() {
+  return kTargets;
+}
+
+const Target& FindTarget(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Target& target : kTargets) {
+    if (target.name == name) return target;
+    names.push_back(target.name);
+  }
+  throw UsageError(fmt::format("there is no fuzz target '{}' (expected one of {})", name, fmt::join(names, ", ")));
+}
+
+void ReadBytes(const Target& target, std::string_view bytes, const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / target.file;
+  std::ofstream(path, std::ios::binary | std::ios::trunc)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  try {
+    target.read(path);
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace daumier::fuzz
+
+/// The entry of libFuzzer [llvm.org/docs/LibFuzzer.html]: the environment names the target and a folder for the file.
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  static const char* const name = std::getenv("DAUMIER_FUZZ_TARGET");
+  static const char* const folder = std::getenv("DAUMIER_FUZZ_FOLDER");
+  if (name == nullptr || folder == nullptr) throw daumier::UsageError("start this program by ./dev fuzz NAME");
+  static const daumier::fuzz::Target& target = daumier::fuzz::FindTarget(name);
+  daumier::fuzz::ReadBytes(target, {reinterpret_cast<const char*>(data), size}, folder);
+  return 0;
+}
