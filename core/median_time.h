@@ -1,7 +1,7 @@
 #pragma once
 #include "core/statistics.h"
+#include "core/stopwatch.h"
 
-#include <chrono>
 #include <vector>
 
 namespace daumier {
@@ -11,9 +11,9 @@ template <class Work>
 double MedianMs(const Work& work, int num_calls = 51) {
   std::vector<double> ms;
   for (int call = 0; call < num_calls; ++call) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     work();
-    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    ms.push_back(1e3 * stopwatch.seconds());
   }
   return Median(ms);
 }

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/sgemm.h"
+#include "core/stopwatch.h"
 
 #include <dlfcn.h>
 #include <dnnl.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -154,10 +154,9 @@ double MeasureSgemm(int size, int repeats) {
   const float one = 1, zero = 0;
   double best_seconds = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= repeats; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     sgemm("N", "N", &size, &size, &size, &one, a.data(), &size, b.data(), &size, &zero, c.data(), &size);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (i > 0) best_seconds = std::min(best_seconds, elapsed.count());
+    if (i > 0) best_seconds = std::min(best_seconds, stopwatch.seconds());
   }
   return 2e-9 * static_cast<double>(count) * size / best_seconds;
 }

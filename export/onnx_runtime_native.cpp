@@ -1,12 +1,10 @@
 #include "export/onnx_runtime_native.h"
 
 #include "core/error.h"
-#include "core/statistics.h"
+#include "core/median_time.h"
 
 #ifdef DAUMIER_HAS_ONNXRUNTIME
 #include <onnxruntime_cxx_api.h>
-
-#include <chrono>
 
 namespace daumier::exporting {
 namespace {
@@ -16,17 +14,6 @@ Ort::Value ViewAsValue(const torch::Tensor& tensor) {
   const auto memory = Ort::MemoryInfo::CreateCpu(OrtArenaAllocator, OrtMemTypeDefault);
   const auto shape = tensor.sizes().vec();
   return Ort::Value::CreateTensor<float>(memory, tensor.data_ptr<float>(), tensor.numel(), shape.data(), shape.size());
-}
-
-template <class Function>
-double MedianMilliseconds(int num_runs, const Function& run) {
-  std::vector<double> times;
-  for (int i = 0; i < num_runs; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    run();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  return Median(times);
 }
 
 torch::Tensor CopyOfValue(Ort::Value& value) {
@@ -60,7 +47,7 @@ OnnxOutputs RunInNativeOnnxRuntime(const std::filesystem::path& model, const std
         return session.Run(Ort::RunOptions(), names.data(), values.data(), values.size(), wanted.data(), wanted.size());
       };
       auto results = run_session();
-      if (timed_runs > 0) result.milliseconds.push_back(MedianMilliseconds(timed_runs, run_session));
+      if (timed_runs > 0) result.milliseconds.push_back(MedianMs(run_session, timed_runs));
       tensor::NamedTensors& outputs = result.outputs.emplace_back();
       for (size_t i = 0; i < results.size(); ++i) outputs[output_names[i]] = CopyOfValue(results[i]);
     }

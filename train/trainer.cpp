@@ -5,6 +5,7 @@
 #include "core/prefetch.h"
 #include "core/progress.h"
 #include "core/run_manifest.h"
+#include "core/stopwatch.h"
 #include "tensor/autocast.h"
 #include "tensor/module_state.h"
 #include "tensor/torch_version.h"
@@ -14,7 +15,6 @@
 #include "train/sample_order.h"
 #include "train/step_sums.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace daumier::train {
@@ -82,7 +82,7 @@ class Training {
   using BatchLoader = Prefetcher<SampleBatch>;
 
   TrainingTime Time() const {
-    const double session = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double session = stopwatch_.seconds();
     return {seconds_before_ + session, session};
   }
 
@@ -251,7 +251,7 @@ class Training {
   const std::filesystem::path run_directory_;
   const SampleOrder order_;
   const int64_t steps_per_epoch_, total_steps_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch_;
   double seconds_before_ = 0;  ///< Of training before this session.
   Optimiser optimiser_;
   std::vector<Part> stages_;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/run_manifest.h"
 #include "core/runtime.h"
+#include "core/stopwatch.h"
 #include "export/torch_runner.h"
 #include "systems/deform/train/system.h"
 #include "systems/sketch/train/system.h"
@@ -15,7 +16,6 @@
 #include <torch/version.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace daumier {
 namespace {
@@ -31,9 +31,9 @@ double MeasureMm(int64_t side = 1024, int repeats = 6) {
   const torch::Tensor a = torch::ones({side, side}), b = torch::ones({side, side});
   double best = 0;
   for (int i = 0; i < repeats; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     at::mm(a, b);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = stopwatch.seconds();
     best = std::max(best, 2e-9 * double(side * side * side) / seconds);
   }
   return best;

@@ -2,13 +2,13 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "core/stopwatch.h"
 #include "tensor/eigen.h"
 #include "tensor/shape.h"
 
 #include <torch/optim/adam.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -80,10 +80,10 @@ CodeFitter::CodeFitter(DeformNetwork& network, CodeEnergy energy, const CodeSolv
 }
 
 CodeFit CodeFitter::Solve() {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   CodeFit fit = options_.method == "adam" ? SolveByAdam() : SolveByGaussNewton();
   code_ = fit.code.clone();
-  fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fit.seconds = stopwatch.seconds();
   return fit;
 }
 

@@ -5,6 +5,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/run_manifest.h"
+#include "core/stopwatch.h"
 #include "datasets/read/run_data.h"
 #include "systems/deform/train/measurement.h"
 #include "systems/deform/train/run.h"
@@ -13,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <set>
 
@@ -47,7 +47,7 @@ class DeformEvaluation {
         measurement_(*run_.network, Faces(), run_.manifest.seed, Unit(), task) {}
 
   void Measure() {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     CodeFitOptions fit{.data_weight = run_.data_weight, .code_weight = run_.code_weight};
     const int num_faces = measurement_.num_faces(), adam_faces = std::min(options_.adam_faces, num_faces);
     measurement_.MeasureNetwork("network", fit, num_faces);
@@ -58,7 +58,7 @@ class DeformEvaluation {
       measurement_.MeasureNetwork("network, first faces by Adam", fit, adam_faces);
     }
     if (options_.baselines) MeasureBaselines();
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_ = stopwatch.seconds();
   }
 
   reports::MetricTable Table() const {

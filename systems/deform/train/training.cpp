@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/stopwatch.h"
 #include "datasets/read/run_data.h"
 #include "eval/principal_components.h"
 #include "systems/deform/train/array_deformations.h"
@@ -18,8 +19,6 @@
 #include "train/trainer.h"
 
 #include <torch/utils.h>
-
-#include <chrono>
 
 namespace daumier::deform {
 namespace {
@@ -57,10 +56,10 @@ void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
 }
 
 TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& options, const fs::path& directory) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   FitLinear(recipe, options);
   const std::map<std::string, double> values = recipe.Validate();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = stopwatch.seconds();
   train::RunLog(directory, 0).Write(0, 0, "validation", values, {seconds, seconds});
   MakeDirectory(directory / "best");
   tensor::SaveModule(directory / kBestFile, recipe.module());

@@ -3,12 +3,12 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/run_manifest.h"
+#include "core/stopwatch.h"
 #include "systems/sketch/metrics.h"
 #include "systems/sketch/train/external_evaluation.h"
 #include "systems/sketch/train/measurement.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace daumier::sketch {
 namespace {
@@ -110,11 +110,11 @@ reports::Evaluation EvaluateSketchRun(const fs::path& run_directory, const Sketc
                                       FolderCache& databases, const Task& task) {
   CheckEvalOptions(options);
   if (!options.faces.empty()) return EvaluateOnExternalFaces(run_directory, options, databases, task);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   const SketchRunData data = OpenSketchRunData(run_directory, databases);
   const SketchTestSet test(data, options.split, options.strength, task);
   Measured measured{test, options, MeasureSketchRun(test, options), 0};
-  measured.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  measured.seconds = stopwatch.seconds();
   return {.table = measured.table(),
           .metrics = MetricsOf(measured),
           .report = ReportOf(measured),
