@@ -40,7 +40,7 @@ class ObjLines {
   void SkipBlanks();
   /// Ends the line at the next line end.
   void FindLineEnd();
-  /// Whether the line goes on behind its line end.
+  /// Whether the line continues behind its line end.
   bool Continues() const;
 
   std::string_view name_;

@@ -24,7 +24,7 @@ class PolygonCollector {
   /// From now on the row of UV of a corner is its vertex: for files with UV of vertices.
   void UseVertexUv() { mesh_.uv_corners = mesh_.corners; }
 
-  /// The file has so many further elements that are no polygons and are skipped: points, lines, curves.
+  /// Elements of the file that are no polygons and are skipped: points, lines, curves.
   void CountOtherElements(int num_others) { num_others_ += num_others; }
 
   /// The mesh of the collected polygons; `name` is the file in warnings. Every corner must be a row of its table.

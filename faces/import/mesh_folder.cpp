@@ -7,6 +7,7 @@
 #include "geometry/ply.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,16 +26,21 @@ std::string LowerExtension(const fs::path& path) {
   return extension;
 }
 
-/// What a file that is no OBJ or PLY is, by its extension, and what to do with it; absent for unknown ones.
-std::optional<std::string_view> OtherKind(const std::string& extension) {
-  static const std::set<std::string> drawings = {".svg", ".svgz", ".ndjson", ".png", ".jpg",  ".jpeg", ".bmp",
-                                                 ".tif", ".tiff", ".webp",   ".gif", ".heic", ".pdf"};
+/// What a file that is no OBJ or PLY is, by its extension or first bytes, and what to do with it; absent for unknown ones.
+std::optional<std::string_view> OtherKind(const std::string& extension, std::string_view bytes) {
+  static const std::set<std::string> drawings = {".svg", ".svgz", ".ndjson", ".png",  ".jpg",  ".jpeg", ".bmp",
+                                                 ".tif", ".tiff", ".gif",    ".webp", ".heic", ".pdf"};
   static const std::set<std::string> meshes = {".stl", ".glb",  ".gltf", ".fbx", ".off", ".dae", ".3ds", ".blend",
                                                ".usd", ".usdz", ".usdc", ".x3d", ".wrl", ".vtk", ".abc", ".3mf"};
-  if (drawings.count(extension) > 0)
+  const auto begins_with = [&](std::initializer_list<std::string_view> begins) {
+    return std::any_of(begins.begin(), begins.end(), [&](std::string_view begin) { return bytes.starts_with(begin); });
+  };
+  if (drawings.count(extension) > 0 || begins_with({"<", "\x89PNG", "\xFF\xD8\xFF", "GIF8", "%PDF"}))
     return "a drawing or a picture (expected an OBJ or PLY mesh). `daumier predict` makes a mesh of a drawing.";
-  if (meshes.count(extension) > 0)
+  if (meshes.count(extension) > 0 || begins_with({"glTF", "Kaydara FBX", "solid ", "OFF", "BLENDER"}))
     return "a mesh in another format (expected OBJ or PLY). Export it as one of them, for example with Blender.";
+  if (begins_with({"PK\x03\x04", "\x1F\x8B", "7z\xBC\xAF", "Rar!"}))
+    return "an archive (expected an OBJ or PLY mesh). Unpack it first.";
   return std::nullopt;
 }
 
@@ -94,7 +100,7 @@ geometry::PolygonMesh ReadMesh(const fs::path& path) {
       name);
   const bool is_ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ");
   if (is_ply || extension == ".ply") return geometry::ParsePly(bytes, name);
-  if (const auto kind = OtherKind(extension)) throw Error(fmt::format("{}: {}", name, *kind));
+  if (const auto kind = OtherKind(extension, bytes)) throw Error(fmt::format("{}: {}", name, *kind));
   return geometry::ParseObj(bytes, name);
 }
 
