@@ -2,10 +2,11 @@
 #include "core/error.h"
 #include "core/options.h"
 #include "faces/import/mesh_folder.h"
-#include "geometry/triangulate.h"
-#include "render/contour_strokes.h"
+#include "render/mesh_drawing.h"
 #include "render/svg.h"
 
+#include <cmath>
+#include <map>
 #include <memory>
 
 namespace daumier::cli {
@@ -13,30 +14,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::map<std::string, render::AxisDirection>& AxisDirections() {
+  using enum render::AxisDirection;
+  static const std::map<std::string, render::AxisDirection> directions = {
+      {"x", kX}, {"-x", kMinusX}, {"y", kY}, {"-y", kMinusY}, {"z", kZ}, {"-z", kMinusZ}};
+  return directions;
+}
+
 struct DrawArguments {
   fs::path mesh, out;
+  std::string up = "y", front;
   double yaw = 0, pitch = 0, distance = 0;
   int size = 1024;
   ConfigArguments config;
 };
+
+render::MeshView ViewOf(const DrawArguments& arguments) {
+  // CLI::Range lets NaN through.
+  if (!std::isfinite(arguments.yaw) || !std::isfinite(arguments.pitch) || !std::isfinite(arguments.distance)) {
+    throw UsageError(fmt::format("--yaw {}, --pitch {}, --distance {}: expected numbers", arguments.yaw,
+                                 arguments.pitch, arguments.distance));
+  }
+  render::MeshView view{
+      .up = AxisDirections().at(arguments.up), .yaw_degrees = arguments.yaw, .pitch_degrees = arguments.pitch};
+  if (!arguments.front.empty()) view.front = AxisDirections().at(arguments.front);
+  if (arguments.distance > 0) view.distance = arguments.distance;
+  return view;
+}
 
 void Draw(const DrawArguments& arguments) {
   const auto options = ParseOptions<render::ContourOptions>(arguments.config.Load(), "options of draw");
   const std::string suffix = arguments.out.extension().string();
   if (suffix != ".svg" && suffix != ".png")
     throw UsageError(fmt::format("--out {}: expected a name that ends in .svg or .png", arguments.out.string()));
-  const geometry::PolygonMesh polygons = faces::ReadMesh(arguments.mesh);
-  const geometry::TriangleMesh mesh{polygons.vertices, geometry::Triangulate(polygons)};
-  const render::Frame frame = render::FrameOf(mesh.vertices);
-  render::Camera camera =
-      render::TurnedCamera(frame.centre, frame.half_height, render::kSketchCanvas, arguments.yaw, arguments.pitch);
-  if (arguments.distance > 0) camera = render::WithPerspective(camera, arguments.distance * 2 * frame.half_height);
-  const auto strokes = render::DrawContours(mesh, camera, options);
+  const render::MeshView view = ViewOf(arguments);
+  const auto strokes = render::DrawMesh(faces::ReadMesh(arguments.mesh), view, options, arguments.mesh.string());
   if (suffix == ".svg") {
     render::WriteSvg(arguments.out, strokes, render::ContourKinds());
   } else {
     render::WriteImage(arguments.out, render::RasteriseStrokes(strokes, arguments.size));
   }
+  PrintResult({{"drawing", arguments.out.string()}, {"strokes", strokes.size()}}, /*as_json=*/false);
 }
 
 }  // namespace
@@ -45,9 +63,19 @@ Verb DrawVerb() {
   return {"draw", "A line drawing of a mesh: occluding and suggestive contours, borders",
           [](CLI::App& command) {
             auto arguments = std::make_shared<DrawArguments>();
-            command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, y up, facing +z")->required();
+            command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, in the frame of --up")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");
             command.add_option("--out", arguments->out, "FILE.svg or FILE.png")->required();
+            command
+                .add_option("--up", arguments->up,
+                            "The mesh's axis that points upwards: z for Blender, CAD and most scanners, -y for cameras")
+                ->check(CLI::IsMember(AxisDirections()))
+                ->capture_default_str();
+            command
+                .add_option("--front", arguments->front,
+                            "The axis that the face looks along; by default z with --up y, x or -x, -y with --up z, "
+                            "-z with --up -y, y with --up -z")
+                ->check(CLI::IsMember(AxisDirections()));
             command.add_option("--yaw", arguments->yaw, "Degrees to the face's own left; -90: its right side");
             command.add_option("--pitch", arguments->pitch, "Degrees upwards");
             command

@@ -8,7 +8,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace daumier::cli {
 namespace {
@@ -30,6 +33,22 @@ std::string FailureText(const CLI::App* app, const CLI::Error& error) {
       text += fmt::format("  {}  {}\n", option->get_name(), option->get_description());
   }
   return text + fmt::format("See {} --help\n", name);
+}
+
+/// The words of the command line, last first. An axis such as -z behind an option is its value, not a short option.
+std::vector<std::string> ReversedWords(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool is_axis = word == "-x" || word == "-y" || word == "-z";
+    if (is_axis && !words.empty() && (words.back() == "--up" || words.back() == "--front")) {
+      words.back() += "=" + word;
+    } else {
+      words.push_back(word);
+    }
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
 }
 
 }  // namespace
@@ -56,7 +75,7 @@ int RunProgram(int argc, char** argv) {
   }
 
   try {
-    app.parse(argc, argv);
+    app.parse(ReversedWords(argc, argv));
     if (quiet) log::SetLevel(log::Level::kWarning);
     SetUpRuntime(threads);
     CatchInterrupts();

@@ -8,9 +8,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace daumier {
@@ -159,6 +161,13 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
   std::swap(data_, other.data_);
   std::swap(size_, other.size_);
   return *this;
+}
+
+bool IsSystemFile(const std::filesystem::path& path_below_folder) {
+  return std::any_of(path_below_folder.begin(), path_below_folder.end(), [](const std::filesystem::path& part) {
+    const std::string name = part.string();
+    return name == "__MACOSX" || (name.starts_with('.') && name != "." && name != "..");
+  });
 }
 
 void MakeDirectory(const fs::path& path) {

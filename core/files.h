@@ -33,6 +33,10 @@ class MappedFile {
   size_t size_ = 0;
 };
 
+/// Whether a path below a folder is no content of it but a file of the system that copied or packed it: a name that begins
+/// with a dot (macOS: .DS_Store, resource forks ._NAME) or lies in a folder of such a name or __MACOSX.
+bool IsSystemFile(const std::filesystem::path& path_below_folder);
+
 /// Creates a folder and its parents. @throws Error naming the path and the cause.
 void MakeDirectory(const std::filesystem::path& path);
 

@@ -28,7 +28,7 @@ void ForEachFileOfFolder(const std::filesystem::path& folder, const std::functio
   }
   std::sort(paths.begin(), paths.end());
   for (const std::string& path : paths) {
-    if (wanted(path)) use(path, MappedFile(folder / path).bytes());
+    if (!IsSystemFile(path) && wanted(path)) use(path, MappedFile(folder / path).bytes());
   }
 }
 
@@ -57,7 +57,7 @@ void ForEachFile(const std::filesystem::path& folder_or_archive,
        code = archive_read_next_header(reader.get(), &entry)) {
     check(code);
     const std::string path = archive_entry_pathname(entry);
-    if (archive_entry_filetype(entry) != AE_IFREG || !wanted(path)) continue;
+    if (archive_entry_filetype(entry) != AE_IFREG || IsSystemFile(path) || !wanted(path)) continue;
     const int64_t size = archive_entry_size(entry);
     constexpr int64_t kLargest = int64_t{1} << 32;  // far above any face data; a hostile header may claim more
     DAUMIER_CHECK(size >= 0 && size <= kLargest, "{}: {} claims {} bytes", folder_or_archive.string(), path, size);

@@ -5,6 +5,7 @@
 #include "faces/archive.h"
 #include "faces/model_shapes.h"
 #include "geometry/obj.h"
+#include "geometry/polygon_collector.h"
 #include "geometry/submesh.h"
 
 #include <map>
@@ -30,6 +31,7 @@ std::string ShapeName(const std::string& path) {
 geometry::PolygonMesh HeadOf(const geometry::PolygonMesh& mesh, const std::string& name) {
   DAUMIER_CHECK(mesh.vertices.rows() == kNumIctVertices, "{} has {} vertices, ICT-FaceKit Light has {}", name,
                 mesh.vertices.rows(), kNumIctVertices);
+  geometry::CheckFinite(mesh.vertices, name);
   std::vector<int> head(kNumHeadVertices);
   std::iota(head.begin(), head.end(), 0);
   geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(head, kNumIctVertices));

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "geometry/obj.h"
+#include "geometry/polygon_collector.h"
 #include "geometry/submesh.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ constexpr double kTargetUnit = 1e-3;  // of the package's 16-bit integers, in de
 geometry::PolygonMesh BodyOf(const geometry::PolygonMesh& mesh, const std::string& name) {
   DAUMIER_CHECK(mesh.vertices.rows() == kNumMeshVertices, "{} has {} vertices, MakeHuman's base mesh has {}", name,
                 mesh.vertices.rows(), kNumMeshVertices);
+  geometry::CheckFinite(mesh.vertices, name);
   std::vector<int> body(kNumBodyVertices);
   std::iota(body.begin(), body.end(), 0);
   geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(body, kNumMeshVertices));
@@ -168,9 +170,9 @@ MakeHumanFiles OpenCheckout(const std::filesystem::path& data) {
   const auto targets = data / "targets";
   DAUMIER_CHECK(std::filesystem::is_directory(targets), "{} does not exist", targets.string());
   for (const auto& entry : std::filesystem::recursive_directory_iterator(targets)) {
-    if (entry.path().extension() == ".target") {
-      files.target_names.push_back(TargetName(std::filesystem::relative(entry.path(), targets).generic_string()));
-    }
+    const std::filesystem::path path = std::filesystem::relative(entry.path(), targets);
+    if (path.extension() == ".target" && !IsSystemFile(path))
+      files.target_names.push_back(TargetName(path.generic_string()));
   }
   std::sort(files.target_names.begin(), files.target_names.end());
   files.target = [targets](const std::string& name) { return ParseTarget(targets / (name + ".target")); };

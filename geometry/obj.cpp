@@ -3,103 +3,29 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "geometry/corner_uv.h"
+#include "geometry/obj_lines.h"
 #include "geometry/polygon_collector.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstring>
+#include <array>
 #include <iterator>
 
 namespace daumier::geometry {
 namespace {
 
-/// Walks over the lines of a text; messages name the current one.
-class LineReader {
- public:
-  LineReader(std::string_view text, std::string_view name)
-      : name_(name), next_(text.data()), end_(text.data() + text.size()) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark)) next_ += kByteOrderMark.size();
-  }
-
-  /// Moves to the first character of the next line that is not blank; false after the last line.
-  bool Next() {
-    if (next_ == end_) return false;
-    ++number_;
-    position_ = next_;
-    const void* newline = std::memchr(next_, '\n', end_ - next_);
-    line_end_ = newline == nullptr ? end_ : static_cast<const char*>(newline);
-    next_ = newline == nullptr ? end_ : line_end_ + 1;
-    if (line_end_ > position_ && line_end_[-1] == '\r') --line_end_;
-    SkipBlanks();
-    return true;
-  }
-
-  /// Whether the line is `keyword` followed by a blank; moves behind it.
-  bool Accept(std::string_view keyword) {
-    const std::string_view rest(position_, static_cast<size_t>(line_end_ - position_));
-    if (rest.size() <= keyword.size() || !rest.starts_with(keyword) || !IsBlank(rest[keyword.size()])) return false;
-    position_ += keyword.size() + 1;
-    return true;
-  }
-
-  bool AtEnd() {
-    SkipBlanks();
-    return position_ == line_end_ || *position_ == '#';
-  }
-
-  /// Whether a word ends here.
-  bool AtWordEnd() const { return position_ == line_end_ || IsBlank(*position_) || *position_ == '#'; }
-
-  bool Skip(char c) {
-    if (position_ == line_end_ || *position_ != c) return false;
-    ++position_;
-    return true;
-  }
-
-  template <class Number>
-  Number Read(const char* what) {
-    if (position_ != line_end_ && *position_ == '+') ++position_;
-    Number value{};
-    const auto [end, error] = std::from_chars(position_, line_end_, value);
-    Check(error == std::errc(), what);
-    position_ = end;
-    return value;
-  }
-
-  void Check(bool condition, const char* cause) const { DAUMIER_CHECK(condition, "{}:{}: {}", name_, number_, cause); }
-
-  std::string_view name() const { return name_; }
-
- private:
-  static bool IsBlank(char c) { return c == ' ' || c == '\t'; }
-  void SkipBlanks() {
-    while (position_ != line_end_ && IsBlank(*position_)) ++position_;
-  }
-
-  std::string_view name_;
-  const char* next_;
-  const char* end_;
-  const char* position_ = nullptr;
-  const char* line_end_ = nullptr;
-  int number_ = 0;
-};
-
 /// The three coordinates behind a `v`. What may follow (a weight or a colour) is skipped.
-void ReadVertex(LineReader& line, double* out) {
+void ReadVertex(ObjLines& line, double* out) {
   for (int k = 0; k < 3; ++k) {
     line.Check(!line.AtEnd(), "a vertex needs three coordinates");
-    out[k] = line.Read<double>("a coordinate is not a number");
-    line.Check(std::isfinite(out[k]), "a coordinate is not finite");
+    out[k] = line.ReadNumber("a coordinate is not a number");
   }
 }
 
 /// u and v behind a `vt`; v is 0 where it is absent. A third coordinate is skipped.
-void ReadUv(LineReader& line, double* out) {
+void ReadUv(ObjLines& line, double* out) {
   line.Check(!line.AtEnd(), "a texture coordinate needs a number");
-  out[0] = line.Read<double>("a texture coordinate is not a number");
-  out[1] = line.AtEnd() ? 0.0 : line.Read<double>("a texture coordinate is not a number");
+  out[0] = line.ReadNumber("a texture coordinate is not a number");
+  out[1] = line.AtEnd() ? 0.0 : line.ReadNumber("a texture coordinate is not a number");
 }
 
 /// Row of a table of `count` rows so far from OBJ's index, which counts from 1, or back from -1. -1 if there is none.
@@ -114,21 +40,21 @@ struct Corner {
 };
 
 /// The corner that comes next: v, v/vt, v//vn or v/vt/vn; vt and vn may be empty.
-Corner ReadCorner(LineReader& line, int num_vertices, int num_uv) {
-  Corner corner{RowOf(line.Read<int>("a corner is not a vertex number"), num_vertices), PolygonCollector::kNoUv};
+Corner ReadCorner(ObjLines& line, int num_vertices, int num_uv) {
+  Corner corner{RowOf(line.ReadIndex("a corner is not a vertex number"), num_vertices), PolygonCollector::kNoUv};
   line.Check(corner.vertex >= 0, "a corner is not a vertex number");
   if (!line.Skip('/')) {
     line.Check(line.AtWordEnd(), "a corner is not a vertex number");
     return corner;
   }
   if (!line.AtWordEnd() && !line.Skip('/')) {
-    const int index = line.Read<int>("a corner is not of the form v/vt");
+    const int index = line.ReadIndex("a corner is not of the form v/vt");
     corner.uv = RowOf(index, num_uv);
     line.Check(corner.uv >= 0 || index == 0 || num_uv == 0, "a corner is not of the form v/vt: there is no such vt");
     if (line.AtWordEnd()) return corner;
     line.Check(line.Skip('/'), "a corner is not of the form v/vt");
   }
-  if (!line.AtWordEnd()) line.Read<int>("a corner is not of the form v/vt/vn");
+  if (!line.AtWordEnd()) line.ReadIndex("a corner is not of the form v/vt/vn");
   line.Check(line.AtWordEnd(), "a corner is not of the form v/vt/vn");
   return corner;
 }
@@ -138,7 +64,8 @@ struct Polygon {
   std::vector<int> corners, uv_corners;
 };
 
-void ReadPolygon(LineReader& line, int num_vertices, int num_uv, Polygon& polygon) {
+/// A cut text may end amid its last polygon; elsewhere one of fewer than three corners is left to the collector.
+void ReadPolygon(ObjLines& line, int num_vertices, int num_uv, Polygon& polygon) {
   polygon.corners.clear();
   polygon.uv_corners.clear();
   while (!line.AtEnd()) {
@@ -146,7 +73,14 @@ void ReadPolygon(LineReader& line, int num_vertices, int num_uv, Polygon& polygo
     polygon.corners.push_back(corner.vertex);
     polygon.uv_corners.push_back(corner.uv);
   }
-  line.Check(polygon.corners.size() >= 3, "a polygon needs three corners");
+  line.Check(polygon.corners.size() >= 3 || !line.IsOpen(), "a polygon needs three corners: the file is cut");
+}
+
+/// Whether the line is an element that is no polygon: points, a line, a curve or a surface.
+bool AcceptOtherElement(ObjLines& line) {
+  constexpr std::array<std::string_view, 5> kKeywords = {"p", "l", "curv", "curv2", "surf"};
+  return std::any_of(kKeywords.begin(), kKeywords.end(),
+                     [&](std::string_view keyword) { return line.Accept(keyword); });
 }
 
 /// `v` and `vt` lines.
@@ -171,14 +105,14 @@ void AppendPolygon(const int* corners, const int* uv_corners, int size, std::str
 }  // namespace
 
 PolygonMesh ParseObj(std::string_view text, std::string_view name) {
-  LineReader line(text, name);
+  ObjLines line(text, name);
   std::vector<double> coordinates, uv_coordinates;
   coordinates.reserve(text.size() / 32);
   const auto num_vertices = [&] { return static_cast<int>(coordinates.size() / 3); };
   const auto num_uv = [&] { return static_cast<int>(uv_coordinates.size() / 2); };
   PolygonCollector collector;
   Polygon polygon;
-  int highest = -1, highest_uv = -1;
+  int highest = -1, highest_uv = -1, num_polygons = 0, num_others = 0;
   while (line.Next()) {
     if (line.Accept("v")) {
       coordinates.resize(coordinates.size() + 3);
@@ -186,11 +120,14 @@ PolygonMesh ParseObj(std::string_view text, std::string_view name) {
     } else if (line.Accept("vt")) {
       uv_coordinates.resize(uv_coordinates.size() + 2);
       ReadUv(line, uv_coordinates.data() + uv_coordinates.size() - 2);
-    } else if (line.Accept("f")) {
+    } else if (line.Accept("f") || line.Accept("fo")) {
       ReadPolygon(line, num_vertices(), num_uv(), polygon);
       for (const int v : polygon.corners) highest = std::max(highest, v);
       for (const int t : polygon.uv_corners) highest_uv = std::max(highest_uv, t);
       collector.Add(polygon.corners, polygon.uv_corners);
+      ++num_polygons;
+    } else if (AcceptOtherElement(line)) {
+      ++num_others;
     }
   }
   DAUMIER_CHECK(num_vertices() > 0, "{}: no vertex; is this an OBJ file?", name);
@@ -198,12 +135,15 @@ PolygonMesh ParseObj(std::string_view text, std::string_view name) {
                 num_vertices());
   DAUMIER_CHECK(num_uv() == 0 || highest_uv < num_uv(),
                 "{}: a polygon uses texture coordinate {} of {}: the file is cut", name, highest_uv + 1, num_uv());
-  PolygonMesh mesh =
-      std::move(collector).Finish(Eigen::Map<const Points>(coordinates.data(), num_vertices(), 3),
-                                  Eigen::Map<const TextureCoordinates>(uv_coordinates.data(), num_uv(), 2), name);
-  DAUMIER_CHECK(mesh.num_polygons() > 0, "{}: {} vertices but no polygon: the file is cut, or a cloud of points", name,
-                num_vertices());
-  return mesh;
+  DAUMIER_CHECK(
+      num_polygons > 0 || num_others == 0,
+      "{}: no mesh of polygons (found {} vertices and {} points, lines or free-form elements, expected faces). "
+      "Export it again as polygons.",
+      name, num_vertices(), num_others);
+  if (num_polygons == 0) RefuseCloud(name, num_vertices());
+  collector.CountOtherElements(num_others);
+  return std::move(collector).Finish(Eigen::Map<const Points>(coordinates.data(), num_vertices(), 3),
+                                     Eigen::Map<const TextureCoordinates>(uv_coordinates.data(), num_uv(), 2), name);
 }
 
 PolygonMesh ReadObj(const std::filesystem::path& path) {
@@ -211,12 +151,15 @@ PolygonMesh ReadObj(const std::filesystem::path& path) {
 }
 
 Points ParseObjVertices(std::string_view text, std::string_view name, int expected_count) {
-  LineReader line(text, name);
+  ObjLines line(text, name);
   Points points(expected_count, 3);
   int count = 0;
   while (line.Next()) {
     if (!line.Accept("v")) continue;
-    if (count < expected_count) ReadVertex(line, points.row(count).data());
+    if (count < expected_count) {
+      ReadVertex(line, points.row(count).data());
+      line.Check(points.row(count).allFinite(), "a coordinate is not finite");
+    }
     ++count;
   }
   DAUMIER_CHECK(count == expected_count, "{}: {} vertices, expected {}", name, count, expected_count);

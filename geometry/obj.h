@@ -8,11 +8,12 @@ namespace daumier::geometry {
 
 /// Reads positions, UV and polygons of a Wavefront OBJ text: `v x y z`, `vt u [v]` and `f` with corners v, v/vt, v//vn
 /// or v/vt/vn, where an empty or zero vt or vn is absent; negative indices count back from the last line read so far.
-/// Lines may be indented; the last may lack its line end; a byte order mark is skipped. Normal, group and material
-/// lines are skipped. Repeated vertices and missing UV: as PolygonCollector. vt of corners is ignored in a text without
-/// `vt` lines. `name` names the text in messages, for example a file.
-/// @throws Error "name:line: cause" on a malformed line, a position that is not finite or a corner that is no vertex,
-/// and if there is no vertex or no polygon at all.
+/// Lines as ObjLines; the last may lack its line end. What follows the position of a vertex (a weight, a colour) and
+/// lines of normals, groups and materials are skipped; so are points, lines and free-form elements, which a warning
+/// counts. Repeated vertices, positions that are not finite and missing UV: as PolygonCollector. vt of corners is ignored
+/// in a text without `vt` lines. `name` names the text in messages, for example a file.
+/// @throws Error "name:line: cause" on a malformed line or a corner that is no vertex, and "name: cause" as
+/// PolygonCollector and if there is no vertex or no polygon at all (a cloud of points).
 PolygonMesh ParseObj(std::string_view text, std::string_view name);
 
 /// ParseObj of a file. @throws Error also if the file cannot be read.

@@ -91,11 +91,7 @@ class PlyParser {
     DAUMIER_CHECK(num_vertices_ > 0 && num_vertices_ < uint64_t(std::numeric_limits<int>::max()),
                   "{}: no mesh (found {} vertices, expected 1 to {})", name, num_vertices_,
                   std::numeric_limits<int>::max() - 1);
-    DAUMIER_CHECK(
-        num_rows_of_polygons_ > 0,
-        "{}: a cloud of points (found {} vertices and no faces, expected faces). Make a mesh of it first, for "
-        "example by MeshLab's screened Poisson reconstruction.",
-        name, num_vertices_);
+    if (num_rows_of_polygons_ == 0) RefuseCloud(name, static_cast<int64_t>(num_vertices_));
   }
 
   PolygonMesh Parse() && {
@@ -111,10 +107,7 @@ class PlyParser {
         for (uint64_t row = 0; row < element.count; ++row) SkipRow(element);
       }
     }
-    PolygonMesh mesh = std::move(collector_).Finish(std::move(vertices_), TakeUv(), name_);
-    DAUMIER_CHECK(mesh.num_polygons() > 0, "{}: no polygon has three corners (found {} faces or strips)", name_,
-                  num_rows_of_polygons_);
-    return mesh;
+    return std::move(collector_).Finish(std::move(vertices_), TakeUv(), name_);
   }
 
  private:
@@ -139,10 +132,6 @@ class PlyParser {
         }
       }
       vertices_.row(v) << values[0], values[1], values[2];
-      if (!vertices_.row(v).allFinite()) {
-        rows_.Refuse(fmt::format("a position is not finite (found {} {} {}, expected numbers)", values[0], values[1],
-                                 values[2]));
-      }
       if (slots.has_uv) vertex_uv_.row(v) << values[3], values[4];
     }
   }

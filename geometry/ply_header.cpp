@@ -175,7 +175,11 @@ std::optional<size_t> PlyElement::Find(std::string_view property) const {
 }
 
 PlyHeader ParsePlyHeader(std::string_view bytes, std::string_view name) {
-  return HeaderParser(bytes, name).Parse();
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const size_t begin = bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  PlyHeader header = HeaderParser(bytes.substr(begin), name).Parse();
+  header.num_bytes += begin;
+  return header;
 }
 
 }  // namespace daumier::geometry

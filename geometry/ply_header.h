@@ -36,7 +36,8 @@ struct PlyHeader {
   size_t num_bytes = 0;              ///< Before the first row.
 };
 
-/// Reads the header of a PLY file [Turk 1994]. Comments and obj_info are skipped; lines end with LF, CR LF or CR; types
+/// Reads the header of a PLY file [Turk 1994]. Comments, obj_info and a byte order mark of UTF-8
+/// are skipped; lines end with LF, CR LF or CR; types
 /// have their old (char, float) or new names (int8, float32).
 /// @throws Error "name: what is wrong (found X, expected Y)": another kind of file, no end_header, an unknown format,
 /// version, keyword or type, a property before the first element, two elements of one name.

@@ -1,10 +1,10 @@
 #include "geometry/ply_rows.h"
 
 #include "core/error.h"
+#include "geometry/number_text.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -71,22 +71,27 @@ void PlyRows::Refuse(const std::string& problem) const {
   throw Error(fmt::format("{}: row {} of element {}: {}", name_, row_, element_->name, problem));
 }
 
-double PlyRows::ReadText(const PlyProperty& property) {
+std::string_view PlyRows::NextWord() {
   const size_t begin = std::min(bytes_.find_first_not_of(kWhiteSpace), bytes_.size());
   const size_t end = std::min(bytes_.find_first_of(kWhiteSpace, begin), bytes_.size());
   const std::string_view word = bytes_.substr(begin, end - begin);
   bytes_.remove_prefix(end);
+  return word;
+}
+
+double PlyRows::ReadText(const PlyProperty& property) {
+  std::string_view word = NextWord();
+  while (word == "comment" || word == "obj_info") {
+    bytes_.remove_prefix(std::min(bytes_.find_first_of("\r\n"), bytes_.size()));
+    word = NextWord();
+  }
   if (word.empty()) {
     Refuse(fmt::format("truncated PLY file (found its end, expected {} of {} rows). Export or copy the file again.",
                        property.name, element_->count));
   }
-  const char* const first = word.data() + (word[0] == '+' ? 1 : 0);
-  const char* const last = word.data() + word.size();
-  double value = 0;
-  const auto [position, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || position != last)
-    Refuse(fmt::format("{} is malformed (found '{}', expected a number)", property.name, word.substr(0, 40)));
-  return value;
+  const auto value = ParseNumber(word);
+  if (!value) Refuse(fmt::format("{} is malformed (found '{}', expected a number)", property.name, word.substr(0, 40)));
+  return *value;
 }
 
 double PlyRows::ReadNumber(PlyType type, const PlyProperty& property) {

@@ -8,7 +8,7 @@
 namespace daumier::geometry {
 
 /// Reads the numbers behind a PLY header one after the other. Numbers of an ASCII file are separated by any white
-/// space. Every method throws Error "name: what is wrong (found X, expected Y)" where the bytes end early or hold no
+/// space, spelled as ParseNumber; lines `comment` and `obj_info` between them are skipped. Every method throws Error "name: what is wrong (found X, expected Y)" where the bytes end early or hold no
 /// such number; no count makes it allocate more than the bytes can hold.
 class PlyRows {
  public:
@@ -34,6 +34,7 @@ class PlyRows {
 
  private:
   double ReadNumber(PlyType type, const PlyProperty& property);
+  std::string_view NextWord();
   double ReadText(const PlyProperty& property);
 
   std::string_view bytes_;  ///< What is left.

@@ -4,7 +4,10 @@
 #include "core/log.h"
 #include "geometry/corner_uv.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <string>
 #include <unordered_set>
 
 namespace daumier::geometry {
@@ -28,7 +31,7 @@ void PolygonCollector::Add(std::span<const int> corners, std::span<const int> uv
     }
   }
   if (mesh_.corners.size() - begin < 3) {
-    ++num_skipped_;
+    ++num_short_;
     mesh_.corners.resize(begin);
     mesh_.uv_corners.resize(begin);
     return;
@@ -37,14 +40,45 @@ void PolygonCollector::Add(std::span<const int> corners, std::span<const int> uv
 }
 
 PolygonMesh PolygonCollector::Finish(Points vertices, TextureCoordinates uv, std::string_view name) && {
-  if (mesh_.num_polygons() > 0 && num_repeating_ + num_skipped_ > 0) {
-    log::Warn(
-        "{}: {} polygons repeat a vertex, which is kept once; {} polygons with fewer than three corners are skipped",
-        name, num_repeating_, num_skipped_);
-  }
   mesh_.vertices = std::move(vertices);
+  const auto rows = mesh_.vertices.rowwise();
+  const auto num_not_finite = std::count_if(rows.begin(), rows.end(), [](const auto& p) { return !p.allFinite(); });
+  if (num_not_finite > 0) DropNotFinite();
+  DAUMIER_CHECK(mesh_.num_polygons() > 0,
+                "{}: no polygon is left (found {} with fewer than three distinct corners and {} with a corner that is "
+                "not finite, expected a surface)",
+                name, num_short_, num_not_finite_);
+  std::vector<std::string> flaws;
+  const auto add = [&](auto count, std::string_view what) {
+    if (count > 0) flaws.push_back(fmt::format("{} {}", count, what));
+  };
+  add(num_repeating_, "polygons repeat a vertex, which is kept once");
+  add(num_short_, "polygons with fewer than three corners are skipped");
+  add(num_not_finite, "vertices are not finite and are ignored; the others keep their numbers");
+  add(num_not_finite_, "polygons use them and are skipped");
+  add(num_others_, "points, lines or free-form elements are skipped");
+  if (!flaws.empty()) log::Warn("{}: {}", name, fmt::join(flaws, "; "));
   KeepWholeUv(std::move(uv), name);
   return std::move(mesh_);
+}
+
+void PolygonCollector::DropNotFinite() {
+  std::vector<int> offsets = {0}, corners, uv_corners;
+  for (int p = 0; p < mesh_.num_polygons(); ++p) {
+    const auto begin = mesh_.offsets[p], end = mesh_.offsets[p + 1];
+    const bool is_finite = std::all_of(mesh_.corners.begin() + begin, mesh_.corners.begin() + end,
+                                       [&](int v) { return mesh_.vertices.row(v).allFinite(); });
+    if (!is_finite) {
+      ++num_not_finite_;
+      continue;
+    }
+    corners.insert(corners.end(), mesh_.corners.begin() + begin, mesh_.corners.begin() + end);
+    uv_corners.insert(uv_corners.end(), mesh_.uv_corners.begin() + begin, mesh_.uv_corners.begin() + end);
+    offsets.push_back(static_cast<int>(corners.size()));
+  }
+  mesh_.offsets = std::move(offsets);
+  mesh_.corners = std::move(corners);
+  mesh_.uv_corners = std::move(uv_corners);
 }
 
 void PolygonCollector::KeepWholeUv(TextureCoordinates uv, std::string_view name) {
@@ -61,6 +95,20 @@ void PolygonCollector::KeepWholeUv(TextureCoordinates uv, std::string_view name)
               rows.size());
   }
   mesh_.uv_corners.clear();
+}
+
+void RefuseCloud(std::string_view name, int64_t num_vertices) {
+  throw Error(
+      fmt::format("{}: has points, but no faces: a cloud of points (found {} vertices and no faces, expected faces). "
+                  "Mesh it first, "
+                  "for example by MeshLab's screened Poisson reconstruction.",
+                  name, num_vertices));
+}
+
+void CheckFinite(const Points& vertices, std::string_view name) {
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    DAUMIER_CHECK(vertices.row(v).allFinite(), "{}: the position of vertex {} (counted from 0) is not finite", name, v);
+  }
 }
 
 }  // namespace daumier::geometry

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "faces/annotate.h"
+#include "geometry/polygon_collector.h"
 
 #include <algorithm>
 
@@ -24,6 +25,7 @@ bool SameRing(const int* a, const int* b, int size) {
 
 void CheckSameTopology(const geometry::PolygonMesh& mesh, const geometry::PolygonMesh& expected,
                        const std::string& name) {
+  geometry::CheckFinite(mesh.vertices, name);
   DAUMIER_CHECK(mesh.vertices.rows() == expected.vertices.rows() && mesh.num_polygons() == expected.num_polygons(),
                 "{} has {} vertices and {} polygons, the other meshes have {} and {}; all have to share one topology",
                 name, mesh.vertices.rows(), mesh.num_polygons(), expected.vertices.rows(), expected.num_polygons());

@@ -34,7 +34,7 @@ struct GivenFiles {
 /// @throws Error if there is no face, as Annotate, and as files.face.
 GivenFaces ImportGivenFaces(const GivenFiles& files, const AnnotationFile& annotation);
 
-/// The same number of vertices and, up to the corner that a polygon begins with, the same polygons in the same order.
+/// The same number of vertices, all finite, and, up to the corner that a polygon begins with, the same polygons in the same order.
 /// @throws Error naming `name` and what differs from `expected`.
 void CheckSameTopology(const geometry::PolygonMesh& mesh, const geometry::PolygonMesh& expected,
                        const std::string& name);

@@ -86,19 +86,40 @@ NumberArray ReadDataSet(hid_t file, const std::string& path, const std::string& 
   return {type.type, shape, NumberArray::Order::kRowMajor, std::move(bytes), name};
 }
 
+/// The caller closes it.
+hid_t OpenFile(const std::filesystem::path& path) {
+  DAUMIER_CHECK(std::filesystem::exists(path), "{} does not exist", path.string());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  DAUMIER_CHECK(file >= 0, "{} cannot be opened as an HDF5 file: it is another format, truncated or damaged",
+                path.string());
+  return file;
+}
+
+/// Adds the name of a link to the set behind `names`.
+herr_t AddName(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::set<std::string>*>(names)->insert(name);
+  return 0;
+}
+
 }  // namespace
 
 NumberArrays ReadHdf5(const std::filesystem::path& path, const std::set<std::string>& wanted) {
   const SilentHdf5 silent;
-  DAUMIER_CHECK(std::filesystem::exists(path), "{} does not exist", path.string());
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  DAUMIER_CHECK(file >= 0, "{} cannot be opened as an HDF5 file: it is another format, truncated or damaged",
-                path.string());
+  const Handle file(OpenFile(path), H5Fclose);
   NumberArrays arrays;
   for (const std::string& name : wanted) {
     if (HasPath(file, name)) arrays[name] = ReadDataSet(file, name, fmt::format("{}: {}", path.string(), name));
   }
   return arrays;
+}
+
+std::set<std::string> Hdf5Names(const std::filesystem::path& path) {
+  const SilentHdf5 silent;
+  const Handle file(OpenFile(path), H5Fclose);
+  std::set<std::string> names;
+  DAUMIER_CHECK(H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, AddName, &names) >= 0, "{} is damaged",
+                path.string());
+  return names;
 }
 
 }  // namespace daumier::faces

@@ -12,4 +12,8 @@ namespace daumier::faces {
 /// @throws Error naming file and data set: no HDF5 file, truncated, or other elements than numbers.
 NumberArrays ReadHdf5(const std::filesystem::path& path, const std::set<std::string>& wanted);
 
+/// The names of the groups and data sets at the top of an HDF5 file. @throws Error naming a file that is none, or
+/// truncated.
+std::set<std::string> Hdf5Names(const std::filesystem::path& path);
+
 }  // namespace daumier::faces

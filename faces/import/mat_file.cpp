@@ -2,12 +2,16 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "faces/import/hdf5_file.h"
 
+#include <fmt/ranges.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace daumier::faces {
 
@@ -46,7 +50,8 @@ class ElementReader {
       return element;
     }
     const size_t size = Word(rest_, 4);
-    DAUMIER_CHECK(size <= rest_.size() - kTagBytes, "{}: truncated: an element of {} bytes, {} are left", name_, size,
+    DAUMIER_CHECK(size <= rest_.size() - kTagBytes,
+                  "{}: truncated: an element of {} bytes, {} are left. Copy or download the file again.", name_, size,
                   rest_.size() - kTagBytes);
     const Element element{word, rest_.substr(kTagBytes, size)};
     const size_t padded = word == kCompressed ? size : (size + 7) / 8 * 8;
@@ -85,13 +90,20 @@ std::optional<NumberArray::Type> TypeOf(uint32_t type) {
   return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Adds the variable to `arrays` if it is wanted.
+/// What is found on the way through a file.
+struct MatContent {
+  std::set<std::string> names;  ///< Of all variables.
+  NumberArrays arrays;          ///< The wanted ones.
+};
+
+/// Adds the variable, its array only if it is wanted.
 void ReadMatrix(std::string_view bytes, const std::set<std::string>& wanted, const std::string& file,
-                NumberArrays& arrays) {
+                MatContent& content) {
   ElementReader reader(bytes, file);
   const Element flags = reader.Next(), sizes = reader.Next(), label = reader.Next();
   DAUMIER_CHECK(flags.data.size() == 8 && sizes.data.size() % 4 == 0, "{}: malformed variable header", file);
   const std::string variable(label.data);
+  content.names.insert(variable);
   if (wanted.count(variable) == 0) return;
   const std::string name = fmt::format("{}: {}", file, variable);
   const uint32_t word = Word(flags.data, 0), kind = word & 0xff;
@@ -102,19 +114,48 @@ void ReadMatrix(std::string_view bytes, const std::set<std::string>& wanted, con
   const Element values = reader.Next();
   const auto type = TypeOf(values.type);
   DAUMIER_CHECK(type.has_value(), "{}: elements of the unknown type {}", name, values.type);
-  arrays[variable] = {*type, shape, NumberArray::Order::kColumnMajor, std::string(values.data), name};
+  content.arrays[variable] = {*type, shape, NumberArray::Order::kColumnMajor, std::string(values.data), name};
 }
 
 /// Inflates the tag, which holds the size, and then the whole element.
 void ReadCompressed(std::string_view bytes, const std::set<std::string>& wanted, const std::string& file,
-                    NumberArrays& arrays) {
+                    MatContent& content) {
   const std::string tag = Inflate(bytes, kTagBytes, file);
   if (Word(tag, 0) != kMatrix) return;
   const size_t size = Word(tag, 4);
   constexpr size_t kMostInflated = 1100;  // zlib cannot do better than 1 : 1032
   DAUMIER_CHECK(size / kMostInflated <= bytes.size(), "{}: a variable of {} bytes in {} compressed ones", file, size,
                 bytes.size());
-  ReadMatrix(std::string_view(Inflate(bytes, kTagBytes + size, file)).substr(kTagBytes), wanted, file, arrays);
+  ReadMatrix(std::string_view(Inflate(bytes, kTagBytes + size, file)).substr(kTagBytes), wanted, file, content);
+}
+
+/// Names for a message: the first few, without control characters.
+std::string Listed(const std::set<std::string>& names) {
+  constexpr size_t kMostNames = 20, kLongest = 63;
+  std::vector<std::string> shown;
+  for (const std::string& name : names) {
+    if (shown.size() == kMostNames) {
+      shown.push_back(fmt::format("{} more", names.size() - kMostNames));
+      break;
+    }
+    shown.push_back(name.substr(0, kLongest));
+    std::replace_if(
+        shown.back().begin(), shown.back().end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  }
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(shown, ", "));
+}
+
+[[noreturn]] void RefuseVersion73(const std::filesystem::path& path, const std::set<std::string>& wanted) {
+  std::set<std::string> names;
+  try {
+    names = Hdf5Names(path);
+  } catch (const Error&) {
+    throw Error(fmt::format("{}: a damaged MATLAB 7.3 file. Copy or download it again.", path.string()));
+  }
+  throw Error(fmt::format(
+      "{}: a MATLAB 7.3 file (found HDF5 with the variables {}; expected version 5 with {}). Save it again in "
+      "MATLAB with -v7.",
+      path.string(), Listed(names), Listed(wanted)));
 }
 
 }  // namespace
@@ -123,19 +164,26 @@ NumberArrays ReadMatFile(const std::filesystem::path& path, const std::set<std::
   const MappedFile mapped(path);
   const std::string_view bytes = mapped.bytes();
   const std::string file = path.string();
-  DAUMIER_CHECK(!bytes.starts_with("MATLAB 7.3"),
-                "{} is a MATLAB 7.3 file, which is not read; save it again in MATLAB with -v7", file);
-  DAUMIER_CHECK(bytes.size() >= kMatHeaderBytes && bytes.starts_with("MATLAB 5.0 MAT-file"),
-                "{} is no MATLAB 5 file (-v6 or -v7)", file);
+  if (bytes.starts_with("MATLAB 7.3")) RefuseVersion73(path, wanted);
+  DAUMIER_CHECK(bytes.starts_with("MATLAB 5.0 MAT-file"),
+                "{} is no MATLAB 5 file (-v6 or -v7; expected the variables {})", file, Listed(wanted));
+  DAUMIER_CHECK(bytes.size() >= kMatHeaderBytes,
+                "{}: truncated: {} bytes, a header has {}. Copy or download the file again.", file, bytes.size(),
+                kMatHeaderBytes);
   DAUMIER_CHECK(bytes.substr(126, 2) == "IM", "{} was written on a big-endian machine, which is not read", file);
-  NumberArrays arrays;
+  MatContent content;
   ElementReader reader(bytes.substr(kMatHeaderBytes), file);
   while (!reader.AtEnd()) {
     const Element element = reader.Next();
-    if (element.type == kMatrix) ReadMatrix(element.data, wanted, file, arrays);
-    if (element.type == kCompressed) ReadCompressed(element.data, wanted, file, arrays);
+    if (element.type == kMatrix) ReadMatrix(element.data, wanted, file, content);
+    if (element.type == kCompressed) ReadCompressed(element.data, wanted, file, content);
   }
-  return arrays;
+  for (const std::string& name : wanted) {
+    DAUMIER_CHECK(content.arrays.count(name) == 1,
+                  "{}: has no variable {} (found the variables {}; expected {}). It is another file, or cut.", file,
+                  name, Listed(content.names), Listed(wanted));
+  }
+  return std::move(content.arrays);
 }
 
 }  // namespace daumier::faces

@@ -7,8 +7,11 @@
 #include "geometry/ply.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 
 namespace daumier::faces {
 
@@ -23,14 +26,33 @@ std::string LowerExtension(const fs::path& path) {
   return extension;
 }
 
+/// What a file that is no OBJ or PLY is, by its extension or first bytes, and what to do with it; absent for unknown ones.
+std::optional<std::string_view> OtherKind(const std::string& extension, std::string_view bytes) {
+  static const std::set<std::string> drawings = {".svg", ".svgz", ".ndjson", ".png",  ".jpg",  ".jpeg", ".bmp",
+                                                 ".tif", ".tiff", ".gif",    ".webp", ".heic", ".pdf"};
+  static const std::set<std::string> meshes = {".stl", ".glb",  ".gltf", ".fbx", ".off", ".dae", ".3ds", ".blend",
+                                               ".usd", ".usdz", ".usdc", ".x3d", ".wrl", ".vtk", ".abc", ".3mf"};
+  const auto begins_with = [&](std::initializer_list<std::string_view> begins) {
+    return std::any_of(begins.begin(), begins.end(), [&](std::string_view begin) { return bytes.starts_with(begin); });
+  };
+  if (drawings.count(extension) > 0 || begins_with({"<", "\x89PNG", "\xFF\xD8\xFF", "GIF8", "%PDF"}))
+    return "a drawing or a picture (expected an OBJ or PLY mesh). `daumier predict` makes a mesh of a drawing.";
+  if (meshes.count(extension) > 0 || begins_with({"glTF", "Kaydara FBX", "solid ", "OFF", "BLENDER"}))
+    return "a mesh in another format (expected OBJ or PLY). Export it as one of them, for example with Blender.";
+  if (begins_with({"PK\x03\x04", "\x1F\x8B", "7z\xBC\xAF", "Rar!"}))
+    return "an archive (expected an OBJ or PLY mesh). Unpack it first.";
+  return std::nullopt;
+}
+
 /// Paths of all meshes below a folder, relative to it, in order of name.
 std::vector<fs::path> FindMeshes(const fs::path& folder) {
   DAUMIER_CHECK(fs::is_directory(folder), "{} is not a folder", folder.string());
   std::vector<fs::path> meshes;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string extension = LowerExtension(entry.path());
-    if (entry.is_regular_file() && (extension == ".obj" || extension == ".ply"))
-      meshes.push_back(fs::relative(entry.path(), folder));
+    if (!entry.is_regular_file() || (extension != ".obj" && extension != ".ply")) continue;
+    fs::path path = fs::relative(entry.path(), folder);
+    if (!IsSystemFile(path)) meshes.push_back(std::move(path));
   }
   std::sort(meshes.begin(), meshes.end());
   DAUMIER_CHECK(!meshes.empty(), "{} holds no .obj or .ply mesh", folder.string());
@@ -67,7 +89,19 @@ fs::path FindTMesh(const fs::path& folder) {
 }  // namespace
 
 geometry::PolygonMesh ReadMesh(const fs::path& path) {
-  return LowerExtension(path) == ".ply" ? geometry::ReadPly(path) : geometry::ReadObj(path);
+  const std::string name = path.string(), extension = LowerExtension(path);
+  DAUMIER_CHECK(!fs::is_directory(path), "{}: a folder (expected an OBJ or PLY mesh)", name);
+  const std::string bytes = ReadFile(path);
+  constexpr std::string_view kAppleDouble("\0\x05\x16\x07", 4);
+  DAUMIER_CHECK(
+      !bytes.starts_with(kAppleDouble),
+      "{}: what macOS keeps about a file (found AppleDouble, expected an OBJ or PLY mesh). Take the file without "
+      "._ in front of its name.",
+      name);
+  const bool is_ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ");
+  if (is_ply || extension == ".ply") return geometry::ParsePly(bytes, name);
+  if (const auto kind = OtherKind(extension, bytes)) throw Error(fmt::format("{}: {}", name, *kind));
+  return geometry::ParseObj(bytes, name);
 }
 
 GivenFaces LoadMeshFolder(const fs::path& folder, const AnnotationFile& annotation, PersonOf person,

@@ -7,8 +7,9 @@
 
 namespace daumier::faces {
 
-/// Positions, polygons and UV of an .obj or .ply file; thread-safe. @throws Error as geometry::ReadObj and
-/// geometry::ReadPly.
+/// Positions, polygons and UV of a mesh; thread-safe. PLY is known by its first word or .ply, everything else is read as
+/// OBJ. @throws Error as geometry::ParseObj and geometry::ParsePly, and if the file is a folder, a drawing, a mesh in
+/// another format or what macOS keeps about a file (._NAME).
 geometry::PolygonMesh ReadMesh(const std::filesystem::path& path);
 
 /// Whom a file of a mesh folder shows.
@@ -17,7 +18,7 @@ enum class PersonOf {
   kFolder,  ///< The files of one folder the same person.
 };
 
-/// Any folder of registered .obj and .ply meshes (recursively, in order of name), a neutral face each, in cm unless the
+/// Any folder of registered .obj and .ply meshes (recursively, in order of name, without IsSystemFile), a neutral face each, in cm unless the
 /// annotation has another unit. The template has the UV of the first mesh. `licence` is stored unchanged in the
 /// provenance.
 /// @throws Error naming the first file that is unreadable or of another topology than the first; if there is no mesh;

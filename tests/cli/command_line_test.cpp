@@ -51,12 +51,48 @@ TEST(CommandLine, DrawMakesAnSvgOrAPngOfAMesh) {
   geometry::WriteObj(folder / "ball.obj", Sphere(2, 3));
   const ProcessResult svg = Daumier({"draw", folder / "ball.obj", "--out", folder / "ball.svg", "min_length=4"});
   ASSERT_EQ(svg.exit_code, 0) << svg.err;
+  EXPECT_THAT(svg.out, HasSubstr((folder / "ball.svg").string()));
   EXPECT_THAT(ReadFile(folder / "ball.svg"), HasSubstr("class=\"occluding\""));
   EXPECT_EQ(Daumier({"draw", folder / "ball.obj", "--out", folder / "ball.png", "--distance", "3"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "ball.png"));
   const ProcessResult other = Daumier({"draw", folder / "ball.obj", "--out", folder / "ball.pdf"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.err, HasSubstr(".svg or .png"));
+}
+
+TEST(CommandLine, DrawTurnsAMeshUpright) {
+  const TempDir folder;
+  geometry::TriangleMesh torus = Torus(3, 1, 30, 15);
+  geometry::WriteObj(folder / "upright.obj", torus);
+  const auto draw = [&](const char* mesh, std::vector<std::string> view) {
+    std::vector<std::string> words = {"draw", folder / mesh, "--out", folder / "a.svg", "--pitch", "-40"};
+    words.insert(words.end(), view.begin(), view.end());
+    const ProcessResult result = Daumier(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return ReadFile(folder / "a.svg");
+  };
+  const std::string expected = draw("upright.obj", {});
+  const auto turned = [&](const Eigen::Matrix3d& file_from_upright) {
+    geometry::WriteObj(folder / "turned.obj",
+                       geometry::TriangleMesh{torus.vertices * file_from_upright.transpose(), torus.triangles});
+  };
+  turned((Eigen::Matrix3d() << 1, 0, 0, 0, 0, -1, 0, 1, 0).finished());
+  EXPECT_EQ(draw("turned.obj", {"--up", "z"}), expected);
+  turned(Eigen::Vector3d(1, -1, -1).asDiagonal());
+  EXPECT_EQ(draw("turned.obj", {"--up", "-y", "--front", "-z"}), expected);
+}
+
+TEST(CommandLine, DrawRefusesWhatItCannotDraw) {
+  const TempDir folder;
+  geometry::WriteObj(folder / "ball.obj", Sphere(2, 3));
+  WriteFileAtomically(folder / "cloud.obj", "v 0 0 0\nv 1 0 0\n");
+  const std::string ball = folder / "ball.obj", out = folder / "a.svg";
+  EXPECT_EQ(Daumier({"draw", ball, "--out", out, "--yaw", "nan"}).exit_code, 2);
+  EXPECT_EQ(Daumier({"draw", ball, "--out", out, "--up", "z", "--front", "-z"}).exit_code, 2);
+  const ProcessResult cloud = Daumier({"draw", folder / "cloud.obj", "--out", out});
+  EXPECT_EQ(cloud.exit_code, 1);
+  EXPECT_THAT(cloud.err, AllOf(HasSubstr("cloud.obj: has points, but no faces"), HasSubstr("Mesh it first")));
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {

@@ -160,5 +160,12 @@ TEST(MappedFile, AbsentFileThrows) {
   EXPECT_THROW(MappedFile{dir.path()}, Error);
 }
 
+TEST(IsSystemFile, IsWhatMacOsAddsToFolders) {
+  for (const char* path : {"._a.obj", ".DS_Store", "bob/._1.obj", "__MACOSX/a.obj", "a/__MACOSX/b/c.obj", ".git/a.obj"})
+    EXPECT_TRUE(IsSystemFile(path)) << path;
+  for (const char* path : {"a.obj", "./a.obj", "../a.obj", "a.b/c", "_a.obj", "MACOSX/a.obj", ""})
+    EXPECT_FALSE(IsSystemFile(path)) << path;
+}
+
 }  // namespace
 }  // namespace daumier

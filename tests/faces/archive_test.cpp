@@ -52,6 +52,15 @@ TEST_F(ArchiveTest, FolderAndArchivesGiveTheSameFiles) {
   EXPECT_EQ(ReadAll(Pack("packed.tar.xz", "-J")), expected);
 }
 
+TEST_F(ArchiveTest, FilesOfMacOsAreLeftOut) {
+  const auto expected = ReadAll(directory_ / "content");
+  MakeDirectory(directory_ / "content/below/__MACOSX");
+  for (const char* path : {"below/._b.txt", "below/__MACOSX/a.txt", "below/.hidden.txt"})
+    WriteFileAtomically(directory_ / "content" / path, "resource");
+  EXPECT_EQ(ReadAll(directory_ / "content"), expected);
+  EXPECT_EQ(ReadAll(Pack("mac.tar", "")), expected);
+}
+
 TEST_F(ArchiveTest, TruncatedArchivesAreRefusedByName) {
   for (const char* flags : {"", "-z", "-J"}) {
     const std::string bytes = ReadFile(Pack("whole.tar", flags));

@@ -73,6 +73,46 @@ TEST(ParseObj, KeepsARepeatedVertexOnceAndSkipsWhatIsNoPolygonThen) {
   ExpectError([] { ParseObj(kFour + "f 1 2 2\n", "a.obj"); }, "no polygon");
 }
 
+TEST(ParseObj, SkipsPolygonsOfFewerThanThreeCornersInTheMidst) {
+  testing::AllowWarnings();
+  const int num_warnings = log::NumWarnings();
+  EXPECT_EQ(ParseObj(kFour + "f 1 2\nf 3\nf \nf 1 2 3\n", "text").offsets, (std::vector<int>{0, 3}));
+  EXPECT_EQ(log::NumWarnings(), num_warnings + 1);
+}
+
+TEST(ParseObj, VerticesThatAreNotFiniteKeepTheNumbersOfTheOthers) {
+  testing::AllowWarnings();
+  for (const char* place : {"nan 0 0", "0 -nan(ind) 0", "0 0 -1.#IND00", "1.#QNAN 0 0", "inf 0 0", "0 1e999 0"}) {
+    const int num_warnings = log::NumWarnings();
+    const PolygonMesh mesh = ParseObj(
+        std::string("v ") + place + "\nvt 0 1\n" + kFour + "f 2/1 3/1 4/1\nf 1/1 2/1 3/1\nf 2/1 4/1 5/1\n", "text");
+    EXPECT_EQ(log::NumWarnings(), num_warnings + 1) << place;
+    EXPECT_EQ(mesh.vertices.rows(), 5) << place;
+    EXPECT_FALSE(mesh.vertices.row(0).allFinite()) << place;
+    EXPECT_EQ(mesh.vertices.row(4), Eigen::RowVector3d(0, 1, 0)) << place;
+    EXPECT_EQ(mesh.corners, (std::vector<int>{1, 2, 3, 1, 3, 4})) << place;
+    EXPECT_EQ(mesh.uv_corners.size(), 6u) << place;
+  }
+  ExpectError([] { ParseObj("v nan 0 0\n" + kFour + "f 1 2 3\n", "a.obj"); }, "a.obj: no polygon is left");
+}
+
+TEST(ParseObj, SkipsElementsThatAreNoPolygonsWithOneWarning) {
+  testing::AllowWarnings();
+  const int num_warnings = log::NumWarnings();
+  const PolygonMesh mesh = ParseObj(kFour +
+                                        "cstype bezier\nvp 0 1\np 1\nl 1 2 3\ncurv 0 1 1 2\ncurv2 1 2\nsurf 0 1 0 1 1 "
+                                        "2\nparm u 0 1\nend\nfo 1 2 3 4\n",
+                                    "text");
+  EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(log::NumWarnings(), num_warnings + 1);
+}
+
+TEST(ParseObj, SkipsColoursAndWeightsOfVertices) {
+  const PolygonMesh mesh =
+      ParseObj("v 0 0 0 0.5\nv 1 0 0 0.1 0.2 0.3\nv 1 1 0 255 128 0 1\n#MRGB ffffffff\nf 1 2 3\n", "text");
+  EXPECT_EQ(mesh.vertices, (Points(3, 3) << 0, 0, 0, 1, 0, 0, 1, 1, 0).finished());
+}
+
 TEST(ParseObj, ReadsIndentedLinesAByteOrderMarkAndALastLineWithoutEnd) {
   const PolygonMesh mesh = ParseObj("\xEF\xBB\xBFv 0 0 0\n  v 1 0 0\n\tv 1 1 0\n \tvt 0 1\n  f 1/1 2/1 3/1", "text");
   EXPECT_EQ(mesh.vertices.rows(), 3);
@@ -106,9 +146,9 @@ TEST(ParseObj, PassesOverWhatItDoesNotNeed) {
 TEST(ParseObj, RefusesWhatIsWrongAndNamesTheLine) {
   ExpectError([] { ParseObj("v 0 0\n", "a.obj"); }, "a.obj:1: a vertex needs three coordinates");
   ExpectError([] { ParseObj("v 0 0 zero\n", "a.obj"); }, "a.obj:1: a coordinate is not a number");
-  ExpectError([] { ParseObj("v 0 0 nan\n", "a.obj"); }, "a.obj:1: a coordinate is not finite");
-  ExpectError([] { ParseObj("v 0 0 1e999\n", "a.obj"); }, "a.obj:1:");
-  ExpectError([] { ParseObj(kFour + "f 1 2\n", "a.obj"); }, "a.obj:5: a polygon needs three corners");
+  ExpectError([] { ParseObj("v 0,5 0,1 0\n", "a.obj"); }, "a.obj:1: a coordinate is not a number (found '0,5'");
+  ExpectError([] { ParseObjVertices("v 0 0 nan\n", "a.obj", 1); }, "a.obj:1: a coordinate is not finite");
+  ExpectError([] { ParseObj(kFour + "f 1 2", "a.obj"); }, "a.obj:5: a polygon needs three corners: the file is cut");
   ExpectError([] { ParseObj(kFour + "f 1 2 x\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
   ExpectError([] { ParseObj(kFour + "f 0 1 2\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
   ExpectError([] { ParseObj(kFour + "f -5 1 2\n", "a.obj"); }, "a.obj:5: a corner is not a vertex number");
@@ -125,7 +165,13 @@ TEST(ParseObj, RefusesWhatIsWrongAndNamesTheLine) {
 
 TEST(ParseObj, RefusesACutText) {
   ExpectError([] { ParseObj("", "a.obj"); }, "no vertex");
-  ExpectError([] { ParseObj(kFour, "a.obj"); }, "no polygon");
+  ExpectError(
+      [] { ParseObj(kFour, "a.obj"); },
+      "a.obj: has points, but no faces: a cloud of points (found 4 vertices and no faces, expected faces). Mesh it "
+      "first");
+  ExpectError(
+      [] { ParseObj(kFour + "p 1 2\nl 1 2 3\ncurv 0 1 1 2\n", "a.obj"); },
+      "a.obj: no mesh of polygons (found 4 vertices and 3 points, lines or free-form elements, expected faces)");
   ExpectError([] { ParseObj(kFour + "f 1 2 5\n", "a.obj"); }, "uses vertex 5 of 4");
   // A text cut inside its last polygon is a shorter text of its own; every other cut is refused.
   const std::string whole = kFour + "f 1 2 3 4\n", shortest = kFour + "f 1 2 3";

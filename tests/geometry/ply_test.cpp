@@ -215,7 +215,7 @@ TEST(Ply, RefusesWhatIsWrongAndSaysWhatItFound) {
     ExpectError([&] { ParsePly(bytes, "a.ply"); }, part);
   };
   refuses("hello\n", "not a PLY file");
-  refuses(Ascii("", ""), "a cloud of points (found 4 vertices and no faces");
+  refuses(Ascii("", ""), "has points, but no faces: a cloud of points (found 4 vertices and no faces, expected faces)");
   refuses(Ascii("element face 0\nproperty list uchar int vertex_indices\n", ""), "a cloud of points");
   refuses(Ascii(kFace, "3 0 1 4\n"),
           "row 1 of element face: a corner is out of range (found 4, expected a whole number from 0 to 3)");
@@ -223,7 +223,7 @@ TEST(Ply, RefusesWhatIsWrongAndSaysWhatItFound) {
   refuses(Ascii(kFace, "3 0 1 1.5\n"), "found 1.5");
   refuses(Ascii(kFace, "-3 0 1 2\n"), "found a list of -3 numbers");
   refuses(Ascii(kFace, "3 0 1\n"), "truncated PLY file");
-  refuses(Ascii(kFace, "2 0 1\n"), "no polygon has three corners (found 1 faces");
+  refuses(Ascii(kFace, "2 0 1\n"), "no polygon is left (found 1 with fewer than three distinct corners");
   refuses(Ascii("element face 1\nproperty int vertex_indices\n", "3\n"), "element face has no list vertex_indices");
   refuses(Ascii("element face 1\nproperty list uchar float texcoord\nproperty list uchar int vertex_index\n",
                 "5 0 0 1 0 1 3 0 1 2\n"),
@@ -237,9 +237,43 @@ TEST(Ply, RefusesWhatIsWrongAndSaysWhatItFound) {
   refuses(
       "ply\nformat binary_little_endian 1.0\nelement vertex 2000000000\nproperty float x\n" + kFace + "end_header\n",
       "truncated PLY file (found 0 bytes for element vertex, expected 2000000000 rows");
-  std::string damaged = Ascii(kFace, "3 0 1 2\n");
-  damaged.replace(damaged.find("0.5"), 3, "nan");
-  refuses(damaged, "row 4 of element vertex: a position is not finite (found 0 1 nan");
+}
+
+TEST(Ply, VerticesThatAreNotFiniteKeepTheNumbersOfTheOthers) {
+  testing::AllowWarnings();
+  for (const char* place : {"nan", "-nan", "1.#QNAN", "inf", "1e999"}) {
+    const std::string header = "element face 2\nproperty list uchar int vertex_indices\n";
+    std::string bytes = Ascii(header, "3 0 1 2\n3 0 2 3\n");
+    bytes.replace(bytes.find("0.5"), 3, place);
+    const int num_warnings = log::NumWarnings();
+    const PolygonMesh mesh = ParsePly(bytes, "text");
+    EXPECT_EQ(log::NumWarnings(), num_warnings + 1) << place;
+    EXPECT_EQ(mesh.vertices.rows(), 4) << place;
+    EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2})) << place;
+  }
+  for (const PlyFormat format : kPlyFormats) {
+    PlyBytes file(format, kVertices + kFace);
+    for (int k = 0; k < 11; ++k) file.Add(float(k * k));
+    file.Add(std::numeric_limits<float>::quiet_NaN()).Add(uint8_t(3)).Add(2).Add(0).Add(1);
+    EXPECT_EQ(ParsePly(file.bytes(), "text").corners, (std::vector<int>{2, 0, 1}));
+  }
+}
+
+TEST(Ply, CommentsBlanksAndAByteOrderMarkAreSkippedAnywhere) {
+  const std::string bytes = "\xEF\xBB\xBFply \ncomment before\n\n  format   ascii\t1.0  \nobj_info a b\n" + kVertices +
+                            "comment an element 7\n" + kFace +
+                            "comment last\n end_header \n 0 0\t0\n\ncomment 1 2 3\n1 0 0 1\r\n1 0\n"
+                            "obj_info 4\n0 1 0.5\n\n3 0\n1   2";
+  const PolygonMesh mesh = ParsePly(bytes, "text");
+  EXPECT_EQ(mesh.vertices, (Points(4, 3) << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5).finished());
+  EXPECT_EQ(mesh.corners, (std::vector<int>{0, 1, 2}));
+}
+
+TEST(Ply, FacesMayComeBeforeVertices) {
+  const PolygonMesh mesh =
+      ParsePly("ply\nformat ascii 1.0\n" + kFace + kVertices + "end_header\n3 0 2 3\n" + kPoints, "text");
+  EXPECT_EQ(mesh.corners, (std::vector<int>{0, 2, 3}));
+  EXPECT_EQ(mesh.vertices(3, 2), 0.5);
 }
 
 TEST(Ply, RefusesMissingAndCutFiles) {

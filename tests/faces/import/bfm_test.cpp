@@ -105,7 +105,7 @@ TEST_F(BfmTest, WhatDoesNotFitIsRefused) {
     ExpectError([&] { LoadBfm(path, testing::ForeignAnnotation()); }, part);
   };
   refused(File2009().substr(0, 9000), "truncated");
-  refused("", "model.mat has no array 'tl'");
+  refused("", "model.mat: has no variable shapeEV (found the variables none; expected shapeEV, shapeMU, shapePC, tl)");
   // Of two variables of one name the last counts.
   refused(File2009() + MatVariable("shapeEV", {3, 1}, 9, BytesOf<double>({1, 2, 3})), "shapeEV has the shape (3, 1)");
   refused(File2009() + MatVariable("shapePC", {2, 1}, 9, BytesOf<double>({1, 2})), "shapePC has the shape (2, 1)");

@@ -41,6 +41,11 @@ TEST_F(Hdf5FileTest, WantedDataSetsAreRead) {
   EXPECT_EQ(arrays.at("bytes")[0], 255);
 }
 
+TEST_F(Hdf5FileTest, NamesAtTheTopAreListed) {
+  EXPECT_EQ(Hdf5Names(path_), (std::set<std::string>{"bytes", "double", "opaque", "shape"}));
+  ExpectError([&] { Hdf5Names(folder_ / "none.h5"); }, "does not exist");
+}
+
 TEST_F(Hdf5FileTest, WhatIsNoNumberOrNoDataSetIsRefused) {
   ExpectError([&] { ReadHdf5(path_, {"opaque"}); }, "m.h5: opaque holds no usual numbers");
   ExpectError([&] { ReadHdf5(path_, {"shape/model"}); }, "m.h5: shape/model is no data set");

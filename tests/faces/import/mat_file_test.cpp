@@ -1,5 +1,6 @@
 #include "faces/import/mat_file.h"
 
+#include "core/files.h"
 #include "tests/faces/import/foreign_files.h"
 #include "tests/support/corruption.h"
 #include "tests/support/expect_error.h"
@@ -36,7 +37,7 @@ const std::vector<float> kSixByColumns = {0, 3, 1, 4, 2, 5};
 TEST_F(MatFileTest, PlainAndCompressedVariablesAreRead) {
   const std::string variable = MatVariable("shapePC", {2, 3}, 7, BytesOf(kSixByColumns), 7);
   for (const std::string& bytes : {MatFile(variable), MatFile(MatCompressed(variable))}) {
-    const NumberArrays arrays = Read(bytes, {"shapePC", "missing"});
+    const NumberArrays arrays = Read(bytes, {"shapePC"});
     ASSERT_EQ(arrays.size(), 1u);
     EXPECT_EQ(arrays.at("shapePC").shape(), (std::vector<int64_t>{2, 3}));
     for (int k = 0; k < 6; ++k) EXPECT_EQ(arrays.at("shapePC")[k], k);
@@ -57,9 +58,39 @@ TEST_F(MatFileTest, OtherVariablesAreSkipped) {
   ExpectError([&] { Read(MatFile(text), {"text"}); }, "m.mat: text is no real, full matrix of numbers");
 }
 
+TEST_F(MatFileTest, AMissingVariableIsNamedWithThoseThatThereAre) {
+  const std::string six = MatVariable("faces", {2, 3}, 7, BytesOf(kSixByColumns), 7);
+  const std::string bytes = MatFile(six + MatCompressed(MatVariable("w_shape", {2, 3}, 7, BytesOf(kSixByColumns), 7)));
+  ExpectError(
+      [&] {
+        Read(bytes, {"tl", "shapeMU"});
+      },
+      "m.mat: has no variable shapeMU (found the variables faces, w_shape; expected shapeMU, tl)");
+  ExpectRefused(MatFile(""), "found the variables none");
+  std::string many;
+  for (int i = 10; i < 50; ++i) many += MatVariable(fmt::format("v\n{}", i), {2, 3}, 7, BytesOf(kSixByColumns), 7);
+  ExpectRefused(MatFile(many), "v?28, v?29, 20 more;");
+}
+
+// HDF5 behind 512 bytes of a header of text, as MATLAB's -v7.3 writes it.
+TEST_F(MatFileTest, OfVersion73TheVariablesAreNamed) {
+  {
+    testing::Hdf5Writer writer(path_);
+    writer.Add("shapeMU", {3}, std::vector<float>{1, 2, 3});
+    writer.Add("other", {1}, std::vector<int>{1});
+  }
+  std::string header = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
+  header.resize(512, ' ');
+  const std::string hdf5 = ReadFile(path_);
+  ExpectRefused(header + hdf5,
+                "found HDF5 with the variables other, shapeMU; expected version 5 with a). Save it again "
+                "in MATLAB with -v7");
+  ExpectRefused(header + hdf5.substr(0, 100), "damaged MATLAB 7.3 file");
+}
+
 TEST_F(MatFileTest, WrongFilesAndKindsAreRefused) {
-  ExpectRefused("MATLAB 7.3 MAT-file" + std::string(600, ' '), "with -v7");
   ExpectRefused("no MATLAB file at all", "is no MATLAB 5 file");
+  ExpectRefused("MATLAB 5.0 MAT-file, Pla", "truncated: 24 bytes");
   std::string big = MatFile("");
   std::swap(big[126], big[127]);
   ExpectRefused(big, "big-endian");

@@ -38,6 +38,59 @@ TEST(MeshFolder, TakesObjFilesBelowTheFolderInOrderOfName) {
   EXPECT_EQ(given.face_template.provenance.at("licence"), "CC0");
 }
 
+TEST(MeshFolder, FilesOfMacOsAreSkipped) {
+  const TempDir folder;
+  WriteForeignObj(folder / "a.obj", ForeignMesh());
+  for (const char* path : {"._a.obj", "b/._b.ply", "__MACOSX/._a.obj", ".DS_Store"}) {
+    MakeDirectory((folder / path).parent_path());
+    WriteFileAtomically(folder / path, std::string("\0\5\x16\7", 4));
+  }
+  const GivenFaces given = LoadMeshFolder(folder.path(), testing::ForeignAnnotation(), PersonOf::kFile, "");
+  EXPECT_EQ(given.names, std::vector<std::string>{"a"});
+}
+
+// A topology has to be whole: what is skipped in a mesh that is drawn is refused here.
+TEST(MeshFolder, FlawsOfAMeshAreRefused) {
+  testing::AllowWarnings();
+  const TempDir folder;
+  WriteForeignObj(folder / "a.obj", ForeignMesh());
+  const std::string text = ReadFile(folder / "a.obj");
+  const auto load = [&] { LoadMeshFolder(folder.path(), testing::ForeignAnnotation(), PersonOf::kFile, ""); };
+  WriteFileAtomically(folder / "b.obj", "v nan 0 0" + text.substr(text.find('\n')));
+  ExpectError(load, "b.obj: the position of vertex 0 (counted from 0) is not finite");
+  const size_t last = text.rfind("f ");
+  WriteFileAtomically(folder / "b.obj", text.substr(0, last) + "f 1 1 2\n");
+  ExpectError(load, "b.obj has ");
+}
+
+TEST(ReadMesh, NamesWhatIsNoMesh) {
+  const TempDir folder;
+  const auto refuses = [&](const char* name, std::string_view bytes, const std::string& part) {
+    WriteFileAtomically(folder / name, bytes);
+    ExpectError([&] { ReadMesh(folder / name); }, (folder / name).string() + ": " + part);
+  };
+  for (const char* name : {"a.svg", "a.PNG", "a.jpeg"}) refuses(name, "x", "a drawing or a picture");
+  refuses("a.obj", "<svg xmlns='http://www.w3.org/2000/svg'/>", "a drawing or a picture");
+  refuses("a.obj", "\x89PNG\r\n", "a drawing or a picture");
+  refuses("a.stl", "solid a\n", "a mesh in another format (expected OBJ or PLY)");
+  refuses("a.obj", "glTF", "a mesh in another format");
+  refuses("a.obj", "PK\x03\x04", "an archive");
+  refuses("._a.obj", std::string_view("\0\5\x16\7\0", 5), "what macOS keeps about a file");
+  refuses("a.obj", "", "no vertex; is this an OBJ file?");
+  refuses("a.ply", "v 0 0 0\n", "not a PLY file");
+  for (const char* name : {"cloud.obj", "cloud"})
+    refuses(name, "v 0 0 0\n", "has points, but no faces: a cloud of points (found 1 vertices");
+  ExpectError([&] { ReadMesh(folder.path()); }, "a folder (expected an OBJ or PLY mesh)");
+}
+
+TEST(ReadMesh, KnowsPlyByItsFirstWord) {
+  const TempDir folder;
+  const geometry::TriangleMesh mesh{ForeignMesh().vertices, geometry::Triangulate(ForeignMesh())};
+  geometry::WritePly(folder / "a.ply", mesh);
+  std::filesystem::copy_file(folder / "a.ply", folder / "b.obj");
+  EXPECT_EQ(ReadMesh(folder / "b.obj").corners, ReadMesh(folder / "a.ply").corners);
+}
+
 TEST(MeshFolder, FolderOfAFileMayBeItsPerson) {
   const TempDir folder;
   for (const char* name : {"bob/1.obj", "bob/2.obj", "eve/1.obj"}) WriteForeignObj(folder / name, ForeignMesh());
