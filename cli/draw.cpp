@@ -1,10 +1,14 @@
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/options.h"
+#include "core/output_place.h"
 #include "faces/import/mesh_folder.h"
 #include "geometry/triangulate.h"
+#include "render/contour_drawing.h"
 #include "render/contour_strokes.h"
 #include "render/svg.h"
+
+#include <fmt/core.h>
 
 #include <memory>
 
@@ -15,6 +19,7 @@ namespace fs = std::filesystem;
 
 struct DrawArguments {
   fs::path mesh, out;
+  bool force = false;
   double yaw = 0, pitch = 0, distance = 0;
   int size = 1024;
   ConfigArguments config;
@@ -25,6 +30,8 @@ void Draw(const DrawArguments& arguments) {
   const std::string suffix = arguments.out.extension().string();
   if (suffix != ".svg" && suffix != ".png")
     throw UsageError(fmt::format("--out {}: expected a name that ends in .svg or .png", arguments.out.string()));
+  const bool may_replace = arguments.force || render::IsContourDrawing(arguments.out);
+  CheckOutputFile(arguments.out, may_replace ? ExistingFile::kReplaced : ExistingFile::kKept, {arguments.mesh});
   const geometry::PolygonMesh polygons = faces::ReadMesh(arguments.mesh);
   const geometry::TriangleMesh mesh{polygons.vertices, geometry::Triangulate(polygons)};
   const render::Frame frame = render::FrameOf(mesh.vertices);
@@ -37,6 +44,7 @@ void Draw(const DrawArguments& arguments) {
   } else {
     render::WriteImage(arguments.out, render::RasteriseStrokes(strokes, arguments.size));
   }
+  fmt::print("drawing: {} ({} lines)\n", arguments.out.string(), strokes.size());
 }
 
 }  // namespace
@@ -48,6 +56,8 @@ Verb DrawVerb() {
             command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, y up, facing +z")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");
             command.add_option("--out", arguments->out, "FILE.svg or FILE.png")->required();
+            command.add_flag("--force", arguments->force,
+                             "Overwrite --out, whatever it is; an SVG of an earlier `draw` is overwritten without it");
             command.add_option("--yaw", arguments->yaw, "Degrees to the face's own left; -90: its right side");
             command.add_option("--pitch", arguments->pitch, "Degrees upwards");
             command
