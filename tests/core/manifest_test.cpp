@@ -68,9 +68,23 @@ TEST(Manifest, EqualWorkGivesEqualBytes) {
   EXPECT_EQ(DataHash(a.path()), Sha256OfFile(a / "manifest.json"));
 }
 
-TEST(Manifest, MissingFileIsNamed) {
+TEST(Manifest, MissingFileIsNamedWithTheRepair) {
   const TempDir dir;
-  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("No such file"));
+  const std::string folder = dir.path().string(), absent = (dir / "absent").string();
+  EXPECT_EQ(ReadFailure(dir.path(), "sketches"),
+            folder +
+                " is not a folder of sketches (manifest.json is missing). Make one with `daumier dataset sketches "
+                "--out " +
+                folder + "`, or name another folder");
+  EXPECT_EQ(ReadFailure(absent, "run"), absent +
+                                            " does not exist (expected a folder of run). Make one with `daumier "
+                                            "train CONFIG --out " +
+                                            absent + "`, or name another folder");
+  EXPECT_EQ(ReadFailure(absent, ""),
+            absent + " does not exist (expected a folder that daumier wrote). Name another folder");
+  EXPECT_THROW(DataHash(absent), Error);
+  WriteFileAtomically(dir / kBuildJournal, "{}");
+  EXPECT_THAT(ReadFailure(dir.path(), "faces"), HasSubstr("is not finished"));
 }
 
 TEST(Manifest, AnotherKindIsRefused) {
