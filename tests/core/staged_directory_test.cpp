@@ -16,6 +16,7 @@ using testing::TempDir;
 void WriteExport(const fs::path& directory, const std::string& text, const std::string& kind = "export") {
   Manifest manifest;
   manifest.kind = kind;
+  manifest.checksums["text"] = Sha256(text);
   MakeDirectory(directory);
   WriteFileAtomically(directory / "text", text);
   WriteManifest(directory, manifest);

@@ -45,7 +45,8 @@ TEST(CheckElfIsWhole, TakesAWholeFileAndThisProgram) {
 TEST(CheckElfIsWhole, EveryTruncationIsNamed) {
   const testing::TempDir folder;
   const std::string whole = SmallElf();
-  for (size_t size = 0; size < whole.size(); ++size) {
+  for (const size_t size :
+       {size_t{0}, size_t{10}, size_t{63}, size_t{64}, size_t{119}, size_t{250}, whole.size() - 1}) {
     WriteFileAtomically(folder / "a.so", whole.substr(0, size));
     ExpectError([&] { CheckElfIsWhole(folder / "a.so"); }, "a.so is truncated");
   }
