@@ -23,7 +23,7 @@ void CheckOutputFolder(const std::filesystem::path& out, const OutputKind& kind,
                        const std::vector<std::filesystem::path>& inputs = {});
 
 /// For a command that replaces the whole of `out`: as CheckOutputFolder for a folder with a manifest. In addition every
-/// file in it has to be as that manifest lists it, so that no file of somebody else and no correction by hand is lost.
+/// file in it has to be as that manifest lists it, so that no file of another origin and no correction by hand is lost.
 void CheckReplacedFolder(const std::filesystem::path& out, const std::string& kind,
                          const std::vector<std::filesystem::path>& inputs = {});
 

@@ -22,7 +22,8 @@ fs::path SiblingPath(const fs::path& target, const std::string& extension) {
 }  // namespace
 
 StagedDirectory::StagedDirectory(const fs::path& target, const std::string& kind) {
-  target_ = fs::absolute(target).lexically_normal();
+  // The folder that a link names is written, and the link stays.
+  target_ = fs::weakly_canonical(fs::absolute(target)).lexically_normal();
   if (target_.filename().empty()) target_ = target_.parent_path();
   path_ = SiblingPath(target_, ".partial");
   CheckReplacedFolder(target_, kind);

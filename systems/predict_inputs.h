@@ -30,7 +30,7 @@ struct PredictionInputs {
   std::vector<PredictionFailure> failures;
 };
 
-/// `files`, where a folder stands for the files in it, not in its subfolders, whose extension System::input_extensions
+/// `files`, where a folder is replaced by the files in it, not in its subfolders, whose extension System::input_extensions
 /// lists, by name. Hidden files and the `._` files of macOS are skipped.
 /// @throws Error naming a folder without such a file.
 std::vector<std::filesystem::path> ExpandInputFolders(const System& system,

@@ -149,8 +149,7 @@ TEST(NothingIsDestroyed, AFolderOfAnotherKindOrOfAnotherProgram) {
   const auto expect = [&](const WritingVerb& verb, const std::string& out) {
     ExpectRefused(verb, folder / "in", (folder.path() / out).string(), folder.path());
   };
-  ForEachVerb({"session"}, expect);
-  ForEachVerb({"other", "web", "in/landmarks.json", "in/run/best"}, expect);
+  ForEachVerb({"other", "session", "web", "in/run/best", "in/landmarks.json"}, expect);
 }
 
 /// The run, the faces, the sketches are folders of a kind of their own.
