@@ -4,6 +4,8 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/manifest.h"
+#include "core/output_place.h"
 
 #include <optional>
 #include <set>
@@ -67,7 +69,9 @@ Json RunAblation(const Ablation& ablation, const AblationSystem& system, const f
   const std::vector<AblationStep> plan = PlanAblation(ablation, system, directory, only);
   const AblationRuns runs(ablation, system, directory);
   FolderCache databases;
+  CheckOutputFolder(directory, systems::AblationOutput());
   MakeDirectory(directory);
+  if (!fs::exists(directory / "manifest.json")) WriteManifest(directory, {.kind = "ablation", .verb = "ablate"});
   Failures failures;
   size_t number = 0;
   Json table;

@@ -79,7 +79,7 @@ const AblationRow& Ablation::row(const std::string& name, const std::string& who
   }
   const std::string nearest = NearestWord(name, names);
   throw UsageError(fmt::format("{}: there is no row '{}'; {}", who_asks, name,
-                               nearest.empty() ? fmt::format("rows are: {}", fmt::join(names, ", "))
+                               nearest.empty() ? fmt::format("rows are: '{}'", fmt::join(names, "', '"))
                                                : fmt::format("did you mean '{}'?", nearest)));
 }
 

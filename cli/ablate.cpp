@@ -1,6 +1,8 @@
+#include "cli/config_kind.h"
 #include "cli/system_table.h"
 #include "cli/verb.h"
 #include "core/files.h"
+#include "core/output_place.h"
 #include "core/process_task.h"
 #include "systems/training_library.h"
 
@@ -38,7 +40,9 @@ Verb AblateVerb() {
         command.add_option("overrides", request.overrides,
                            "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
         command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
-        command.add_option("--only", request.only, "A row to make, and what it needs; may be repeated")
+        command
+            .add_option("--only", request.only,
+                        "The name of one row to make, with what it needs; repeat --only for more rows")
             ->allow_extra_args(false);
         command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
         command.add_flag("--dry-run", request.dry_run, "Print what is done and what would be, and do nothing");
@@ -49,8 +53,11 @@ Verb AblateVerb() {
         return [arguments] {
           systems::AblationRequest request = arguments->request;
           request.device = ParseDevice(arguments->device);
+          CheckOutputFolder(request.out, systems::AblationOutput());
           const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
-          const systems::System& system = SystemOfConfig(library.ablation_config(request));
+          const systems::System& system = ReadConfigOf("ablate", request.config, [&]() -> const systems::System& {
+            return SystemOfConfig(library.ablation_config(request));
+          });
           const Json result = library.ablate(request, system, TaskOfProcess());
           if (request.dry_run) return PrintPlan(result, arguments->as_json);
           if (arguments->as_json) {

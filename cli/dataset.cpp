@@ -1,10 +1,13 @@
+#include "cli/config_kind.h"
 #include "cli/verb.h"
 #include "core/files.h"
 #include "core/options.h"
+#include "core/output_place.h"
 #include "core/process_task.h"
 #include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
 #include "datasets/build/points.h"
+#include "datasets/build/sharded_build.h"
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
 #include "datasets/gallery/face_gallery.h"
@@ -16,28 +19,44 @@ namespace daumier::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct BuildArguments {
   ConfigArguments config;
-  std::filesystem::path out;
+  fs::path out;
 };
 
-/// A builder of datasets: a config of type Options becomes the folder --out.
+std::vector<fs::path> InputsOf(const datasets::FacesOptions& options) {
+  return {options.source.path, options.source.annotation, options.source.template_mesh};
+}
+
+/// Of sketches and points.
+template <class Options>
+std::vector<fs::path> InputsOf(const Options& options) {
+  return {options.faces};
+}
+
+/// A builder of datasets: a config of type Options becomes the folder --out, of the manifest kind `name`.
 template <class Options>
 std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, const std::string& summary,
-                                 void (*build)(const Options&, const std::filesystem::path&, const Task&)) {
+                                 void (*build)(const Options&, const fs::path&, const Task&)) {
   auto arguments = std::make_shared<BuildArguments>();
   CLI::App* command = parent.add_subcommand(name, summary);
   AddConfigArguments(*command, arguments->config);
   command->add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
   command->footer("Options:\n" + HelpText<Options>());
-  return [arguments, build] {
-    build(ParseOptions<Options>(arguments->config.Load(), arguments->config.Where()), arguments->out, TaskOfProcess());
+  return [arguments, build, name] {
+    const auto options = ReadConfigOf("dataset " + name, arguments->config.file, [&] {
+      return ParseOptions<Options>(arguments->config.Load(), arguments->config.Where());
+    });
+    CheckOutputFolder(arguments->out, datasets::BuildOutput(name), InputsOf(options));
+    build(options, arguments->out, TaskOfProcess());
   };
 }
 
 std::function<void()> AddStats(CLI::App& parent) {
   struct Arguments {
-    std::filesystem::path directory, rebuild;
+    fs::path directory, rebuild;
     bool as_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
@@ -49,7 +68,7 @@ std::function<void()> AddStats(CLI::App& parent) {
   return [arguments] {
     Json result = datasets::FaceStatistics(arguments->directory);
     if (!arguments->rebuild.empty()) {
-      const faces::FaceDatabase basis(arguments->directory, false), rebuilt(arguments->rebuild);  // Verified above.
+      const faces::FaceDatabase basis(arguments->directory, Checksums::kSkip), rebuilt(arguments->rebuild);  // Verified above.
       const datasets::Coverage coverage = datasets::MeasureCoverage(basis, rebuilt);
       result["rebuilt"] = {{"num_basis_faces", coverage.num_basis_faces},
                            {"components", coverage.components},
@@ -61,7 +80,7 @@ std::function<void()> AddStats(CLI::App& parent) {
 
 std::function<void()> AddGallery(CLI::App& parent) {
   struct Arguments {
-    std::filesystem::path faces, sketches, out;
+    fs::path faces, sketches, out;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
@@ -70,6 +89,7 @@ std::function<void()> AddGallery(CLI::App& parent) {
   command->add_option("sketches", arguments->sketches, "Its folder of sketches");
   command->add_option("--out", arguments->out, "Folder to write")->required();
   return [arguments] {
+    datasets::CheckGalleryFolder(arguments->out, {arguments->faces, arguments->sketches});
     const faces::FaceDatabase database(arguments->faces);
     std::optional<datasets::SketchDatabase> sketches;
     if (!arguments->sketches.empty()) sketches.emplace(arguments->sketches);

@@ -1,7 +1,9 @@
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/options.h"
+#include "core/output_place.h"
 #include "faces/import/mesh_folder.h"
+#include "render/contour_drawing.h"
 #include "render/mesh_drawing.h"
 #include "render/svg.h"
 
@@ -24,6 +26,7 @@ const std::map<std::string, render::AxisDirection>& AxisDirections() {
 struct DrawArguments {
   fs::path mesh, out;
   std::string up = "y", front;
+  bool force = false;
   double yaw = 0, pitch = 0, distance = 0;
   int size = 1024;
   ConfigArguments config;
@@ -48,6 +51,8 @@ void Draw(const DrawArguments& arguments) {
   if (suffix != ".svg" && suffix != ".png")
     throw UsageError(fmt::format("--out {}: expected a name that ends in .svg or .png", arguments.out.string()));
   const render::MeshView view = ViewOf(arguments);
+  const bool may_replace = arguments.force || render::IsContourDrawing(arguments.out);
+  CheckOutputFile(arguments.out, may_replace ? ExistingFile::kReplaced : ExistingFile::kKept, {arguments.mesh});
   const auto strokes = render::DrawMesh(faces::ReadMesh(arguments.mesh), view, options, arguments.mesh.string());
   if (suffix == ".svg") {
     render::WriteSvg(arguments.out, strokes, render::ContourKinds());
@@ -76,6 +81,8 @@ Verb DrawVerb() {
                             "The axis that the face looks along; by default z with --up y, x or -x, -y with --up z, "
                             "-z with --up -y, y with --up -z")
                 ->check(CLI::IsMember(AxisDirections()));
+            command.add_flag("--force", arguments->force,
+                             "Overwrite --out, whatever it is; an SVG of an earlier `draw` is overwritten without it");
             command.add_option("--yaw", arguments->yaw, "Degrees to the face's own left; -90: its right side");
             command.add_option("--pitch", arguments->pitch, "Degrees upwards");
             command

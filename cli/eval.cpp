@@ -55,6 +55,16 @@ Json OptionsOf(const EvalArguments& arguments) {
   return ConfigArguments{{}, overrides}.Load();
 }
 
+/// What an evaluation reads: the run, and every option that is a folder.
+std::vector<std::filesystem::path> InputsOf(const EvalArguments& arguments, const Json& options) {
+  std::vector<std::filesystem::path> inputs{arguments.run};
+  const Json values = options.flatten();
+  for (const auto& [key, value] : values.items())
+    if (value.is_string() && std::filesystem::is_directory(value.get<std::string>()))
+      inputs.push_back(value.get<std::string>());
+  return inputs;
+}
+
 void Evaluate(const EvalArguments& arguments) {
   const systems::System& system = SystemOfRun(arguments.run);
   const Json given = OptionsOf(arguments);
@@ -62,8 +72,8 @@ void Evaluate(const EvalArguments& arguments) {
   const auto out = !arguments.out.empty()    ? arguments.out
                    : given.contains("faces") ? arguments.run / "other"
                                              : ReportDirectory(arguments.run);
+  reports::CheckReportDirectory(out, InputsOf(arguments, options));
   const systems::SystemTraining& training = systems::LoadTrainingLibrary().at(system.name);
-  reports::CheckReportDirectory(out);
   FolderCache databases;
   const reports::Evaluation evaluation = training.evaluate(arguments.run, options, databases, TaskOfProcess());
   reports::WriteEvaluation(out, evaluation);
@@ -91,7 +101,9 @@ Verb EvalVerb() {
                     flag.flag, [arguments, i] { arguments->texts[i] = "true"; }, flag.help);
               }
             }
-            command.add_flag("!--no-baselines", arguments->baselines, "Leave out the training-free baselines");
+            command.add_flag_callback(
+                "--no-baselines", [arguments] { arguments->baselines = false; },
+                "Leave out the training-free baselines");
             command.add_option("overrides", arguments->overrides, "key=value, any option of the evaluation");
             command.add_option("--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
             command.add_flag("--json", arguments->as_json, "Machine-readable");

@@ -1,6 +1,7 @@
 #include "cli/system_table.h"
 #include "cli/verb.h"
 #include "core/error.h"
+#include "core/output_place.h"
 #include "core/process_task.h"
 #include "systems/predict_files.h"
 
@@ -39,8 +40,20 @@ void Predict(const PredictArguments& arguments) {
                             arguments.run.string(), system.name, fmt::join(names, "' or '")));
   }
   const Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
-  const auto predictor = system.open(arguments.run, ParseDevice(arguments.device), options);
-  systems::PredictFiles(system, *predictor, arguments.run, files, arguments.out, options, TaskOfProcess());
+  const Device device = ParseDevice(arguments.device);
+  CheckOutputFolder(arguments.out, systems::PredictionOutput(), {arguments.run});  // Before files are read.
+  const Task task = TaskOfProcess();
+  const auto inputs = systems::ReadPredictionInputs(system, systems::ExpandInputFolders(system, files), task);
+  systems::CheckPredictionFolder(arguments.out, arguments.run, inputs);
+  systems::PredictionSummary summary{0, inputs.failures};
+  if (!inputs.inputs.empty()) {  // Otherwise the network is not needed.
+    const auto predictor = system.open(arguments.run, device, options);
+    summary = systems::PredictFiles(system, *predictor, arguments.run, inputs, arguments.out, options, task);
+  }
+  if (summary.num_results > 0)
+    fmt::print("predictions: {} ({} of {})\n", arguments.out.string(), summary.num_results,
+               summary.num_results + summary.failures.size());
+  systems::ThrowIfFailed(summary, arguments.out);
 }
 
 }  // namespace
@@ -51,8 +64,10 @@ Verb PredictVerb() {
             auto arguments = std::make_shared<PredictArguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
             command
-                .add_option("inputs", arguments->inputs,
-                            "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines; and key=value")
+                .add_option(
+                    "inputs", arguments->inputs,
+                    "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines; a folder of them; and "
+                    "key=value")
                 ->required();
             command.add_flag("--keep-frame", arguments->keep_frame,
                              "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");

@@ -4,9 +4,11 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/log.h"
+#include "core/options.h"
 #include "core/runtime.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +20,20 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kMisused = 2;
 
+/// What to say of a word that is none of the command's own commands; empty if there is no such word.
+std::string UnknownVerb(const CLI::App& command) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : command.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+  if (verbs.empty()) return "";
+  for (const std::string& word : command.remaining()) {
+    if (word.starts_with('-')) continue;
+    const std::string nearest = NearestWord(word, {verbs.begin(), verbs.end()});
+    return fmt::format("there is no command '{}' (expected {}){}", word, fmt::join(verbs, ", "),
+                       nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest));
+  }
+  return "";
+}
+
 /// What is wrong, the help of the option that it is about, and where the rest of the help is.
 std::string FailureText(const CLI::App* app, const CLI::Error& error) {
   const CLI::App* command = app;
@@ -26,6 +42,8 @@ std::string FailureText(const CLI::App* app, const CLI::Error& error) {
     command = command->get_subcommands().front();
     name += " " + command->get_name();
   }
+  if (const std::string unknown = UnknownVerb(*command); !unknown.empty())
+    return fmt::format("{}: {}\nSee {} --help\n", name, unknown, name);
   const std::string what = error.what();
   std::string text = fmt::format("{}: {}\n", name, what);
   for (const CLI::Option* option : command->get_options()) {

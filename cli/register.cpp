@@ -2,8 +2,10 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/options.h"
+#include "core/output_place.h"
 #include "core/process_task.h"
 #include "datasets/build/registered_faces.h"
+#include "datasets/build/sharded_build.h"
 #include "datasets/gallery/registration_pictures.h"
 
 #include <memory>
@@ -28,6 +30,10 @@ void Register(const RegisterArguments& arguments) {
   if (!is_folder) config["source"]["name"] = arguments.template_name;
   if (!arguments.licence.empty()) config["licence"] = arguments.licence;
   const auto options = ParseOptions<datasets::RegisterOptions>(config, arguments.config.Where());
+  std::vector<fs::path> read = arguments.inputs.meshes;
+  read.insert(read.end(), {arguments.inputs.landmarks, arguments.inputs.vertex_map, options.source.path});
+  if (is_folder) read.emplace_back(arguments.template_name);
+  CheckOutputFolder(arguments.out, datasets::BuildOutput("faces"), read);
   const auto face_template = datasets::RegistrationTemplateOf(options, is_folder ? arguments.template_name : "");
   datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out, TaskOfProcess());
   const faces::FaceDatabase database(arguments.out);
@@ -63,7 +69,8 @@ Verb RegisterVerb() {
         command.add_option("--config", arguments->config.file, "TOML file of options; key=value overrides it");
         command.add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
         command.add_flag("--meshes", arguments->write_meshes, "Also write meshes/NAME.obj");
-        command.add_flag("!--no-pictures", arguments->write_pictures, "Write no pictures/NAME.jpg");
+        command.add_flag_callback(
+            "--no-pictures", [arguments] { arguments->write_pictures = false; }, "Write no pictures/NAME.jpg");
         command.add_flag("--json", arguments->as_json, "Machine-readable summary");
         command.footer("Options:\n" + HelpText<datasets::RegisterOptions>());
         return [arguments] {

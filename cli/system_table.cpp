@@ -26,9 +26,7 @@ const systems::System& SystemNamed(std::string_view name) {
 }
 
 const systems::System& SystemOfConfig(const Json& config) {
-  const Json system = WithSystemKey(config).value("system", Json("sketch"));
-  if (!system.is_string()) throw UsageError(fmt::format("system is {}, expected a text", system.dump()));
-  return SystemNamed(system.get<std::string>());
+  return SystemNamed(daumier::SystemOfConfig(config, "the config"));
 }
 
 const systems::System& SystemOfRun(const std::filesystem::path& run) {

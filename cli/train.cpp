@@ -1,13 +1,29 @@
+#include "cli/config_kind.h"
 #include "cli/system_table.h"
 #include "cli/verb.h"
+#include "core/output_place.h"
 #include "core/process_task.h"
+#include "core/run_manifest.h"
 #include "systems/training_library.h"
 
 #include <fmt/core.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace daumier::cli {
+namespace {
+
+/// The folders that a new run reads. Data may lie in the folder of a run that is resumed, which overwrites none of them.
+std::vector<std::filesystem::path> DataOf(const Json& config, const systems::RunPlace& place) {
+  std::vector<std::filesystem::path> folders;
+  if (place.resume) return folders;
+  for (const auto& [database, folder] : config.at("data").items()) folders.push_back(folder.get<std::string>());
+  return folders;
+}
+
+}  // namespace
 
 Verb TrainVerb() {
   return {"train", "Train a network from a config into a run folder", [](CLI::App& command) {
@@ -29,12 +45,15 @@ Verb TrainVerb() {
               footer += fmt::format("Options, system = \"{}\":\n{}", system.name, system.training_help());
             command.footer(footer);
             return [arguments] {
-              const Json config = arguments->config.Load();
-              const systems::System& system = SystemOfConfig(config);
-              const Json resolved = system.resolve_config(config, arguments->config.Where());
+              const auto [system, resolved] = ReadConfigOf("train", arguments->config.file, [&] {
+                const Json config = arguments->config.Load();
+                const systems::System& found = SystemOfConfig(config);
+                return std::pair(&found, found.resolve_config(config, arguments->config.Where()));
+              });
               const systems::RunPlace place{arguments->out, arguments->resume, ParseDevice(arguments->device)};
+              CheckOutputFolder(place.directory, RunOutput(), DataOf(resolved, place));
               FolderCache databases;
-              systems::LoadTrainingLibrary().at(system.name).train(resolved, place, databases, TaskOfProcess());
+              systems::LoadTrainingLibrary().at(system->name).train(resolved, place, databases, TaskOfProcess());
             };
           }};
 }

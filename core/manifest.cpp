@@ -43,6 +43,28 @@ Manifest Parse(const Json& json) {
   return manifest;
 }
 
+/// How to get a folder of that kind.
+std::string Repair(const std::string& kind, const std::string& folder) {
+  if (kind == "faces" || kind == "sketches" || kind == "points")
+    return fmt::format("Make one with `daumier dataset {} --out {}`, or name another folder", kind, folder);
+  if (kind == "run")
+    return fmt::format("Make one with `daumier train CONFIG --out {}`, or name another folder", folder);
+  return "Name another folder";
+}
+
+/// @throws Error naming the folder, what is missing and the repair.
+void CheckIsThere(const fs::path& directory, const std::string& kind) {
+  if (fs::exists(directory / kFileName)) return;
+  const std::string folder = directory.string(),
+                    expected = kind.empty() ? "a folder that daumier wrote" : fmt::format("a folder of {}", kind);
+  if (!fs::exists(directory))
+    throw Error(fmt::format("{} does not exist (expected {}). {}", folder, expected, Repair(kind, folder)));
+  if (fs::exists(directory / kBuildJournal))
+    throw Error(
+        fmt::format("{} is not finished (manifest.json is missing). The command that builds it resumes it", folder));
+  throw Error(fmt::format("{} is not {} (manifest.json is missing). {}", folder, expected, Repair(kind, folder)));
+}
+
 }  // namespace
 
 void WriteManifest(const fs::path& directory, const Manifest& manifest) {
@@ -60,6 +82,7 @@ void WriteManifest(const fs::path& directory, const Manifest& manifest) {
 }
 
 Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
+  CheckIsThere(directory, kind);
   const fs::path path = directory / kFileName;
   const std::string text = ReadFile(path);
   try {
@@ -83,6 +106,7 @@ void VerifyChecksums(const fs::path& directory, const Manifest& manifest) {
 }
 
 std::string DataHash(const fs::path& directory) {
+  CheckIsThere(directory, "");
   return Sha256OfFile(directory / kFileName);
 }
 

@@ -13,7 +13,7 @@ namespace daumier {
 struct Manifest {
   static constexpr int kFormatVersion = 1;
 
-  std::string kind;              ///< What the directory is: "faces", "sketches", "run", "export".
+  std::string kind;              ///< What the directory is: "faces", "sketches", "run", "report", "predictions".
   std::string verb;              ///< The command that made it.
   Json config = Json::object();  ///< Resolved, without paths.
   uint64_t seed = 0;
@@ -23,9 +23,12 @@ struct Manifest {
   std::map<std::string, std::string> checksums;  ///< File name relative to the directory -> SHA-256.
 };
 
+/// What a builder keeps in the place of the manifest until its folder is finished.
+inline constexpr const char* kBuildJournal = "building.json";
+
 void WriteManifest(const std::filesystem::path& directory, const Manifest& manifest);
 
-/// @throws Error naming file and cause: missing, malformed, of another kind (unless `kind` is empty), or of a newer
+/// @throws Error naming file, cause and repair: missing (also of a build that was stopped), malformed, of another kind (unless `kind` is empty), or of a newer
 /// version.
 Manifest ReadManifest(const std::filesystem::path& directory, const std::string& kind);
 

@@ -1,14 +1,55 @@
 #include "core/run_manifest.h"
 
+#include "core/config.h"
 #include "core/error.h"
+#include "core/training.h"
+
+#include <algorithm>
+#include <cctype>
 
 namespace daumier {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// A path as a word of a shell command.
+std::string ShellWord(const std::string& path) {
+  const bool is_plain = !path.empty() && std::ranges::all_of(path, [](unsigned char c) {
+    return std::isalnum(c) || c >= 0x80 || std::string_view("/._-+,:@%").find(char(c)) != std::string_view::npos;
+  });
+  if (is_plain) return path;
+  std::string quoted = "'";
+  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
 std::string SystemOf(const Manifest& run) {
-  if (run.details.contains("system")) return run.details.at("system").get<std::string>();
-  return run.details.value("product", "sketch");
+  const char* const key = run.details.contains("system") ? "system" : "product";
+  if (!run.details.contains(key)) return "sketch";
+  const Json& system = run.details.at(key);
+  DAUMIER_CHECK(system.is_string(), "the manifest of the run names the task {} (expected a text). Train again",
+                system.dump());
+  return system.get<std::string>();
+}
+
+std::string ResumeCommand(const fs::path& directory, const std::string& extra) {
+  std::string command = fmt::format("daumier train {} --out {} --resume", ShellWord(ResolvedConfig(directory).string()),
+                                    ShellWord(directory.string()));
+  if (!extra.empty()) command += " " + extra;
+  return command;
+}
+
+Json ReadRunConfig(const fs::path& directory, const Manifest& run) {
+  Json config = LoadConfig(ResolvedConfig(directory));
+  const std::string expected = SystemOf(run), found = SystemOfConfig(config, ResolvedConfig(directory).string());
+  DAUMIER_CHECK(found == expected,
+                "{} is the config of a run of '{}', but manifest.json next to it is of a run of '{}'. Restore the file "
+                "of the run, or train again",
+                ResolvedConfig(directory).string(), found, expected);
+  return config;
 }
 
 Manifest ReadFinishedRun(const fs::path& directory, const std::string& system) {
@@ -20,9 +61,8 @@ Manifest ReadFinishedRun(const fs::path& directory, const std::string& system) {
   DAUMIER_CHECK(system.empty() || found == system,
                 "{}: this is a run of the task '{}' (expected a run of '{}'). Name a run that was trained for '{}'",
                 directory.string(), found, system, system);
-  DAUMIER_CHECK(fs::exists(BestWeights(directory)),
-                "{} has no best weights yet ({} is missing): resume it with `daumier train CONFIG --resume --out {}`",
-                directory.string(), BestWeights(directory).string(), directory.string());
+  DAUMIER_CHECK(fs::exists(BestWeights(directory)), "{} has no best weights yet ({} is missing): resume it with `{}`",
+                directory.string(), BestWeights(directory).string(), ResumeCommand(directory));
   VerifyChecksums(directory, manifest);
   return manifest;
 }

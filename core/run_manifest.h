@@ -1,5 +1,6 @@
 #pragma once
 #include "core/manifest.h"
+#include "core/output_place.h"
 
 #include <filesystem>
 #include <string>
@@ -42,8 +43,19 @@ inline std::filesystem::path ReportMetrics(const std::filesystem::path& run) {
 /// The exported graph of a finished run, next to the file of its weights.
 inline constexpr const char* kBestGraph = "best/model.onnx";
 
+/// A run folder, finished or stopped, as an output.
+inline OutputKind RunOutput() {
+  return {"run", {"resolved.toml"}};
+}
+
 /// The task that a run was trained for: details.system; of runs of earlier versions details.product, or "sketch".
 std::string SystemOf(const Manifest& run);
+
+/// The command that resumes the training of a run folder, for messages: its config is resolved.toml. `extra` follows.
+std::string ResumeCommand(const std::filesystem::path& directory, const std::string& extra = "");
+
+/// resolved.toml of a run. @throws UsageError as LoadConfig; Error if it is of another task than the manifest.
+Json ReadRunConfig(const std::filesystem::path& directory, const Manifest& run);
 
 /// The manifest of the run folder `directory`, which has best weights.
 /// @throws Error naming file, cause and repair if `directory` is no run folder, is a run of another task than `system`

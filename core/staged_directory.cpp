@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "core/manifest.h"
+#include "core/output_place.h"
 
 namespace daumier {
 namespace {
@@ -22,16 +22,11 @@ fs::path SiblingPath(const fs::path& target, const std::string& extension) {
 }  // namespace
 
 StagedDirectory::StagedDirectory(const fs::path& target, const std::string& kind) {
-  target_ = fs::absolute(target).lexically_normal();
+  // The folder that a link names is written, and the link stays.
+  target_ = fs::weakly_canonical(fs::absolute(target)).lexically_normal();
   if (target_.filename().empty()) target_ = target_.parent_path();
   path_ = SiblingPath(target_, ".partial");
-  if (fs::exists(target_)) {
-    DAUMIER_CHECK(fs::is_directory(target_), "{} is a file; name a folder to write", target_.string());
-    if (!fs::is_empty(target_)) {
-      DAUMIER_CHECK(fs::exists(target_ / "manifest.json") && ReadManifest(target_, "").kind == kind,
-                    "{} is not empty and holds no earlier {}; name another folder", target_.string(), kind);
-    }
-  }
+  CheckReplacedFolder(target_, kind);
   fs::remove_all(path_);
   MakeDirectory(path_);
 }

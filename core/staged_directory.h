@@ -8,7 +8,7 @@ namespace daumier {
 /// deleted.
 class StagedDirectory {
  public:
-  /// `kind` is the manifest kind of a folder that may be replaced. @throws Error if `target` holds anything else.
+  /// `kind` is the manifest kind of a folder that may be replaced. @throws UsageError as CheckReplacedFolder.
   StagedDirectory(const std::filesystem::path& target, const std::string& kind);
   ~StagedDirectory();
   StagedDirectory(const StagedDirectory&) = delete;

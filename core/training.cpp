@@ -13,6 +13,12 @@ Json WithSystemKey(Json config) {
   return config;
 }
 
+std::string SystemOfConfig(const Json& config, const std::string& where) {
+  const Json system = WithSystemKey(config).value("system", Json("sketch"));
+  if (!system.is_string()) throw UsageError(fmt::format("{}: system is {}, expected a text", where, system.dump()));
+  return system.get<std::string>();
+}
+
 Json WithAbsoluteData(Json config, const std::string& where) {
   Json& data = config.at("data");
   std::vector<std::string> keys;

@@ -80,6 +80,10 @@ Json WithAbsoluteData(Json config, const std::string& where);
 /// A config of an earlier version, which has `product` in the place of `system`, as one of today; others unchanged.
 Json WithSystemKey(Json config);
 
+/// The task of a training config: its `system`; of configs of earlier versions `product`, or "sketch". @throws
+/// UsageError naming `where` if that is no text.
+std::string SystemOfConfig(const Json& config, const std::string& where);
+
 /// The options of a training with WithSystemKey and WithAbsoluteData. @throws UsageError as ParseOptions.
 template <class Options>
 Options ParseTraining(const Json& config, const std::string& where) {

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/output_place.h"
 #include "core/staged_directory.h"
 
 namespace daumier::reports {
@@ -24,8 +25,8 @@ void WriteSheetReport(const fs::path& folder, const ReportData& report, const Ev
 
 }  // namespace
 
-void CheckReportDirectory(const fs::path& out) {
-  StagedDirectory(out, kKind);
+void CheckReportDirectory(const fs::path& out, const std::vector<fs::path>& inputs) {
+  CheckReplacedFolder(out, kKind, inputs);
 }
 
 void WriteEvaluation(const fs::path& out, const Evaluation& evaluation) {

@@ -24,8 +24,8 @@ struct Evaluation {
   std::optional<Predictions> predictions = {};  ///< Of the result, of the faces of KeptFaces.
 };
 
-/// @throws Error if `out` exists and is neither empty nor an earlier report: WriteEvaluation would refuse it.
-void CheckReportDirectory(const std::filesystem::path& out);
+/// @throws UsageError as CheckReplacedFolder, as WriteEvaluation would.
+void CheckReportDirectory(const std::filesystem::path& out, const std::vector<std::filesystem::path>& inputs = {});
 
 /// Writes metrics.json, table.md, index.html, the pictures (sheet.png; unless the evaluation has a sheet also
 /// mean_error.png and errors.svg), predictions.safetensors where there are any, and manifest.json with their checksums.

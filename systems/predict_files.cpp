@@ -12,7 +12,9 @@
 #include "render/svg.h"
 #include "reports/face_surface.h"
 
-#include <set>
+#include <fmt/ranges.h>
+
+#include <span>
 
 namespace daumier::systems {
 namespace {
@@ -21,26 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr int kPictureSide = 360;
 constexpr const char* kKind = "predictions";
-
-struct NamedInput {
-  std::string name;
-  fs::path file;
-  Input input;
-};
-
-std::vector<NamedInput> ReadAll(const System& system, const std::vector<fs::path>& files) {
-  std::set<std::string> taken;
-  std::vector<NamedInput> all;
-  for (const fs::path& file : files) {
-    for (Input& input : system.read_inputs(file)) {
-      const std::string stem = file.stem().string();
-      std::string name = stem;
-      for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("{}-{}", stem, copy);
-      all.push_back({name, file, std::move(input)});
-    }
-  }
-  return all;
-}
 
 render::Image SheetOf(const FaceResult& face) {
   const render::RenderInput surface = reports::SurfaceOf(*face.face_template, face.vertices);
@@ -54,65 +36,121 @@ render::Image SheetOf(const FaceResult& face) {
   return render::MakeSheet(cells, int(cells.size()));
 }
 
-/// Writes the files of one result and returns their names.
-std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const FaceResult& face) {
-  std::vector<std::string> written{name + ".obj", name + ".png"};
-  geometry::WriteObj(folder / written[0], faces::SurfaceMesh(*face.face_template, face.vertices));
-  render::WriteImage(folder / written[1], SheetOf(face));
-  if (!face.drawn.empty()) {
-    written.push_back(name + ".svg");
-    render::WriteSvg(folder / written.back(), face.drawn, {"line"});
-  }
-  return written;
+/// The files of the results of an input.
+std::vector<std::string> FilesOf(const std::string& name) {
+  return {name + ".obj", name + ".png", name + ".svg"};
 }
 
-/// @throws Error if results there would overwrite what is no prediction.
-void CheckOutDirectory(const fs::path& directory) {
-  if (!fs::exists(directory)) return;
-  DAUMIER_CHECK(fs::is_directory(directory), "{} is a file (expected a folder). Name another one", directory.string());
-  if (!fs::exists(directory / "manifest.json")) return;
-  const std::string kind = ReadManifest(directory, "").kind;
-  DAUMIER_CHECK(kind == kKind, "{} is a folder of {} (expected a new one, or one of {}). Name another folder",
-                directory.string(), kind, kKind);
+/// Writes the files of one result and adds their checksums.
+void WriteResult(const fs::path& folder, const std::string& name, const FaceResult& face, Manifest& manifest) {
+  std::vector<std::string> files = FilesOf(name);
+  geometry::WriteObj(folder / files[0], faces::SurfaceMesh(*face.face_template, face.vertices));
+  render::WriteImage(folder / files[1], SheetOf(face));
+  if (!face.drawn.empty()) {
+    render::WriteSvg(folder / files[2], face.drawn, {"line"});
+  } else {
+    files.pop_back();
+  }
+  for (const std::string& file : files) manifest.checksums[file] = Sha256OfFile(folder / file);
+}
+
+/// A manifest without results. Of an earlier prediction in the folder it keeps the files that are unchanged, and the
+/// records if they are of the same run and options.
+Manifest BeginManifest(const System& system, const fs::path& run, const fs::path& folder, const Json& options) {
+  const Manifest of_run = ReadManifest(run, "run");
+  Manifest manifest{.kind = kKind, .verb = "predict"};
+  manifest.config = options;
+  manifest.seed = of_run.seed;
+  manifest.sources = of_run.sources;
+  manifest.details = {{"system", system.name}, {"run_data_hash", DataHash(run)}, {"drawings", Json::object()}};
+  if (!fs::exists(folder / "manifest.json")) return manifest;
+  const Manifest earlier = ReadManifest(folder, kKind);
+  for (const auto& [file, checksum] : earlier.checksums)
+    if (fs::is_regular_file(folder / file) && Sha256OfFile(folder / file) == checksum)
+      manifest.checksums[file] = checksum;
+  const bool is_same =
+      earlier.config == options && earlier.details.value("run_data_hash", Json()) == manifest.details["run_data_hash"];
+  if (is_same && earlier.details.contains("drawings") && earlier.details["drawings"].is_object())
+    manifest.details["drawings"] = earlier.details["drawings"];
+  return manifest;
+}
+
+/// Without paths: the file's name.
+void AddFailures(const std::vector<PredictionFailure>& failures, Manifest& manifest) {
+  Json& list = manifest.details["failures"] = Json::array();
+  for (const PredictionFailure& failure : failures) {
+    std::string cause = failure.cause;
+    if (const size_t at = cause.find(failure.file.string()); at != std::string::npos)
+      cause.replace(at, failure.file.string().size(), failure.file.filename().string());
+    list.push_back({{"file", failure.file.filename().string()}, {"cause", cause}});
+  }
 }
 
 }  // namespace
 
-void PredictFiles(const System& system, const Predictor& predictor, const fs::path& run,
-                  const std::vector<fs::path>& files, const fs::path& out_directory, const Json& options,
-                  const Task& task) {
-  CheckOutDirectory(out_directory);
-  const std::vector<NamedInput> inputs = ReadAll(system, files);
-  std::vector<FaceResult> results;
-  Json records = Json::object();
-  for (const NamedInput& named : inputs) {
-    task.ThrowIfCancelled("stopped after {} of {} inputs; nothing was written", results.size(), inputs.size());
+OutputKind PredictionOutput() {
+  return {kKind};
+}
+
+void CheckPredictionFolder(const fs::path& out_directory, const fs::path& run, const PredictionInputs& inputs) {
+  std::vector<fs::path> files{run};
+  for (const PredictionInput& input : inputs.inputs) files.push_back(input.file);
+  for (const PredictionFailure& failure : inputs.failures) files.push_back(failure.file);
+  CheckOutputFolder(out_directory, PredictionOutput(), files);
+  std::vector<std::string> written;
+  for (const PredictionInput& input : inputs.inputs)
+    for (std::string& file : FilesOf(input.name)) written.push_back(std::move(file));
+  CheckOwnFiles(out_directory, written);
+}
+
+PredictionSummary PredictFiles(const System& system, const Predictor& predictor, const fs::path& run,
+                               const PredictionInputs& inputs, const fs::path& out_directory, const Json& options,
+                               const Task& task) {
+  CheckPredictionFolder(out_directory, run, inputs);
+  PredictionSummary summary{0, inputs.failures};
+  Manifest manifest = BeginManifest(system, run, out_directory, options);
+  const auto write_manifest = [&] {
+    manifest.counts = {{"drawings", manifest.details["drawings"].size()}};
+    AddFailures(summary.failures, manifest);
+    WriteManifest(out_directory, manifest);
+  };
+  for (size_t i = 0; i < inputs.inputs.size(); ++i) {
+    const PredictionInput& named = inputs.inputs[i];
+    task.ThrowIfCancelled("stopped after {} of {} inputs; {} holds the results of {}", i, inputs.inputs.size(),
+                          out_directory.string(), summary.num_results);
+    task.Report(int64_t(i), int64_t(inputs.inputs.size()), "inputs");
+    FaceResult face;
     try {
-      results.push_back(std::move(predictor.Predict(std::span(&named.input, 1), task).front()));
+      face = std::move(predictor.Predict(std::span(&named.input, 1), task).front());
     } catch (const Cancelled&) {
       throw;
-    } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}", named.file.string(), error.what()));
+    } catch (const std::exception& error) {  // Of LibTorch or JSON, too: the other inputs count.
+      summary.failures.push_back(FailureOf(named.file, error));
+      continue;
     }
-    for (const std::string& warning : results.back().warnings) log::Warn("{}: {}", named.name, warning);
-    records[named.name] = results.back().record;
-    task.Report(int64_t(results.size()), int64_t(inputs.size()), "inputs");
+    for (const std::string& warning : face.warnings) log::Warn("{}: {}", named.name, warning);
+    manifest.details["drawings"][named.name] = face.record;
+    MakeDirectory(out_directory);
+    WriteResult(out_directory, named.name, face, manifest);
+    ++summary.num_results;
+    write_manifest();
   }
+  task.Report(int64_t(inputs.inputs.size()), int64_t(inputs.inputs.size()), "inputs");
+  if (summary.num_results > 0) write_manifest();  // With the failures that came last.
+  return summary;
+}
 
-  const Manifest of_run = ReadManifest(run, "run");
-  Manifest manifest;
-  manifest.kind = kKind;
-  manifest.verb = "predict";
-  manifest.config = options;
-  manifest.seed = of_run.seed;
-  manifest.sources = of_run.sources;
-  manifest.counts = {{"drawings", results.size()}};
-  manifest.details = {{"system", system.name}, {"run_data_hash", DataHash(run)}, {"drawings", records}};
-  MakeDirectory(out_directory);
-  for (size_t i = 0; i < results.size(); ++i)
-    for (const std::string& file : WriteResult(out_directory, inputs[i].name, results[i]))
-      manifest.checksums[file] = Sha256OfFile(out_directory / file);
-  WriteManifest(out_directory, manifest);
+void ThrowIfFailed(const PredictionSummary& summary, const fs::path& out_directory) {
+  const size_t num_failures = summary.failures.size(), num_inputs = num_failures + summary.num_results;
+  if (num_failures == 0) return;
+  std::vector<std::string> causes;
+  for (const PredictionFailure& failure : summary.failures) causes.push_back(failure.cause);
+  if (num_inputs == 1) throw Error(causes.front());
+  const std::string others = summary.num_results > 0
+                                 ? fmt::format("the results of the others are in {}", out_directory.string())
+                                 : "nothing was written";
+  throw Error(
+      fmt::format("{} of {} inputs failed; {}:\n  {}", num_failures, num_inputs, others, fmt::join(causes, "\n  ")));
 }
 
 }  // namespace daumier::systems

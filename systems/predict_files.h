@@ -1,5 +1,7 @@
 #pragma once
 #include "core/json.h"
+#include "core/output_place.h"
+#include "systems/predict_inputs.h"
 #include "systems/predictor.h"
 #include "systems/system.h"
 
@@ -8,15 +10,33 @@
 
 namespace daumier::systems {
 
-/// `daumier predict`: for every input of the files a mesh NAME.obj, a sheet NAME.png of input, front and side, of
-/// drawings also the strokes on the canvas NAME.svg, and a manifest (kind "predictions"). NAME is the file's; inputs of
-/// the same name are numbered -2, -3, ... details.drawings.NAME holds the record of each result. `options`: of the
-/// predictor, every one present, for the manifest.
-/// Nothing is written unless every file can be read and every input predicted.
-/// @throws Error naming the file and the cause, or `out_directory` if it is a file or a folder of another kind; Cancelled if
-/// the task is.
-void PredictFiles(const System& system, const Predictor& predictor, const std::filesystem::path& run,
-                  const std::vector<std::filesystem::path>& files, const std::filesystem::path& out_directory,
-                  const Json& options, const Task& task = {});
+/// A folder of predictions.
+OutputKind PredictionOutput();
+
+/// @throws UsageError as CheckOutputFolder, if an input lies in `out_directory`, or if a file in it would be lost that is
+/// no result of an earlier prediction (CheckOwnFiles).
+void CheckPredictionFolder(const std::filesystem::path& out_directory, const std::filesystem::path& run,
+                           const PredictionInputs& inputs);
+
+/// What became of a prediction.
+struct PredictionSummary {
+  size_t num_results = 0;
+  std::vector<PredictionFailure> failures;  ///< Of reading and of predicting.
+};
+
+/// `daumier predict`: for every input a mesh NAME.obj, a sheet NAME.png of input, front and side, of drawings also the
+/// strokes on the canvas NAME.svg, and a manifest (kind "predictions"), which is written after each result: what is
+/// finished when the program ends is whole. details.drawings.NAME holds the record of each result, details.failures
+/// {file, cause} of each input without one. Results of earlier predictions in the folder stay, and stay listed.
+/// `options`: of the predictor, every one present, for the manifest.
+/// An input that fails spoils only itself. Nothing is written if there is no result.
+/// @throws Error as CheckPredictionFolder; Cancelled if the task is.
+PredictionSummary PredictFiles(const System& system, const Predictor& predictor, const std::filesystem::path& run,
+                               const PredictionInputs& inputs, const std::filesystem::path& out_directory,
+                               const Json& options, const Task& task = {});
+
+/// @throws Error with the causes if there is a failure: that of a single input alone, else a line each, and where the
+/// results of the others are.
+void ThrowIfFailed(const PredictionSummary& summary, const std::filesystem::path& out_directory);
 
 }  // namespace daumier::systems

@@ -53,6 +53,8 @@ struct System {
                                      const Json& options) = nullptr;
   /// The inputs of a file, in order. @throws Error naming it.
   std::vector<Input> (*read_inputs)(const std::filesystem::path& file) = nullptr;
+  /// Of the files of a folder that is given as input: ".svg", in lower case.
+  std::vector<std::string> input_extensions = {};
 };
 
 /// The part that needs LibTorch, by the same name, from the training library.

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/output_place.h"
 #include "runtime/network_runner.h"
 #include "systems/system.h"
 
@@ -17,6 +18,11 @@ struct AblationRequest {
   Device device;
   bool dry_run = false;
 };
+
+/// The folder of an ablation. Those of earlier versions have no manifest, but a table.
+inline OutputKind AblationOutput() {
+  return {"ablation", {"table.json", "table.md"}};
+}
 
 struct TrainingLibrary {
   std::string version;  ///< Of the build; that of the program.

@@ -18,10 +18,20 @@ std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, c
 /// Prepares `directory` for a run. Returns true when resuming, i.e. when manifest.json exists. The manifest must then
 /// hold `config` (without paths) as `config` and `data` (the hash of every database) as `details.data`; options that
 /// are newer than the run count as in `defaults`.
-/// @throws UsageError if a run exists but `resume` is false, if `resume` is true but none exists, or if the run has
-/// another config or other data; the message lists the differences.
+/// @throws UsageError as CheckOutputFolder, if a run exists but `resume` is false, if `resume` is true but none exists, or if the run has
+/// another config or other data; the message lists the differences and, if they are the epochs, what to do.
 bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data,
                    const Json& defaults = Json::object());
+
+/// Makes a finished run, whose config differs from `config` in fewer `epochs` alone, one that is not finished: the
+/// manifest takes the epochs, lists the training so far in details.earlier_trainings ({planned_epochs, epochs} each) and
+/// drops its end and the checksums of best/; best/model.onnx is deleted. Any other run is unchanged: OpenRunFolder
+/// then says what differs. @throws Error as VerifyChecksums.
+void LengthenFinishedRun(const std::filesystem::path& directory, const Json& config, const Json& data,
+                         const Json& defaults);
+
+/// details.earlier_trainings of a run, the first one first. @throws Error if they are malformed.
+std::vector<EarlierTraining> EarlierTrainings(const std::filesystem::path& directory);
 
 /// Says in the manifest of the run there how the training ended: parameters, steps, epochs, best epoch, the checksum of
 /// kBestFile. A run is finished once it holds `best_epoch`.

@@ -15,7 +15,9 @@
 #include "train/sample_order.h"
 #include "train/step_sums.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace daumier::train {
 namespace {
@@ -23,7 +25,7 @@ namespace {
 class Training {
  public:
   Training(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options, uint64_t seed,
-           const std::filesystem::path& run_directory, const Task& task)
+           const std::filesystem::path& run_directory, const Task& task, const std::vector<EarlierTraining>& earlier)
       : recipe_(recipe),
         task_(task),
         options_(options),
@@ -33,14 +35,13 @@ class Training {
         steps_per_epoch_(order_.steps_per_epoch()),
         total_steps_(steps_per_epoch_ * options.epochs),
         optimiser_(recipe.module(), optimiser_options, recipe.groups()) {
-    double share = 0;
-    for (const Stage& stage : recipe.stages()) {
-      const auto begin = stages_.empty() ? 0 : stages_.back().end;
-      share += stage.share;
-      stages_.push_back({stage, begin, std::llround(share * double(total_steps_))});
+    std::vector<EarlierTraining> trainings = earlier;
+    trainings.push_back({options.epochs, options.epochs});
+    AddStages(trainings.front());
+    for (size_t i = 1; i < trainings.size(); ++i) {
+      last_training_begin_ = stages_.back().end;
+      AddLongerStage(trainings[i]);
     }
-    DAUMIER_CHECK(!stages_.empty() && stages_.back().end == total_steps_,
-                  "the shares of the stages of a training add up to {}, expected 1", share);
   }
 
   TrainingSummary Run() {
@@ -48,6 +49,9 @@ class Training {
     EnterStage();
     RunLog log(run_directory_, step_);
     if (!has_time) seconds_before_ = SecondsOfLog();
+    if (step_ >= total_steps_ || stopped_early_)
+      log::Info("{} is finished after {} epochs. To train it longer: {}", run_directory_.string(),
+                step_ / steps_per_epoch_, ResumeCommand(run_directory_, fmt::format("epochs={}", 2 * options_.epochs)));
     Progress progress(task_.Stage("Training"), total_steps_ - step_, "steps");
     recipe_.module().train();
     BatchLoader loader(step_ * options_.accumulate, total_steps_ * options_.accumulate, [this](int64_t index) {
@@ -64,10 +68,9 @@ class Training {
       const bool stopped = task_.cancelled();
       if (validated || periodic || stopped) Save();
       if (stopped && step_ < total_steps_ && !stopped_early_)
-        throw Cancelled(
-            fmt::format("interrupted at step {} of {}; checkpoint saved. Resume with: daumier train CONFIG --out {} "
-                        "--resume",
-                        step_, total_steps_, run_directory_.string()));
+        throw Cancelled(fmt::format("interrupted at step {} of {}; checkpoint saved. Resume with: {}", step_,
+                                    total_steps_,
+                                    ResumeCommand(run_directory_, recipe_.device().is_cpu() ? "" : "--device cuda")));
     }
     return {.steps = step_,
             .epochs = step_ / steps_per_epoch_,
@@ -88,13 +91,49 @@ class Training {
 
   struct Part {
     Stage stage;
+    int index;           ///< Of the recipe's stages.
     int64_t begin, end;  ///< Steps.
   };
 
+  /// The recipe's stages, of the first training of a run.
+  void AddStages(const EarlierTraining& training) {
+    const int64_t planned = steps_per_epoch_ * training.planned_epochs;
+    int64_t begin = 0;
+    double share = 0;
+    for (const Stage& stage : recipe_.stages()) {
+      share += stage.share;
+      const int64_t end = std::llround(share * double(planned));
+      stages_.push_back({stage, int(stages_.size()), begin, end});
+      begin = end;
+    }
+    DAUMIER_CHECK(!stages_.empty() && begin == planned,
+                  "the shares of the stages of a training add up to {}, expected 1", share);
+    const int64_t finished = steps_per_epoch_ * training.epochs;  // A training that stopped early cuts them.
+    for (Part& part : stages_) {
+      part.begin = std::min(part.begin, finished);
+      part.end = std::min(part.end, finished);
+    }
+  }
+
+  /// The last stage that had a step, continued to the end of a later training.
+  void AddLongerStage(const EarlierTraining& training) {
+    const auto last =
+        std::find_if(stages_.rbegin(), stages_.rend(), [](const Part& part) { return part.begin < part.end; });
+    DAUMIER_CHECK(last != stages_.rend(), "a training without a step cannot be continued");
+    Part part = *last;
+    const std::string name = recipe_.stages()[size_t(part.index)].name;
+    part.stage.name = name.empty() ? "longer" : name + ", longer";
+    part.begin = stages_.back().end;
+    part.end = steps_per_epoch_ * training.epochs;
+    DAUMIER_CHECK(part.end > part.begin, "a longer training ends at epoch {}, expected one after epoch {}",
+                  training.epochs, part.begin / steps_per_epoch_);
+    stages_.push_back(part);
+  }
+
   void EnterStage() {
     const Part& part = stages_[size_t(stage_)];
-    recipe_.EnterStage(stage_);
-    if (stages_.size() > 1)
+    recipe_.EnterStage(part.index);
+    if (!part.stage.name.empty() && step_ < part.end)
       log::Info("Stage {}: steps {} to {} of {}", part.stage.name, part.begin + 1, part.end, total_steps_);
   }
 
@@ -228,7 +267,7 @@ class Training {
     stage_ = state.at("stage").get<int>();
     best_ = state.at("best").get<double>();
     best_epoch_ = state.at("best_epoch").get<int64_t>();
-    stopped_early_ = state.at("stopped_early").get<bool>();
+    stopped_early_ = state.at("stopped_early").get<bool>() && step_ != last_training_begin_;
     auto sums = state.at("sums").get<std::map<std::string, double>>();
     if (const auto rates = sums.extract("learning_rate")) rates_ = rates.mapped();
     sums_.Load(std::move(sums), state.at("num_summed").get<int>());
@@ -255,7 +294,8 @@ class Training {
   double seconds_before_ = 0;  ///< Of training before this session.
   Optimiser optimiser_;
   std::vector<Part> stages_;
-  int stage_ = 0;
+  std::optional<int64_t> last_training_begin_;  ///< The step where this training continues an earlier one.
+  int stage_ = 0;                               ///< Index into stages_.
 
   int64_t step_ = 0;  ///< Finished ones.
   double best_ = 0;
@@ -269,8 +309,9 @@ class Training {
 }  // namespace
 
 TrainingSummary Train(Recipe& recipe, const TrainerOptions& options, const OptimiserOptions& optimiser_options,
-                      uint64_t seed, const std::filesystem::path& run_directory, const Task& task) {
-  return Training(recipe, options, optimiser_options, seed, run_directory, task).Run();
+                      uint64_t seed, const std::filesystem::path& run_directory, const Task& task,
+                      const std::vector<EarlierTraining>& earlier) {
+  return Training(recipe, options, optimiser_options, seed, run_directory, task, earlier).Run();
 }
 
 }  // namespace daumier::train

@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kJournalVersion = 1;
-constexpr const char* kJournal = "building.json";
 
 /// What a build is to make: the manifest without checksums.
 Json Plan(const Manifest& manifest) {
@@ -45,12 +44,12 @@ struct Journal {
 
   void Write(const fs::path& directory) const {
     const Json json = {{"format_version", kJournalVersion}, {"plan", plan}, {"checksums", Json(checksums)}};
-    WriteFileAtomically(directory / kJournal, json.dump(1) + "\n");
+    WriteFileAtomically(directory / kBuildJournal, json.dump(1) + "\n");
   }
 };
 
 Journal ReadJournal(const fs::path& directory) {
-  const fs::path path = directory / kJournal;
+  const fs::path path = directory / kBuildJournal;
   try {
     const Json json = TryParseJson(ReadFile(path)).value_or(Json());
     DAUMIER_CHECK(json.at("format_version") == kJournalVersion, "{}: unknown format version {}", path.string(),
@@ -63,19 +62,13 @@ Journal ReadJournal(const fs::path& directory) {
 
 /// Creates the folder, or finds there a stopped build of the same plan.
 Journal OpenJournal(const fs::path& directory, const Json& plan) {
-  if (fs::exists(directory / kJournal)) {
+  if (fs::exists(directory / kBuildJournal)) {
     Journal journal = ReadJournal(directory);
     CheckSame(directory, journal.plan, plan);
     log::Info("{}: resuming an interrupted build", directory.string());
     return journal;
   }
   MakeDirectory(directory);
-  for (const auto& entry : fs::directory_iterator(directory)) {
-    // A build that was killed before its first file leaves only the temporary one.
-    DAUMIER_CHECK(entry.path().filename() == std::string(kJournal) + ".tmp",
-                  "{} is neither empty nor a build of {}; choose another folder", directory.string(),
-                  plan.at("kind").get<std::string>());
-  }
   Journal journal{plan, {}};
   journal.Write(directory);
   return journal;
@@ -83,13 +76,18 @@ Journal OpenJournal(const fs::path& directory, const Json& plan) {
 
 }  // namespace
 
+OutputKind BuildOutput(const std::string& kind) {
+  return {kind, {kBuildJournal}};
+}
+
 void BuildShards(const fs::path& directory, const ShardedBuild& build, const Task& task) {
   const Json plan = Plan(build.manifest);
+  CheckOutputFolder(directory, BuildOutput(build.manifest.kind));
   if (fs::exists(directory / "manifest.json")) {
     const Manifest finished = ReadManifest(directory, build.manifest.kind);
     CheckSame(directory, Plan(finished), plan);
     VerifyChecksums(directory, finished);
-    fs::remove(directory / kJournal);
+    fs::remove(directory / kBuildJournal);
     log::Info("{}: finished already", directory.string());
     return;
   }
@@ -141,7 +139,7 @@ void BuildShards(const fs::path& directory, const ShardedBuild& build, const Tas
   }
   manifest.checksums.insert(journal.checksums.begin(), journal.checksums.end());
   WriteManifest(directory, manifest);
-  fs::remove(directory / kJournal);
+  fs::remove(directory / kBuildJournal);
 }
 
 }  // namespace daumier::datasets

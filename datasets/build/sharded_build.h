@@ -1,5 +1,6 @@
 #pragma once
 #include "core/manifest.h"
+#include "core/output_place.h"
 #include "core/task.h"
 
 #include <filesystem>
@@ -25,10 +26,13 @@ struct ShardedBuild {
   std::function<std::map<std::string, std::string>(const std::filesystem::path& directory)> write_rest;
 };
 
+/// The folder of a build of that manifest kind, finished or stopped.
+OutputKind BuildOutput(const std::string& kind);
+
 /// Writes the shards that are not there yet, and the manifest last. Shards of an earlier, stopped build are kept if
 /// their content is what was recorded in building.json; the bytes of the finished folder are those of a build that was
 /// never stopped, by any number of threads. A folder that is finished is only verified.
-/// @throws Error if the folder holds another build (saying what differs) or something else; Cancelled if the task is
+/// @throws UsageError as CheckOutputFolder; Error if the folder holds another build (saying what differs); Cancelled if the task is
 /// cancelled, saying how to resume; whatever the writers throw. What is finished stays. Reports units of all shards,
 /// those of an earlier build included.
 void BuildShards(const std::filesystem::path& directory, const ShardedBuild& build, const Task& task = {});

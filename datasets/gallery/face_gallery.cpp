@@ -1,5 +1,8 @@
 #include "datasets/gallery/face_gallery.h"
 
+#include "core/files.h"
+#include "core/manifest.h"
+#include "core/output_place.h"
 #include "datasets/gallery/sketch_gallery.h"
 #include "render/draw.h"
 #include "render/shading.h"
@@ -8,12 +11,17 @@
 #include "reports/face_surface.h"
 
 #include <algorithm>
+#include <string>
 
 namespace daumier::datasets {
 
 namespace {
 
 using faces::FaceDatabase;
+
+constexpr const char* kGalleryKind = "gallery";
+const std::vector<std::string> kFacePictures = {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg"};
+const std::vector<std::string> kSketchPictures = {"sketches.jpg", "line_kinds.jpg", "augmentation.jpg", "contours.jpg"};
 using render::SheetCell;
 
 render::Image Identities(const FaceDatabase& database) {
@@ -130,12 +138,31 @@ render::Image Curves(const faces::FaceTemplate& face_template) {
 
 }  // namespace
 
+void CheckGalleryFolder(const std::filesystem::path& out, const std::vector<std::filesystem::path>& inputs) {
+  CheckOutputFolder(out, {kGalleryKind, kFacePictures}, inputs);
+  if (!std::filesystem::exists(out / "manifest.json")) return;  // New, or of a version that wrote none.
+  CheckOwnFiles(out, kFacePictures);
+  CheckOwnFiles(out, kSketchPictures);
+}
+
 void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches, const std::filesystem::path& folder) {
-  render::WriteImage(folder / "identities.jpg", Identities(database));
-  render::WriteImage(folder / "expressions.jpg", Expressions(database));
-  render::WriteImage(folder / "levels.jpg", Levels(database));
-  render::WriteImage(folder / "curves.jpg", Curves(database.face_template()));
-  if (sketches != nullptr) WriteSketchGallery(database, *sketches, folder);
+  std::vector<std::string> names = kFacePictures;
+  render::WriteImage(folder / names[0], Identities(database));
+  render::WriteImage(folder / names[1], Expressions(database));
+  render::WriteImage(folder / names[2], Levels(database));
+  render::WriteImage(folder / names[3], Curves(database.face_template()));
+  if (sketches != nullptr) {
+    WriteSketchGallery(database, *sketches, folder);
+    names.insert(names.end(), kSketchPictures.begin(), kSketchPictures.end());
+  }
+  Manifest manifest{.kind = kGalleryKind, .verb = "dataset gallery"};
+  manifest.sources = database.manifest().sources;
+  manifest.counts = {{"faces", database.num_faces()}};
+  // Pictures of sketches of an earlier gallery stay, and stay listed.
+  for (const std::string& name : kSketchPictures)
+    if (sketches == nullptr && std::filesystem::exists(folder / name)) names.push_back(name);
+  for (const std::string& name : names) manifest.checksums[name] = Sha256OfFile(folder / name);
+  WriteManifest(folder, manifest);
 }
 
 }  // namespace daumier::datasets

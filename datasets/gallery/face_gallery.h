@@ -3,15 +3,20 @@
 #include "faces/face_database.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace daumier::datasets {
+
+/// @throws UsageError if `out` is neither empty nor an earlier gallery (CheckOutputFolder), or if a picture in it would
+/// be lost that is not the gallery's.
+void CheckGalleryFolder(const std::filesystem::path& out, const std::vector<std::filesystem::path>& inputs);
 
 /// Pictures that show what a database holds, each the first by index and never picked ones:
 ///   identities.jpg   the neutral face of the first persons
 ///   expressions.jpg  every expression of the first three persons, each at another level
 ///   levels.jpg       the levels of the first persons, front and side
 ///   curves.jpg       feature curves and landmarks on the mean face, front and side
-/// into an existing folder, and those of WriteSketchGallery if `sketches` are given. @throws Error as it does, and if a
+/// into an existing folder, those of WriteSketchGallery if `sketches` are given, and a manifest (kind "gallery"). @throws Error as it does, and if a
 /// picture cannot be written.
 void WriteGallery(const faces::FaceDatabase& database, const SketchDatabase* sketches,
                   const std::filesystem::path& folder);

@@ -11,10 +11,12 @@
 /// The data of a run folder of any product, as it was trained on them.
 namespace daumier::datasets {
 
-/// @throws Error if the folder that config.data.`kind` names ("faces") does not hold what the run was trained on, by
-/// its hash.
-void CheckSameData(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
-                   const std::string& kind);
+/// The folder of the data of a `kind` ("faces") that a run was trained on: `moved`, unless that is empty; else the
+/// folder that config.data.`kind` names; else, where that is absent, the folder of a path that ends as that one does,
+/// from a folder above the run: the place of data that moved together with the run.
+/// @throws Error if there is none, or if its data hash is not the one that the run was trained on.
+std::filesystem::path FindRunData(const std::filesystem::path& run, const Manifest& manifest, const Json& config,
+                                  const std::string& kind, const std::string& moved = "");
 
 /// The split of the run's faces. @throws Error if it differs from that in the manifest.
 Split SplitOfRun(const std::filesystem::path& run, const Manifest& manifest, const Json& config,

@@ -5,9 +5,21 @@
 
 namespace daumier::deform {
 
+/// Where the data of a run are now.
+struct DeformEvalData {
+  std::string faces = {}, points = {};
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Text{}, "Folder of the faces that the run was trained on, if they have moved.");
+    visit("points", points, Text{}, "Folder of their points; an evaluation compares its data hash and reads no point.");
+  }
+};
+
 struct DeformEvalOptions {
   std::string split = "test";
   std::string faces = {};
+  DeformEvalData data = {};
   int max_faces = 128;
   int adam_faces = 8;
   int adam_steps = 1000;
@@ -18,6 +30,7 @@ struct DeformEvalOptions {
     visit("split", split, Choices{{"test", "validation", "train"}}, "The subset of the run's split that is measured.");
     visit("faces", faces, Text{},
           "Folder of other faces of the same topology, which the run was not trained on; all of them are measured.");
+    visit("data", data, Table{}, "The run's own data, found by their data hash.");
     visit("max_faces", max_faces, Range{1, 1e6}, "Largest number of faces of the subset, evenly spaced.");
     visit("adam_faces", adam_faces, Range{0, 1e6},
           "Number of faces, the first ones, whose codes are also found as in the paper.");

@@ -1,6 +1,5 @@
 #include "systems/deform/run_folder.h"
 
-#include "core/config.h"
 #include "core/error.h"
 #include "core/run_manifest.h"
 #include "faces/face_database.h"
@@ -12,7 +11,7 @@ DeformRunFolder ReadDeformRunFolder(const std::filesystem::path& directory) {
   run.directory = directory;
   run.manifest = ReadFinishedRun(directory, kSystem);
   const std::filesystem::path config_file = ResolvedConfig(directory);
-  run.config = LoadConfig(config_file);
+  run.config = ReadRunConfig(directory, run.manifest);
   run.face_template = faces::ReadFaceTemplate(directory);
   try {
     run.data_weight = run.config.at("loss").at("data_weight").get<double>();

@@ -5,11 +5,23 @@
 
 namespace daumier::sketch {
 
+/// Where the data of a run are now.
+struct SketchEvalData {
+  std::string faces = {}, sketches = {};
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Text{}, "Folder of the faces that the run was trained on, if they have moved.");
+    visit("sketches", sketches, Text{}, "Folder of their sketches, if they have moved.");
+  }
+};
+
 struct SketchEvalOptions {
   std::string split = "test";
   double strength = 0;
   std::string recover_with = {};
   std::string faces = {}, sketches = {};
+  SketchEvalData data = {};
   bool baselines = true, fit = false, refine = false, deform = false;
 
   template <class V>
@@ -22,6 +34,7 @@ struct SketchEvalOptions {
     visit("faces", faces, Text{},
           "Folder of faces that the run was not trained on, in place of a subset of its split; all are measured.");
     visit("sketches", sketches, Text{}, "Folder of the sketches of these faces.");
+    visit("data", data, Table{}, "The run's own data, found by their data hash.");
     visit("baselines", baselines, Flag{},
           "Also measure the training-free baselines and the upper bound of the model. They depend on data, split and "
           "strength only. Of other faces: those that read the run's training faces.");

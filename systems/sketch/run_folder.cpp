@@ -1,6 +1,5 @@
 #include "systems/sketch/run_folder.h"
 
-#include "core/config.h"
 #include "core/error.h"
 #include "core/run_manifest.h"
 #include "faces/face_database.h"
@@ -27,7 +26,7 @@ SketchRunFolder ReadSketchRunFolder(const std::filesystem::path& directory) {
   run.directory = directory;
   run.manifest = ReadFinishedRun(directory, kSystem);
   const std::filesystem::path config_file = ResolvedConfig(directory);
-  run.config = LoadConfig(config_file);
+  run.config = ReadRunConfig(directory, run.manifest);
   DAUMIER_CHECK(run.config.contains("network"), "{} has no table 'network': it is not the config of a sketch run",
                 config_file.string());
   run.network_options = ParseOptions<SketchNetworkOptions>(run.config["network"], config_file.string());

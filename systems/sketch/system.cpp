@@ -46,6 +46,8 @@ systems::System SketchSystem() {
           },
       .open = OpenSketchPredictor,
       .read_inputs = ReadInputs,
+      .input_extensions = {".svg", ".svgz", ".ndjson", ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff",
+                           ".gif", ".heic", ".xopp", ".inkml", ".excalidraw"},
   };
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(CommandLine, HelpNamesEveryVerb) {
   const ProcessResult result = Daumier({"--help"});
@@ -96,7 +97,11 @@ TEST(CommandLine, DrawRefusesWhatItCannotDraw) {
 }
 
 TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {
-  EXPECT_EQ(Daumier({"paint"}).exit_code, 2);
+  const ProcessResult verb = Daumier({"pedict"}), of_dataset = Daumier({"dataset", "face", "--out", "x"});
+  EXPECT_EQ(verb.exit_code, 2);
+  EXPECT_THAT(verb.err, AllOf(HasSubstr("there is no command 'pedict'"), HasSubstr("did you mean 'predict'?")));
+  EXPECT_EQ(of_dataset.exit_code, 2);
+  EXPECT_THAT(of_dataset.err, AllOf(HasSubstr("there is no command 'face'"), HasSubstr("did you mean 'faces'?")));
   EXPECT_EQ(Daumier({"dataset", "faces"}).exit_code, 2);  // --out is missing
 
   const TempDir folder;
@@ -111,6 +116,30 @@ TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {
   EXPECT_EQ(config.exit_code, 2);
   EXPECT_THAT(config.err, HasSubstr("absent.toml"));
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(CommandLine, FlagsWithoutAValueHaveNoneInTheirHelp) {
+  for (const char* verb : {"eval", "register"})
+    EXPECT_THAT(Daumier({verb, "--help"}).out, AllOf(HasSubstr("--no-"), Not(HasSubstr("{false}")))) << verb;
+}
+
+TEST(CommandLine, DrawNamesWhatItWrote) {
+  const TempDir folder;
+  geometry::WriteObj(folder / "ball.obj", Sphere(2, 3));
+  const std::string out = folder / "ball.svg";
+  EXPECT_THAT(Daumier({"draw", folder / "ball.obj", "--out", out}).out, HasSubstr("drawing: " + out));
+}
+
+/// A truncated library is found before the loader maps it, which would end the program by a signal.
+TEST(CommandLine, ATruncatedTrainingLibraryIsAnError) {
+  const TempDir folder;
+  std::filesystem::copy_file(DAUMIER_PROGRAM, folder / "libdaumier_training.so");
+  std::filesystem::resize_file(folder / "libdaumier_training.so", std::filesystem::file_size(DAUMIER_PROGRAM) / 2);
+  const ProcessResult result =
+      RunProcess({"/usr/bin/env", "LD_LIBRARY_PATH=" + folder.path().string(), DAUMIER_PROGRAM, "info"});
+  EXPECT_EQ(result.signal, 0);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("is truncated"), HasSubstr("Build it: ./dev build")));
 }
 
 TEST(CommandLine, AbsentInputFailsAndNamesIt) {

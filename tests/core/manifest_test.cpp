@@ -32,7 +32,7 @@ std::string ReadFailure(const std::filesystem::path& directory, const std::strin
   try {
     ReadManifest(directory, kind);
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr((directory / "manifest.json").string()));
+    EXPECT_THAT(error.what(), HasSubstr(directory.string()));
     return error.what();
   }
   return "no error";
@@ -68,9 +68,23 @@ TEST(Manifest, EqualWorkGivesEqualBytes) {
   EXPECT_EQ(DataHash(a.path()), Sha256OfFile(a / "manifest.json"));
 }
 
-TEST(Manifest, MissingFileIsNamed) {
+TEST(Manifest, MissingFileIsNamedWithTheRepair) {
   const TempDir dir;
-  EXPECT_THAT(ReadFailure(dir.path()), HasSubstr("No such file"));
+  const std::string folder = dir.path().string(), absent = (dir / "absent").string();
+  EXPECT_EQ(ReadFailure(dir.path(), "sketches"),
+            folder +
+                " is not a folder of sketches (manifest.json is missing). Make one with `daumier dataset sketches "
+                "--out " +
+                folder + "`, or name another folder");
+  EXPECT_EQ(ReadFailure(absent, "run"), absent +
+                                            " does not exist (expected a folder of run). Make one with `daumier "
+                                            "train CONFIG --out " +
+                                            absent + "`, or name another folder");
+  EXPECT_EQ(ReadFailure(absent, ""),
+            absent + " does not exist (expected a folder that daumier wrote). Name another folder");
+  EXPECT_THROW(DataHash(absent), Error);
+  WriteFileAtomically(dir / kBuildJournal, "{}");
+  EXPECT_THAT(ReadFailure(dir.path(), "faces"), HasSubstr("is not finished"));
 }
 
 TEST(Manifest, AnotherKindIsRefused) {

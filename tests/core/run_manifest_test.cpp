@@ -24,6 +24,33 @@ TEST(SystemOf, IsTheTaskAndOfOldRunsTheirProduct) {
   EXPECT_EQ(SystemOf(RunOf(Json::object())), "sketch");
 }
 
+TEST(SystemOf, ATaskThatIsNoTextIsAnError) {
+  ExpectError([] { SystemOf(RunOf({{"system", 3}})); }, "names the task 3 (expected a text)");
+  ExpectError([] { SystemOf(RunOf({{"product", nullptr}})); }, "names the task null");
+}
+
+TEST(ResumeCommand, IsACommandOfAShell) {
+  EXPECT_EQ(ResumeCommand("runs/a"), "daumier train runs/a/resolved.toml --out runs/a --resume");
+  EXPECT_EQ(ResumeCommand("my runs", "epochs=4"),
+            "daumier train 'my runs/resolved.toml' --out 'my runs' --resume epochs=4");
+  EXPECT_EQ(ResumeCommand("it's"), R"(daumier train 'it'\''s/resolved.toml' --out 'it'\''s' --resume)");
+}
+
+TEST(ReadRunConfig, RefusesTheConfigOfAnotherTask) {
+  const testing::TempDir folder;
+  WriteFileAtomically(ResolvedConfig(folder.path()), "system = \"deform\"\nseed = 3\n");
+  EXPECT_EQ(ReadRunConfig(folder.path(), RunOf({{"system", "deform"}})).at("seed"), 3);
+  ExpectError(
+      [&] {
+        ReadRunConfig(folder.path(), RunOf({{"system", "sketch"}}));
+      },
+      "resolved.toml is the config of a run of 'deform', but manifest.json next to it is of a run of 'sketch'");
+  WriteFileAtomically(ResolvedConfig(folder.path()), "product = \"deform\"\n");
+  EXPECT_NO_THROW(ReadRunConfig(folder.path(), RunOf({{"product", "deform"}})));
+  WriteFileAtomically(ResolvedConfig(folder.path()), "system = 7\n");
+  ExpectError([&] { ReadRunConfig(folder.path(), RunOf({})); }, "resolved.toml: system is 7, expected a text");
+}
+
 TEST(ReadFinishedRun, NamesBothTasksAndEveryOtherCause) {
   const testing::TempDir folder;
   const auto run = folder.path();
@@ -31,7 +58,7 @@ TEST(ReadFinishedRun, NamesBothTasksAndEveryOtherCause) {
   WriteManifest(run, RunOf({{"system", "deform"}}));
   ExpectError([&] { ReadFinishedRun(run, "sketch"); },
               "this is a run of the task 'deform' (expected a run of 'sketch')");
-  ExpectError([&] { ReadFinishedRun(run, "deform"); }, "has no best weights yet");
+  ExpectError([&] { ReadFinishedRun(run, "deform"); }, "resolved.toml --out " + run.string() + " --resume");
   MakeDirectory(run / "best");
   WriteFileAtomically(BestWeights(run), "weights");
   Manifest manifest = RunOf({{"system", "deform"}});

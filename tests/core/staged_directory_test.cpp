@@ -16,6 +16,7 @@ using testing::TempDir;
 void WriteExport(const fs::path& directory, const std::string& text, const std::string& kind = "export") {
   Manifest manifest;
   manifest.kind = kind;
+  manifest.checksums["text"] = Sha256(text);
   MakeDirectory(directory);
   WriteFileAtomically(directory / "text", text);
   WriteManifest(directory, manifest);
@@ -55,6 +56,25 @@ TEST(StagedDirectory, ReplacesAnEarlierOneAndWhatAKillLeft) {
   staged.Commit();
   EXPECT_EQ(ReadFile(folder / "out/text"), "new");
   EXPECT_EQ(NumFiles(folder.path()), 1);
+}
+
+TEST(StagedDirectory, ALinkStaysAndItsFolderIsReplaced) {
+  const TempDir folder;
+  WriteExport(folder / "disk/out", "old");
+  fs::create_directory_symlink(folder / "disk/out", folder / "link");
+  StagedDirectory staged(folder / "link/", "export");
+  WriteExport(staged.path(), "new");
+  staged.Commit();
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(ReadFile(folder / "disk/out/text"), "new");
+}
+
+TEST(StagedDirectory, RefusesFilesOfOthersInAnEarlierOne) {
+  const TempDir folder;
+  WriteExport(folder / "out", "old");
+  WriteFileAtomically(folder / "out/letter", "precious");
+  testing::ExpectError([&] { StagedDirectory(folder / "out", "export"); }, "letter is not listed in the manifest");
+  EXPECT_EQ(ReadFile(folder / "out/letter"), "precious");
 }
 
 TEST(StagedDirectory, RefusesForeignFoldersAndFiles) {

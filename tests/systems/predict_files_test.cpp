@@ -83,9 +83,11 @@ class PredictFilesTest : public ::testing::Test {
     render::WriteSvg(folder_ / name, strokes, {"line"});
     return folder_ / name;
   }
-  void Predict(const std::vector<fs::path>& files, const Task& task = {}) const {
-    PredictFiles(system_, predictor_, run(), files, out(), {{"refine", true}}, task);
+  PredictionSummary Predict(const std::vector<fs::path>& files, const Task& task = {}, bool refine = true) const {
+    const PredictionInputs inputs = ReadPredictionInputs(system_, files);
+    return PredictFiles(system_, predictor_, run(), inputs, out(), {{"refine", refine}}, task);
   }
+  Json Details() const { return ReadManifest(out(), "predictions").details; }
   std::set<std::string> Written() const {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(out())) names.insert(entry.path().filename().string());
@@ -132,47 +134,86 @@ TEST_F(PredictFilesTest, TheManifestHoldsSystemOptionsRunAndRecords) {
   EXPECT_NO_THROW(VerifyChecksums(out(), manifest));
 }
 
-TEST_F(PredictFilesTest, InputsOfTheSameNameAreNumbered) {
-  Predict({Draw("a/face.svg", 5), Draw("b/face.svg", 4), Draw("c/face.svg", 3)});
-  const Json drawings = ReadManifest(out(), "predictions").details["drawings"];
-  EXPECT_EQ(drawings["face"]["strokes"], 5);
-  EXPECT_EQ(drawings["face-2"]["strokes"], 4);
-  EXPECT_EQ(drawings["face-3"]["strokes"], 3);
-  for (const char* const file : {"face.obj", "face-2.obj", "face-3.svg"}) EXPECT_EQ(Written().count(file), 1u) << file;
+TEST_F(PredictFilesTest, ABadInputSpoilsOnlyItselfAndIsListed) {
+  const fs::path good = Draw("anna.svg"), no_face = Draw("bert.svg", 1), later = Draw("carl.svg", 4);
+  const PredictionSummary summary = Predict({good, no_face, folder_ / "absent.svg", later});
+  EXPECT_EQ(summary.num_results, 2u);
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "anna.svg", "carl.obj", "carl.png", "carl.svg",
+                                              "manifest.json"}));
+  const Json failures = Details()["failures"];
+  ASSERT_EQ(failures.size(), 2u);
+  EXPECT_EQ(failures[0]["file"], "absent.svg");
+  EXPECT_EQ(failures[1], Json({{"file", "bert.svg"}, {"cause", "bert.svg: no face was found"}}));
+  EXPECT_EQ(ReadFile(out() / "manifest.json").find(folder_.path().string()), std::string::npos) << "no path";
+  EXPECT_NO_THROW(VerifyChecksums(out(), ReadManifest(out(), "predictions")));
+  ExpectError([&] { ThrowIfFailed(summary, out()); },
+              "2 of 4 inputs failed; the results of the others are in " + out().string() + ":\n  ");
+  ExpectError([&] { ThrowIfFailed(summary, out()); }, no_face.string() + ": no face was found");
 }
 
-TEST_F(PredictFilesTest, AnInputThatFailsIsNamedAndNothingIsWritten) {
-  const fs::path good = Draw("anna.svg"), bad = Draw("bert.svg", 1);
-  ExpectError([&] { Predict({good, bad}); }, bad.string() + ": no face was found");
+TEST_F(PredictFilesTest, WithoutAResultNothingIsWritten) {
+  const fs::path bad = Draw("bert.svg", 1);
+  const PredictionSummary one = Predict({bad}), two = Predict({bad, folder_ / "absent.svg"});
   EXPECT_FALSE(fs::exists(out()));
-}
-
-TEST_F(PredictFilesTest, AFileThatCannotBeReadIsNamedAndNothingIsWritten) {
-  const fs::path good = Draw("anna.svg");
-  ExpectError([&] { Predict({good, folder_ / "absent.svg"}); }, "absent.svg");
-  EXPECT_FALSE(fs::exists(out()));
+  EXPECT_NO_THROW(ThrowIfFailed({3, {}}, out()));
+  try {
+    ThrowIfFailed(one, out());
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), bad.string() + ": no face was found");
+  }
+  ExpectError([&] { ThrowIfFailed(two, out()); }, "2 of 2 inputs failed; nothing was written:\n  ");
 }
 
 TEST_F(PredictFilesTest, AFolderOfAnotherKindIsUnchanged) {
   const std::string before = ReadFile(run() / "manifest.json");
   const fs::path drawing = Draw("anna.svg");
-  ExpectError([&] { PredictFiles(system_, predictor_, run(), {drawing}, run(), {}); },
-              "is a folder of run (expected a new one, or one of predictions)");
+  const PredictionInputs inputs = ReadPredictionInputs(system_, {drawing});
+  ExpectError([&] { PredictFiles(system_, predictor_, run(), inputs, run(), {}); }, "it is a folder of run");
   EXPECT_EQ(ReadFile(run() / "manifest.json"), before);
-  ExpectError([&] { PredictFiles(system_, predictor_, run(), {drawing}, drawing, {}); },
-              "is a file (expected a folder)");
-  Predict({drawing});
-  EXPECT_NO_THROW(Predict({drawing}));
+  ExpectError([&] { PredictFiles(system_, predictor_, run(), inputs, drawing, {}); }, "is a file");
 }
 
-TEST_F(PredictFilesTest, ACancelledTaskWritesNothing) {
+TEST_F(PredictFilesTest, AnInputIsNeverOverwritten) {
+  const fs::path drawing = Draw("drawings/anna.svg");
+  const std::string before = ReadFile(drawing);
+  const PredictionInputs inputs = ReadPredictionInputs(system_, {drawing});
+  ExpectError([&] { PredictFiles(system_, predictor_, run(), inputs, drawing.parent_path(), {}); }, "is not empty");
+  Predict({Draw("bert.svg")});
+  const fs::path inside = Draw("out/anna.svg");  // In a folder of predictions.
+  ExpectError([&] { Predict({inside}); }, "lies in the folder to write");
+  ExpectError([&] { Predict({drawing}); }, "anna.svg is not listed in the manifest of its folder");
+  EXPECT_EQ(ReadFile(drawing), before);
+  EXPECT_EQ(ReadFile(inside), before);
+}
+
+TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
+  Predict({Draw("anna.svg"), Draw("carl.svg")});
+  fs::remove(out() / "carl.obj");
+  Predict({Draw("bert.svg")});
+  const Manifest both = ReadManifest(out(), "predictions");
+  EXPECT_EQ(both.checksums.size(), 8u);
+  EXPECT_EQ(both.details["drawings"].size(), 3u);
+  EXPECT_EQ(both.counts["drawings"], 3);
+  EXPECT_NO_THROW(VerifyChecksums(out(), both));
+  EXPECT_NO_THROW(Predict({folder_ / "anna.svg"}));
+  Predict({folder_ / "anna.svg"}, {}, /*refine=*/false);
+  EXPECT_EQ(Details()["drawings"].size(), 1u) << "records are of the options of the manifest";
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
+  Draw("out/anna.svg", 2);
+  ExpectError([&] { Predict({folder_ / "anna.svg"}); }, "anna.svg has changed since it was written");
+}
+
+TEST_F(PredictFilesTest, ACancelledTaskKeepsWhatIsFinished) {
   const std::vector<fs::path> files{Draw("anna.svg"), Draw("bert.svg")};
   std::stop_source source;
   const auto stop_after_the_first = [&](const TaskProgress& progress) {
     if (progress.done == 1) source.request_stop();
   };
-  EXPECT_THROW(Predict(files, Task(source.get_token(), stop_after_the_first)), Cancelled);
-  EXPECT_FALSE(fs::exists(out()));
+  ExpectError([&] { Predict(files, Task(source.get_token(), stop_after_the_first)); }, "stopped");
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "anna.svg", "manifest.json"}));
+  EXPECT_EQ(Details()["drawings"].size(), 1u);
+  EXPECT_EQ(Predict(files).num_results, 2u);
 }
 
 TEST_F(PredictFilesTest, WarningsOfAResultAreLogged) {

@@ -108,6 +108,83 @@ TEST(OpenRunFolder, RestartsWhereARunWasKilledBeforeItsManifest) {
   EXPECT_FALSE(OpenRunFolder(folder.path(), true, kConfig, kData));
 }
 
+/// A finished run of four epochs.
+void WriteFinishedRunOfFour(const std::filesystem::path& folder, Json config) {
+  WriteRun(folder);
+  MakeDirectory(folder / "best");
+  WriteFileAtomically(folder / kBestFile, "weights");
+  WriteFileAtomically(folder / kBestGraph, "graph");
+  Manifest manifest = ReadManifest(folder, "run");
+  manifest.config = std::move(config);
+  manifest.checksums[kBestGraph] = Sha256("graph");
+  WriteManifest(folder, manifest);
+  FinishRun(folder, {.steps = 12, .epochs = 4, .metric = "error", .best_epoch = 2}, 7);
+}
+
+Json ConfigOf(int epochs) {
+  Json config = kConfig;
+  config["epochs"] = epochs;
+  return config;
+}
+
+TEST(LengthenFinishedRun, RecordsTheTrainingSoFarAndIsNotFinished) {
+  const testing::TempDir folder;
+  WriteFinishedRunOfFour(folder.path(), ConfigOf(4));
+  LengthenFinishedRun(folder.path(), ConfigOf(6), kData, {});
+  const Manifest manifest = ReadManifest(folder.path(), "run");
+  EXPECT_EQ(manifest.config, ConfigOf(6));
+  EXPECT_EQ(manifest.counts, Json::parse(R"({"parameters": 7})"));
+  EXPECT_EQ(manifest.checksums.count(kBestFile) + manifest.checksums.count(kBestGraph), 0u);
+  EXPECT_FALSE(std::filesystem::exists(folder / kBestGraph));
+  EXPECT_TRUE(OpenRunFolder(folder.path(), true, ConfigOf(6), kData));
+  const std::vector<EarlierTraining> earlier = EarlierTrainings(folder.path());
+  ASSERT_EQ(earlier.size(), 1u);
+  EXPECT_EQ(earlier[0].planned_epochs, 4);
+  EXPECT_EQ(earlier[0].epochs, 4);
+  FinishRun(folder.path(), {.steps = 18, .epochs = 6, .metric = "error", .best_epoch = 5}, 7);
+  LengthenFinishedRun(folder.path(), ConfigOf(9), kData, {});
+  EXPECT_EQ(EarlierTrainings(folder.path()).size(), 2u);
+}
+
+TEST(LengthenFinishedRun, LeavesEveryOtherRunAsItIs) {
+  const testing::TempDir folder;
+  LengthenFinishedRun(folder / "absent", ConfigOf(6), kData, {});
+  WriteFinishedRunOfFour(folder.path(), ConfigOf(4));
+  const std::string before = ReadFile(folder / "manifest.json");
+  Json other = ConfigOf(6);
+  other["seed"] = 2;
+  LengthenFinishedRun(folder.path(), other, kData, {});
+  LengthenFinishedRun(folder.path(), ConfigOf(6), {{"faces", "other"}}, {});
+  LengthenFinishedRun(folder.path(), ConfigOf(4), kData, {});
+  LengthenFinishedRun(folder.path(), ConfigOf(3), kData, {});
+  EXPECT_EQ(ReadFile(folder / "manifest.json"), before);
+  EXPECT_TRUE(EarlierTrainings(folder.path()).empty());
+}
+
+TEST(OpenRunFolder, SaysWhatToDoAboutOtherEpochs) {
+  const testing::TempDir folder;
+  WriteFinishedRunOfFour(folder.path(), ConfigOf(4));
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), true, ConfigOf(3), kData); }, "Resume it with epochs=4");
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), true, ConfigOf(8), kData); },
+                       "To train the finished run longer: daumier train " + (folder / "resolved.toml").string());
+  Manifest manifest = ReadManifest(folder.path(), "run");
+  manifest.counts.erase("best_epoch");
+  WriteManifest(folder.path(), manifest);
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), true, ConfigOf(8), kData); },
+                       "Finish it first: daumier train");
+}
+
+TEST(OpenRunFolder, RefusesAFolderOfSomethingElse) {
+  const testing::TempDir folder;
+  WriteFileAtomically(folder / "letter.txt", "precious");
+  testing::ExpectError([&] { OpenRunFolder(folder.path(), false, kConfig, kData); },
+                       "is not empty and holds no earlier run (it has 'letter.txt')");
+  Manifest faces{.kind = "faces"};
+  WriteManifest(folder.path(), faces);
+  for (const bool resume : {false, true})
+    testing::ExpectError([&] { OpenRunFolder(folder.path(), resume, kConfig, kData); }, "it is a folder of faces");
+}
+
 TEST(FinishRun, SaysHowTheTrainingEndedAndNamesItsWeights) {
   const testing::TempDir folder;
   WriteRun(folder.path());

@@ -108,8 +108,10 @@ TEST(Trainer, SavesOnAnInterruptPrintsTheResumeCommandAndEndsWithTheSameBytes) {
   torch::manual_seed(9);
   testing::ExpectError(
       [&] { Train(first, FourEpochs(), Fast(), 5, stopped.path(), Task(stop.get_token())); },
-      fmt::format("interrupted at step 5 of 12; checkpoint saved. Resume with: daumier train CONFIG --out {} --resume",
-                  stopped.path().string()));
+      fmt::format(
+          "interrupted at step 5 of 12; checkpoint saved. Resume with: daumier train {0}/resolved.toml --out {0} "
+          "--resume",
+          stopped.path().string()));
   ToyRecipe second(2);
   Train(second, FourEpochs(), Fast(), 5, stopped.path());
   EXPECT_EQ(second.num_calls, 7);
@@ -124,6 +126,88 @@ TEST(Trainer, OfAFinishedRunDoesNothing) {
   EXPECT_EQ(again.num_calls, 0);
   EXPECT_EQ(summary_again.best, summary.best);
   EXPECT_EQ(summary_again.best_epoch, summary.best_epoch);
+}
+
+TrainerOptions Epochs(int epochs) {
+  TrainerOptions options = FourEpochs();
+  options.epochs = epochs;
+  return options;
+}
+
+/// The rate of each step from the log.
+std::vector<double> RatesOf(const std::filesystem::path& run) {
+  std::vector<double> rates;
+  std::istringstream lines(ReadFile(run / RunLog::kMetricsFile));
+  for (std::string line; std::getline(lines, line);) {
+    const Json entry = Json::parse(line);
+    if (entry.at("phase") == "train") rates.push_back(entry.at("learning_rate"));
+  }
+  return rates;
+}
+
+/// Two epochs of three steps, then two more: the last stage again, with its own schedule over six steps.
+TEST(Trainer, ALongerTrainingIsAStageOfItsOwn) {
+  for (const std::vector<Stage>& stages :
+       {std::vector<Stage>{{"", 1, 1}}, {{"one", 0.5, 1}, {"two", 0.5, 0.1}}, {{"one", 1, 0.1}, {"none", 0, 1}}}) {
+    SCOPED_TRACE(stages.size());
+    const testing::TempDir run;
+    ToyRecipe first, longer;
+    first.parts = longer.parts = stages;
+    TrainerOptions options = Epochs(2);
+    options.log_every = 1;
+    Train(first, options, Fast(), 5, run.path());
+    options.epochs = 4;
+    const TrainingSummary summary = Train(longer, options, Fast(), 5, run.path(), {}, {{2, 2}});
+    EXPECT_EQ(summary.steps, 12);
+    EXPECT_EQ(longer.num_calls, 6);
+    EXPECT_EQ(longer.epochs, (std::vector<int64_t>{2, 2, 2, 3, 3, 3}));
+    const std::vector<double> rates = RatesOf(run.path());
+    ASSERT_EQ(rates.size(), 12u);
+    const double factor = stages.size() > 1 ? 0.1 : 1;
+    for (int step = 6; step < 12; ++step)
+      EXPECT_NEAR(rates[size_t(step)], factor * LearningRate(Fast(), step - 6, 6), 1e-9) << step;
+    EXPECT_EQ(longer.entered.back(), (std::pair<int, int>{stages.size() == 2 && stages[1].share > 0 ? 1 : 0, 0}));
+  }
+}
+
+TEST(Trainer, ALongerTrainingThatIsResumedEqualsAnUninterruptedOne) {
+  const testing::TempDir whole, stopped;
+  for (const std::filesystem::path& run : {whole.path(), stopped.path()}) {
+    ToyRecipe first;
+    torch::manual_seed(9);
+    Train(first, Epochs(2), Fast(), 5, run);
+  }
+  ToyRecipe uninterrupted, killed, resumed, longest;
+  Train(uninterrupted, Epochs(4), Fast(), 5, whole.path(), {}, {{2, 2}});
+  killed.before_loss = [](int call) {
+    if (call == 4) throw Stopped();
+  };
+  EXPECT_THROW(Train(killed, Epochs(4), Fast(), 5, stopped.path(), {}, {{2, 2}}), Stopped);
+  Train(resumed, Epochs(4), Fast(), 5, stopped.path(), {}, {{2, 2}});
+  ExpectSameContent(stopped.path(), whole.path());
+  const TrainingSummary summary = Train(longest, Epochs(5), Fast(), 5, whole.path(), {}, {{2, 2}, {4, 4}});
+  EXPECT_EQ(summary.epochs, 5);
+  EXPECT_EQ(longest.num_calls, 3);
+}
+
+TEST(Trainer, ATrainingThatStoppedEarlyIsContinuedFromItsLastEpoch) {
+  const testing::TempDir run;
+  ToyRecipe first, again, longer;
+  first.before_loss = [&](int call) { first.offset = call; };  // Each validation is worse.
+  TrainerOptions options = Epochs(9);
+  options.patience = 1;
+  EXPECT_EQ(Train(first, options, Fast(), 5, run.path()).epochs, 2);
+  options.epochs = 12;
+  options.patience = 0;
+  const TrainingSummary summary = Train(longer, options, Fast(), 5, run.path(), {}, {{9, 2}});
+  EXPECT_FALSE(summary.stopped_early);
+  EXPECT_EQ(summary.epochs, 12);
+  EXPECT_EQ(longer.num_calls, 30);
+  testing::ExpectError(
+      [&] {
+        Train(again, Epochs(2), Fast(), 5, run.path(), {}, {{9, 2}});
+      },
+      "expected one after epoch 2");
 }
 
 TEST(Trainer, ThrowsTheErrorOfALoaderAtItsStepAndResumesFromTheCheckpoint) {

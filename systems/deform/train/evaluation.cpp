@@ -152,7 +152,7 @@ class DeformEvaluation {
   Manifest ReportManifest() const {
     Manifest manifest{.kind = "report", .verb = "eval"};
     manifest.config = ToJson(options_);
-    manifest.config.erase("faces");
+    for (const char* folder : {"faces", "data"}) manifest.config.erase(folder);
     manifest.seed = run_.manifest.seed;
     manifest.sources = run_.manifest.sources;
     if (other_ != nullptr)
@@ -165,8 +165,11 @@ class DeformEvaluation {
 
  private:
   const faces::FaceDatabase& OpenOwnFaces(FolderCache& databases) const {
-    datasets::CheckSameData(run_.directory, run_.manifest, run_.config, "faces");
-    return databases.Open<faces::FaceDatabase>(run_.config.at("data").at("faces").get<std::string>());
+    const auto find = [&](const char* kind, const std::string& moved) {
+      return datasets::FindRunData(run_.directory, run_.manifest, run_.config, kind, moved);
+    };
+    if (!options_.data.points.empty()) find("points", options_.data.points);
+    return databases.Open<faces::FaceDatabase>(find("faces", options_.data.faces));
   }
 
   /// Null if a subset of the run's split is measured.

@@ -81,24 +81,28 @@ TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, 
   manifest.details["system"] = kSystem;
   manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"points", DataHash(options.data.points)}};
 
-  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
-                                          ToJson(DeformTrainingOptions()));
+  const Json defaults = ToJson(DeformTrainingOptions());
+  const bool is_linear = options.network.kind == "linear";  // Fitted in one step: it has no epochs.
+  if (place.resume && !is_linear)
+    train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
+  const bool begun =
+      train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"], defaults);
   torch::manual_seed(options.seed);
   DeformRecipe recipe(options, faces, points, split, torch_device);
-  if (begun) {
-    VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
-  } else {
+  if (begun) VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
+  // Of all files the first one: it shows that the folder is a run's. Of a resumed run the data may have moved.
+  WriteFileAtomically(run_directory / "resolved.toml", ToToml(ToJson(options)));
+  if (!begun) {
     manifest.checksums = faces::WriteFaceTemplate(run_directory, faces.face_template());
+    WriteManifest(run_directory, manifest);
   }
-  WriteFileAtomically(run_directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
-  if (!begun) WriteManifest(run_directory, manifest);
 
   const int64_t num_parameters = recipe.decoder().network()->num_parameters();
   log::Info("Training {} parameters and a code of {} for each of {} faces", num_parameters, options.network.latent,
             recipe.num_samples());
-  TrainingSummary summary = options.network.kind == "linear" ? TrainLinear(recipe, options, run_directory)
-                                                             : train::Train(recipe, options.trainer, options.optimiser,
-                                                                            options.seed, run_directory, task);
+  TrainingSummary summary = is_linear ? TrainLinear(recipe, options, run_directory)
+                                      : train::Train(recipe, options.trainer, options.optimiser, options.seed,
+                                                     run_directory, task, train::EarlierTrainings(run_directory));
   train::FinishRun(run_directory, summary, num_parameters);
   exporting::StoreGraph(DescribeDeformExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,

@@ -111,7 +111,7 @@ reports::Evaluation EvaluateSketchRun(const fs::path& run_directory, const Sketc
   CheckEvalOptions(options);
   if (!options.faces.empty()) return EvaluateOnExternalFaces(run_directory, options, databases, task);
   const Stopwatch stopwatch;
-  const SketchRunData data = OpenSketchRunData(run_directory, databases);
+  const SketchRunData data = OpenSketchRunData(run_directory, databases, options.data);
   const SketchTestSet test(data, options.split, options.strength, task);
   Measured measured{test, options, MeasureSketchRun(test, options), 0};
   measured.seconds = stopwatch.seconds();

@@ -58,6 +58,7 @@ class ExternalEvaluation {
  public:
   ExternalEvaluation(const fs::path& run, const SketchEvalOptions& options, FolderCache& databases, const Task& task)
       : databases_(databases),
+        own_data_(options.data),
         task_(task),
         predictor_(ReadSketchRunFolder(run),
                    std::make_shared<exporting::TorchRunner>(DescribeSketchExport(run), torch::kCPU), {.deform = true}),
@@ -160,7 +161,7 @@ class ExternalEvaluation {
   /// Absent if they have moved.
   std::optional<SketchRunData> OwnData() const {
     try {
-      return OpenSketchRunData(predictor_.run().directory, databases_);
+      return OpenSketchRunData(predictor_.run().directory, databases_, own_data_);
     } catch (const Error& error) {
       log::Info("Without ridge regression and nearest neighbour, which read the training faces: {}", error.what());
       return std::nullopt;
@@ -242,6 +243,7 @@ class ExternalEvaluation {
   }
 
   FolderCache& databases_;
+  const SketchEvalData own_data_;
   const Task task_;
   SketchPredictor predictor_;
   const faces::FaceDatabase& faces_;

@@ -14,15 +14,18 @@ SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory) {
   return OpenSketchRunData(run_directory, databases);
 }
 
-SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases) {
+SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases,
+                                const SketchEvalData& moved) {
   SketchRun run = LoadSketchRun(run_directory);
   try {
-    for (const char* kind : {"faces", "sketches"})
-      datasets::CheckSameData(run_directory, run.manifest, run.config, kind);
+    const auto folder = [&](const char* kind, const std::string& moved_to) {
+      return datasets::FindRunData(run_directory, run.manifest, run.config, kind, moved_to);
+    };
+    const std::filesystem::path faces_folder = folder("faces", moved.faces),
+                                sketches_folder = folder("sketches", moved.sketches);
     // Copies share the mapped shards.
-    const auto& faces = databases.Open<faces::FaceDatabase>(run.config.at("data").at("faces").get<std::string>());
-    const auto& sketches =
-        databases.Open<datasets::SketchDatabase>(run.config.at("data").at("sketches").get<std::string>());
+    const auto& faces = databases.Open<faces::FaceDatabase>(faces_folder);
+    const auto& sketches = databases.Open<datasets::SketchDatabase>(sketches_folder);
     datasets::Split split = datasets::SplitOfRun(run_directory, run.manifest, run.config, faces);
     const auto sketch = ParseOptions<datasets::SketchVariation>(run.config.at("sketch"), "sketches of the run");
     return {std::move(run), faces, sketches, std::move(split), sketch};

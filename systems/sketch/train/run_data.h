@@ -3,6 +3,7 @@
 #include "datasets/read/sketch_variation.h"
 #include "datasets/read/splits.h"
 #include "faces/face_database.h"
+#include "systems/sketch/evaluation_options.h"
 #include "systems/sketch/train/run.h"
 
 #include <filesystem>
@@ -23,9 +24,10 @@ struct SketchRunData {
   const std::vector<int>& side(const std::string& name) const;
 };
 
-/// Opens the databases that resolved.toml names by `databases`. @throws Error as LoadSketchRun and the databases, and
-/// if a database differs from the one that the run was trained on, by its hash, or the split from that of the manifest.
-SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases);
+/// Opens the databases of datasets::FindRunData by `databases`. @throws Error as LoadSketchRun, FindRunData and the
+/// databases, and if the split differs from that of the manifest.
+SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, FolderCache& databases,
+                                const SketchEvalData& moved = {});
 /// The same with a cache of its own.
 SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory);
 

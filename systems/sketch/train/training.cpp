@@ -81,15 +81,18 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   manifest.details["sketches"] = SketchFrame(sketches);
   manifest.details["system"] = kSystem;
 
-  const bool begun = train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"],
-                                          ToJson(SketchTrainingOptions()));
+  const Json defaults = ToJson(SketchTrainingOptions());
+  if (place.resume) train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
+  const bool begun =
+      train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"], defaults);
   const FittedModels models =
       begun ? ResumeRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
 
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);
   log::Info("Training {} parameters on {} sketches", recipe.network()->num_parameters(), recipe.num_samples());
-  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
+  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task,
+                                         train::EarlierTrainings(run_directory));
   train::FinishRun(run_directory, summary, recipe.network()->num_parameters());
   exporting::StoreGraph(DescribeSketchExport(run_directory));
   log::Info("Best validation: {:.3f} mm after epoch {} of {}; run folder {}", summary.best, summary.best_epoch,

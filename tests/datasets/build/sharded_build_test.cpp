@@ -158,7 +158,7 @@ TEST_F(ShardedBuildTest, AnotherBuildInTheFolderIsRefusedAndNamed) {
 TEST_F(ShardedBuildTest, AFolderOfSomethingElseIsRefused) {
   MakeDirectory(other_);
   WriteFileAtomically(other_ / "thesis.txt", "important");
-  ExpectError([&] { BuildShards(other_, build_); }, "is neither empty nor a build of numbers");
+  ExpectError([&] { BuildShards(other_, build_); }, "is not empty and holds no earlier numbers");
   EXPECT_EQ(Contents(other_).size(), 1u);
   ExpectError([&] { BuildShards(folder_ / "other/thesis.txt", build_); }, "thesis.txt");
 }

@@ -1,5 +1,8 @@
 #include "datasets/gallery/face_gallery.h"
 
+#include "core/files.h"
+#include "core/manifest.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
@@ -30,6 +33,24 @@ TEST_F(Gallery, ShowsWhatADatabaseHolds) {
     const auto [darkest, lightest] = std::minmax_element(picture.pixels.begin(), picture.pixels.end());
     EXPECT_GT(*lightest - *darkest, 100) << name << " shows nothing";
   }
+}
+
+TEST_F(Gallery, ListsItsPicturesAndIsReplacedByThem) {
+  const faces::FaceDatabase faces(folder_ / "faces");
+  const std::filesystem::path out = folder_ / "out";
+  EXPECT_NO_THROW(CheckGalleryFolder(out, {folder_ / "faces"}));
+  WriteGallery(faces, nullptr, out);
+  const Manifest manifest = ReadManifest(out, "gallery");
+  EXPECT_EQ(manifest.checksums.size(), 4u);
+  EXPECT_NO_THROW(VerifyChecksums(out, manifest));
+  EXPECT_NO_THROW(CheckGalleryFolder(out, {folder_ / "faces"}));
+  WriteFileAtomically(out / "sketches.jpg", "mine");
+  testing::ExpectError([&] { CheckGalleryFolder(out, {}); }, "sketches.jpg is not listed");
+  std::filesystem::remove(out / "sketches.jpg");
+  std::filesystem::remove(out / "manifest.json");
+  EXPECT_NO_THROW(CheckGalleryFolder(out, {})) << "of a version without manifests of galleries";
+  std::filesystem::remove(out / "levels.jpg");
+  testing::ExpectError([&] { CheckGalleryFolder(out, {}); }, "is not empty and holds no earlier gallery");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "datasets/read/run_data.h"
 
+#include "core/files.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
@@ -38,11 +39,45 @@ TEST_F(RunDataTest, AManifestHoldsCountsAndSplitAndNoPath) {
 }
 
 TEST_F(RunDataTest, RefusesFacesThatTheRunWasNotTrainedOn) {
-  CheckSameData(run_, manifest_, config_, "faces");
+  EXPECT_EQ(FindRunData(run_, manifest_, config_, "faces"), folder_ / "faces");
   testing::BuildSyntheticFaces(folder_ / "others", 2);
   config_["data"]["faces"] = (folder_ / "others").string();
-  testing::ExpectError([&] { CheckSameData(run_, manifest_, config_, "faces"); },
+  testing::ExpectError([&] { FindRunData(run_, manifest_, config_, "faces"); },
                        "the faces differ from the training data of");
+  EXPECT_EQ(FindRunData(run_, manifest_, config_, "faces", folder_ / "faces"), folder_ / "faces");
+  testing::ExpectError([&] { FindRunData(run_, manifest_, config_, "faces", folder_ / "absent"); },
+                       "absent does not exist (expected a folder of faces)");
+}
+
+TEST_F(RunDataTest, FacesThatMovedAreNamedOrFound) {
+  const auto move = [&](const std::filesystem::path& to) {
+    std::filesystem::create_directories(to.parent_path());
+    std::filesystem::rename(folder_ / "faces", to);
+  };
+  move(folder_ / "elsewhere/of/mine");
+  testing::ExpectError([&] { FindRunData(run_, manifest_, config_, "faces"); },
+                       "If they have moved, add data.faces=FOLDER");
+  EXPECT_EQ(FindRunData(run_, manifest_, config_, "faces", folder_ / "elsewhere/of/mine"),
+            folder_ / "elsewhere/of/mine");
+}
+
+/// /old/project/{data/faces, runs/a} became FOLDER/new/{data/faces, runs/a}.
+TEST_F(RunDataTest, DataThatMovedTogetherWithTheRunAreFound) {
+  const std::filesystem::path project = std::filesystem::weakly_canonical(folder_.path()) / "new";
+  config_["data"]["faces"] = "/old/project/data/faces";
+  MakeDirectory(project / "data");
+  MakeDirectory(project / "runs/a");
+  std::filesystem::rename(folder_ / "faces", project / "data/faces");
+  EXPECT_EQ(FindRunData(project / "runs/a", manifest_, config_, "faces"), project / "data/faces");
+  testing::BuildSyntheticFaces(project / "runs/data/faces", 2);  // Nearer, but other faces.
+  EXPECT_EQ(FindRunData(project / "runs/a", manifest_, config_, "faces"), project / "data/faces");
+}
+
+TEST_F(RunDataTest, AConfigWithoutThatDataIsNamed) {
+  config_["data"] = {{"points", "x"}};
+  testing::ExpectError([&] { FindRunData(run_, manifest_, config_, "faces"); }, "resolved.toml has no data.faces");
+  manifest_.details["data"] = 3;
+  testing::ExpectError([&] { FindRunData(run_, manifest_, config_, "faces"); }, "manifest.json has no data.faces");
 }
 
 TEST_F(RunDataTest, SplitIsThatOfTheTrainingOrAnError) {

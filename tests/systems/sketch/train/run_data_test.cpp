@@ -20,6 +20,22 @@ TEST_F(SketchRunDataTest, RefusesOtherDataThanTheRunWasTrainedOn) {
   testing::ExpectError([&] { OpenSketchRunData(run); }, "the faces differ from the training data of");
 }
 
+TEST_F(SketchRunDataTest, ReadsDataThatHaveMoved) {
+  const fs::path run = *folder_ / "moved_run", moved = *folder_ / "elsewhere";
+  WriteRun(run);
+  Json config = LoadConfig(run / "resolved.toml");
+  config["data"] = {{"faces", "/absent/of/faces"}, {"sketches", "/absent/of/sketches"}};
+  WriteFileAtomically(run / "resolved.toml", ToToml(config));
+  FolderCache databases;
+  testing::ExpectError([&] { OpenSketchRunData(run, databases); }, "If they have moved, add data.faces=FOLDER");
+  fs::create_directories(moved);
+  fs::copy(*folder_ / "faces", moved / "a", fs::copy_options::recursive);
+  fs::copy(*folder_ / "sketches", moved / "b", fs::copy_options::recursive);
+  const SketchRunData data =
+      OpenSketchRunData(run, databases, {.faces = (moved / "a").string(), .sketches = (moved / "b").string()});
+  EXPECT_EQ(data.faces.num_faces(), faces::FaceDatabase(*folder_ / "faces").num_faces());
+}
+
 TEST_F(SketchRunDataTest, RefusesASplitThatComesOutOtherwise) {
   const fs::path run = *folder_ / "other_split";
   WriteRun(run);

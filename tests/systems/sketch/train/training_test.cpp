@@ -116,6 +116,35 @@ TEST_F(SketchTrainingTest, RefusesToResumeAnotherConfigAndToOverwriteARun) {
       "optimiser.learning_rate is 0.005 there and 0.25 now");
 }
 
+TEST_F(SketchTrainingTest, AFinishedRunTrainsLongerAsAStageOnRecord) {
+  Json config = Config();
+  config["epochs"] = 2;
+  const fs::path whole = Run("longer"), stopped = Run("longer_stopped");
+  for (const fs::path& run : {whole, stopped}) RunSketch(config, {run, false}, {});
+  const std::string finished = ReadFile(whole / "best/model.safetensors");
+  config["epochs"] = 4;
+  EXPECT_EQ(RunSketch(config, {whole, true}, {}).epochs, 4);
+  const Manifest manifest = ReadManifest(whole, "run");
+  EXPECT_EQ(manifest.config.at("epochs"), 4);
+  EXPECT_EQ(manifest.counts.at("epochs"), 4);
+  EXPECT_EQ(manifest.details.at("earlier_trainings"), Json({{{"planned_epochs", 2}, {"epochs", 2}}}));
+  EXPECT_NO_THROW(VerifyChecksums(whole, manifest));
+  EXPECT_NE(ReadFile(whole / "checkpoints/latest/model.safetensors"), finished);
+  EXPECT_NO_THROW(LoadSketchRun(whole));
+
+  std::stop_source stop;
+  stop.request_stop();
+  testing::ExpectError([&] { RunSketch(config, {stopped, true}, Task(stop.get_token())); }, "interrupted at step");
+  EXPECT_NO_THROW(LoadSketchRun(stopped)) << "its best weights until now";
+  RunSketch(LoadConfig(stopped / "resolved.toml"), {stopped, true}, {});
+  for (const char* file : {"best/model.safetensors", "best/model.onnx", "checkpoints/latest/model.safetensors",
+                           "checkpoints/latest/state.json", "manifest.json", "resolved.toml"})
+    EXPECT_EQ(Sha256OfFile(stopped / file), Sha256OfFile(whole / file)) << file;
+
+  config["epochs"] = 3;
+  testing::ExpectError([&] { RunSketch(config, {whole, true}, {}); }, "Resume it with epochs=4");
+}
+
 TEST_F(SketchTrainingTest, OptionsThatTheFitRefusesCanBeCorrectedInTheSameFolder) {
   Json config = Config();
   config["bilinear"]["num_identity"] = 500;
