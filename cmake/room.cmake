@@ -151,7 +151,11 @@ function(daumier_tests name target kind)
   daumier_precompiled_header(${header})
   target_precompile_headers(${target}_tests REUSE_FROM daumier_pch_${header})
   add_test(NAME ${name} COMMAND ${target}_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS ${kind})
+  set(timeout 300)
+  if(DAUMIER_SANITIZE STREQUAL "thread")
+    set(timeout 1500)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} LABELS ${kind})
 endfunction()
 
 # libFuzzer's main with the readers of fuzz/targets.cpp: `./dev fuzz`.

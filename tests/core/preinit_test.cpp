@@ -21,7 +21,7 @@ constexpr bool kSanitized =
 #if defined(__SANITIZE_ADDRESS__)
     true;
 #elif defined(__has_feature)
-    __has_feature(address_sanitizer);
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
     false;
 #endif
