@@ -17,7 +17,7 @@ using geometry::PolygonMesh;
 using testing::ExpectError;
 
 const MeshView kTiltedView{.yaw_degrees = 17, .pitch_degrees = 40};
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// A torus in the plane of x and y that faces +z.
 PolygonMesh TorusMesh() {
@@ -103,7 +103,7 @@ TEST(DrawMesh, IgnoresVerticesThatNoPolygonUses) {
   testing::AllowWarnings();
   PolygonMesh mesh = TorusMesh();
   mesh.vertices.conservativeResize(mesh.vertices.rows() + 2, Eigen::NoChange);
-  mesh.vertices.bottomRows(2) << 1e6, 0, 0, kNan, kNan, kNan;
+  mesh.vertices.bottomRows(2) << 1e6, 0, 0, kNotANumber, kNotANumber, kNotANumber;
   const Drawn drawn = Draw(mesh);
   EXPECT_EQ(drawn.num_warnings, 1);
   ExpectSameStrokes(drawn.strokes, Draw(TorusMesh()).strokes, "stray vertices");
@@ -143,7 +143,7 @@ TEST(DrawMesh, RefusesWhatCannotBeDrawn) {
   PolygonMesh point{.vertices = geometry::Points::Ones(3, 3), .offsets = {0, 3}, .corners = {0, 1, 2}};
   ExpectError([&] { Draw(point); }, "a.obj: no triangle has its corners in three places");
   ExpectError([] { Draw({.vertices = geometry::Points::Ones(3, 3)}); }, "a.obj: has no faces (found 3 vertices");
-  point.vertices(1, 0) = kNan;
+  point.vertices(1, 0) = kNotANumber;
   ExpectError([&] { Draw(point); }, "a.obj: the position of vertex 1");
   ContourOptions nothing;
   nothing.min_length = 1e4;
