@@ -1,6 +1,7 @@
 #include "render/mesh_drawing.h"
 
 #include "core/log.h"
+#include "core/random.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/warnings.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <limits>
 
 namespace daumier::render {
@@ -148,6 +150,30 @@ TEST(DrawMesh, RefusesWhatCannotBeDrawn) {
   ContourOptions nothing;
   nothing.min_length = 1e4;
   ExpectError([&] { DrawMesh(TorusMesh(), kTiltedView, nothing, "a.obj"); }, "a.obj: no line of its 3600 triangles");
+}
+
+// Any corners and places: an Error is the only way out.
+TEST(DrawMesh, DrawsOrRefusesDamagedMeshes) {
+  testing::AllowWarnings();
+  log::SetLevel(log::Level::kOff);
+  Rng rng(8);
+  int num_drawn = 0;
+  for (int i = 0; i < 60; ++i) {
+    PolygonMesh mesh = TorusMesh();
+    const auto num_damages = rng.Below(1 + 3 * i);
+    for (uint64_t damage = 0; damage < num_damages; ++damage) {
+      mesh.corners[rng.Below(mesh.corners.size())] = int(rng.Below(uint64_t(mesh.vertices.rows())));
+      const double exponent = double(rng.Below(600)) - 300;
+      mesh.vertices.data()[rng.Below(uint64_t(mesh.vertices.size()))] *= std::pow(10, i % 3 == 0 ? 0 : exponent);
+    }
+    try {
+      Draw(mesh);
+      ++num_drawn;
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_GT(num_drawn, 20);
+  log::SetLevel(log::Level::kInfo);
 }
 
 TEST(UprightFromFile, TakesUpAndFrontToTheirAxes) {
