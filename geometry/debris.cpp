@@ -13,18 +13,18 @@
 namespace daumier::geometry {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using PieceBox = Eigen::AlignedBox3d;
 
 constexpr double kSmallShare = 0.01;
 constexpr double kReach = 0.15;
 
 struct Piece {
   double area = 0;
-  Box box;
+  PieceBox box;
   bool is_kept = false;
 };
 
-Box Enlarged(const Box& box) {
+PieceBox Enlarged(const PieceBox& box) {
   const Vector3 margin = Vector3::Constant(kReach * box.sizes().maxCoeff());
   return {box.min() - margin, box.max() + margin};
 }
@@ -46,11 +46,11 @@ CleanSurface RemoveDebris(const TriangleMesh& mesh) {
   Piece& largest =
       *std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.area < b.area; });
   largest.is_kept = true;
-  Box kept = largest.box;
+  PieceBox kept = largest.box;
   // A round that adds nothing is the last; every second one makes the box larger by its reach.
   for (bool grows = true; grows;) {
     grows = false;
-    const Box reach = Enlarged(kept);
+    const PieceBox reach = Enlarged(kept);
     for (Piece& piece : pieces) {
       if (piece.is_kept || piece.box.isEmpty() || !reach.intersects(piece.box)) continue;
       piece.is_kept = grows = true;

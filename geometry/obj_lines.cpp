@@ -71,28 +71,6 @@ bool ObjLines::Next() {
   return true;
 }
 
-void ObjLines::SkipBlanks() {
-  while (position_ != line_end_ && IsBlank(*position_)) ++position_;
-}
-
-bool ObjLines::Accept(std::string_view keyword) {
-  const std::string_view rest(position_, static_cast<size_t>(line_end_ - position_));
-  if (rest.size() <= keyword.size() || !rest.starts_with(keyword) || !IsBlank(rest[keyword.size()])) return false;
-  position_ += keyword.size() + 1;
-  return true;
-}
-
-bool ObjLines::AtEnd() {
-  SkipBlanks();
-  return position_ == line_end_ || *position_ == '#';
-}
-
-bool ObjLines::Skip(char c) {
-  if (position_ == line_end_ || *position_ != c) return false;
-  ++position_;
-  return true;
-}
-
 double ObjLines::ReadNumber(const char* problem) {
   double value = 0;
   const auto [end, error] = std::from_chars(position_, line_end_, value);
@@ -123,8 +101,8 @@ int ObjLines::ReadIndex(const char* problem) {
   return value;
 }
 
-void ObjLines::Check(bool condition, const char* problem) const {
-  DAUMIER_CHECK(condition, "{}:{}: {}", name_, number_, problem);
+void ObjLines::Refuse(const char* problem) const {
+  throw Error(fmt::format("{}:{}: {}", name_, number_, problem));
 }
 
 }  // namespace daumier::geometry

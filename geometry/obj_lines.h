@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstring>
 #include <string_view>
 
 namespace daumier::geometry {
@@ -17,13 +19,27 @@ class ObjLines {
   bool IsOpen() const { return line_end_ == end_; }
 
   /// Whether the line is `keyword` followed by a blank; moves behind it.
-  bool Accept(std::string_view keyword);
+  bool Accept(std::string_view keyword) {
+    const auto size = static_cast<std::ptrdiff_t>(keyword.size());
+    if (line_end_ - position_ <= size || std::memcmp(position_, keyword.data(), keyword.size()) != 0 ||
+        !IsBlank(position_[size]))
+      return false;
+    position_ += size + 1;
+    return true;
+  }
   /// Whether the line, or all but a comment, is read; skips blanks.
-  bool AtEnd();
+  bool AtEnd() {
+    SkipBlanks();
+    return position_ == line_end_ || *position_ == '#';
+  }
   /// Whether a word ends here.
   bool AtWordEnd() const { return position_ == line_end_ || IsBlank(*position_) || *position_ == '#'; }
   /// Whether the next character is `c`; moves behind it.
-  bool Skip(char c);
+  bool Skip(char c) {
+    if (position_ == line_end_ || *position_ != c) return false;
+    ++position_;
+    return true;
+  }
 
   /// The number that comes next, to the end of its word, as ParseNumber. @throws Error with `problem`.
   double ReadNumber(const char* problem);
@@ -31,13 +47,18 @@ class ObjLines {
   int ReadIndex(const char* problem);
 
   /// @throws Error "name:line: problem" unless the condition holds.
-  void Check(bool condition, const char* problem) const;
+  void Check(bool condition, const char* problem) const {
+    if (!condition) Refuse(problem);
+  }
 
  private:
   bool IsBlank(char c) const {
     return c == ' ' || c == '\t' || (is_continued_ && (c == '\\' || c == '\r' || c == '\n'));
   }
-  void SkipBlanks();
+  void SkipBlanks() {
+    while (position_ != line_end_ && IsBlank(*position_)) ++position_;
+  }
+  [[noreturn]] void Refuse(const char* problem) const;
   /// Ends the line at the next line end.
   void FindLineEnd();
   /// Whether the line continues behind its line end.

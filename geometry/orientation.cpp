@@ -20,12 +20,12 @@ constexpr double kSmoothShare = 0.9;
 constexpr double kBorderShare = 0.25;
 
 /// Two triangles at an edge that no third one has.
-struct TrianglePair {
+struct EdgePair {
   int a, b;
   bool is_alike;  ///< They run along the edge in opposite directions.
 };
 
-std::vector<TrianglePair> PairsAtEdges(const Triangles& triangles) {
+std::vector<EdgePair> PairsAtEdges(const Triangles& triangles) {
   struct Edge {
     int low, high, triangle;
     bool is_upwards;
@@ -42,7 +42,7 @@ std::vector<TrianglePair> PairsAtEdges(const Triangles& triangles) {
   std::sort(edges.begin(), edges.end(), [&](const Edge& x, const Edge& y) {
     return std::pair(key(x), x.triangle) < std::pair(key(y), y.triangle);
   });
-  std::vector<TrianglePair> pairs;
+  std::vector<EdgePair> pairs;
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     while (end < edges.size() && key(edges[end]) == key(edges[begin])) ++end;
     const Edge &x = edges[begin], &y = edges[end - 1];
@@ -77,10 +77,10 @@ struct Patches {
   std::vector<std::pair<int, int>> opposed;
 };
 
-Patches PatchesOf(const std::vector<TrianglePair>& pairs, const Points& normals) {
+Patches PatchesOf(const std::vector<EdgePair>& pairs, const Points& normals) {
   const int num_triangles = static_cast<int>(normals.rows());
   std::vector<std::pair<int, int>> alike;
-  for (const TrianglePair& pair : pairs) {
+  for (const EdgePair& pair : pairs) {
     if (pair.is_alike) alike.emplace_back(pair.a, pair.b);
   }
   Patches patches{Components(alike, num_triangles)};
@@ -92,7 +92,7 @@ Patches PatchesOf(const std::vector<TrianglePair>& pairs, const Points& normals)
     int num_edges = 0, num_smooth = 0;
   };
   std::map<std::pair<int, int>, Seam> seams;
-  for (const TrianglePair& pair : pairs) {
+  for (const EdgePair& pair : pairs) {
     const auto [low, high] = std::minmax({patches.of_triangle[pair.a], patches.of_triangle[pair.b]});
     if (pair.is_alike || low == high) continue;
     Seam& seam = seams[{low, high}];
@@ -159,7 +159,7 @@ double OutwardnessOf(const Facets& facets, const std::vector<int>& triangles, co
   return reach > 0 ? flux / reach : 0;
 }
 
-void Turn(const std::vector<int>& triangles, std::vector<bool>& is_turned) {
+void TurnAll(const std::vector<int>& triangles, std::vector<bool>& is_turned) {
   for (const int f : triangles) is_turned[f] = !is_turned[f];
 }
 
@@ -174,7 +174,7 @@ double Outwardness(const TriangleMesh& mesh) {
 OrientedSurface OrientOutwards(const TriangleMesh& mesh) {
   const int num_triangles = static_cast<int>(mesh.triangles.rows());
   const Facets facets = FacetsOf(mesh);
-  const std::vector<TrianglePair> pairs = PairsAtEdges(mesh.triangles);
+  const std::vector<EdgePair> pairs = PairsAtEdges(mesh.triangles);
   const Patches patches = PatchesOf(pairs, facets.normals);
   const std::vector<int> piece_of_patch = Components(patches.opposed, patches.size);
   const std::vector<bool> is_patch_turned = TurnsOf(patches, piece_of_patch);
@@ -187,7 +187,7 @@ OrientedSurface OrientOutwards(const TriangleMesh& mesh) {
     pieces[piece_of(f)].push_back(f);
     is_turned[f] = is_patch_turned[patches.of_triangle[f]];
   }
-  for (const TrianglePair& pair : pairs) {
+  for (const EdgePair& pair : pairs) {
     if (piece_of(pair.a) != piece_of(pair.b)) continue;
     ++num_neighbours[pair.a];
     ++num_neighbours[pair.b];
@@ -196,15 +196,15 @@ OrientedSurface OrientOutwards(const TriangleMesh& mesh) {
   for (const std::vector<int>& piece : pieces) {
     double area = 0;
     for (const int f : piece) area += is_turned[f] ? -facets.areas[f] : facets.areas[f];
-    if (area < 0) Turn(piece, is_turned);
+    if (area < 0) TurnAll(piece, is_turned);
     const bool is_closed = std::all_of(piece.begin(), piece.end(), [&](int f) { return num_neighbours[f] == 3; });
     if (!is_closed) {
       open.insert(open.end(), piece.begin(), piece.end());
     } else if (OutwardnessOf(facets, piece, is_turned) < kInsideOut) {
-      Turn(piece, is_turned);
+      TurnAll(piece, is_turned);
     }
   }
-  if (OutwardnessOf(facets, open, is_turned) < kInsideOut) Turn(open, is_turned);
+  if (OutwardnessOf(facets, open, is_turned) < kInsideOut) TurnAll(open, is_turned);
 
   OrientedSurface result{mesh.triangles};
   for (int f = 0; f < num_triangles; ++f) {

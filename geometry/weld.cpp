@@ -8,7 +8,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -104,16 +103,24 @@ double WeldTolerance(const Points& points) {
 
 TriangleMesh WeldedSurface(const TriangleMesh& mesh, double tolerance) {
   const std::vector<int> places = WeldByPlace(mesh.vertices, tolerance);
-  std::vector<int> kept, used;
-  std::set<std::array<int, 3>> taken;
+  std::vector<std::array<int, 4>> candidates;  // Three places in ascending order and the triangle.
+  candidates.reserve(static_cast<size_t>(mesh.triangles.rows()));
   for (int f = 0; f < mesh.triangles.rows(); ++f) {
-    std::array<int, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[k] = places[mesh.triangles(f, k)];
-    std::sort(corners.begin(), corners.end());
-    if (corners[0] == corners[1] || corners[1] == corners[2] || !taken.insert(corners).second) continue;
-    kept.push_back(f);
-    used.insert(used.end(), corners.begin(), corners.end());
+    std::array<int, 4> candidate = {0, 0, 0, f};
+    for (int k = 0; k < 3; ++k) candidate[k] = places[mesh.triangles(f, k)];
+    std::sort(candidate.begin(), candidate.begin() + 3);
+    if (candidate[0] != candidate[1] && candidate[1] != candidate[2]) candidates.push_back(candidate);
   }
+  std::sort(candidates.begin(), candidates.end());
+  const auto end = std::unique(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return std::equal(a.begin(), a.begin() + 3, b.begin());
+  });
+  std::vector<int> kept, used;
+  for (auto candidate = candidates.begin(); candidate != end; ++candidate) {
+    kept.push_back((*candidate)[3]);
+    used.insert(used.end(), candidate->begin(), candidate->begin() + 3);
+  }
+  std::sort(kept.begin(), kept.end());
   const VertexMap map = MapKept(used, static_cast<int>(mesh.vertices.rows()));
   return {SelectPoints(mesh.vertices, map),
           mesh.triangles(kept, Eigen::all).unaryExpr([&](int v) { return map.new_from_old[places[v]]; })};

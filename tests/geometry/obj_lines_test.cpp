@@ -13,7 +13,7 @@ namespace {
 using testing::ExpectError;
 
 /// The whole numbers behind `v` of each line.
-std::vector<std::vector<int>> Rows(const std::string& text) {
+std::vector<std::vector<int>> IndexRows(const std::string& text) {
   ObjLines line(text, "a.obj");
   std::vector<std::vector<int>> rows;
   while (line.Next()) {
@@ -28,20 +28,20 @@ TEST(ObjLines, EndWithAnyLineEnd) {
   const std::vector<std::vector<int>> expected = {{1, 2}, {3}, {4}};
   for (const char* end : {"\n", "\r\n", "\r", "\r\r\n", "\n\n", "  \n", "\t\r\n"}) {
     const std::string text = std::string("v 1 2") + end + "# v 9" + end + "\t v\t3" + end + "v 4";
-    EXPECT_EQ(Rows(text), expected) << end;
-    EXPECT_EQ(Rows(text + end), expected) << end;
-    EXPECT_EQ(Rows("\xEF\xBB\xBF" + text), expected) << end;
+    EXPECT_EQ(IndexRows(text), expected) << end;
+    EXPECT_EQ(IndexRows(text + end), expected) << end;
+    EXPECT_EQ(IndexRows("\xEF\xBB\xBF" + text), expected) << end;
   }
-  EXPECT_EQ(Rows("v 1 2\nv 3\rv 4\r\n"), expected) << "mixed";
+  EXPECT_EQ(IndexRows("v 1 2\nv 3\rv 4\r\n"), expected) << "mixed";
 }
 
 TEST(ObjLines, ContinueBehindABackslash) {
   const std::vector<std::vector<int>> expected = {{1, 2, 3}, {4}};
   for (const char* text :
        {"v 1 2 \\\n3\nv 4\n", "v 1 \\\r\n 2 \\\r\n 3\r\nv 4", "v 1\\\r2\\\r3\rv 4\\", "v\\\n1 2 3\nv 4 \\\n"})
-    EXPECT_EQ(Rows(text), expected) << text;
+    EXPECT_EQ(IndexRows(text), expected) << text;
   for (const char* other : {"# C:\\\n", "mtllib C:\\\n", "usemtl a\\\n"})
-    EXPECT_EQ(Rows(std::string(other) + "v 1 2 3\nv 4 # D:\\\n"), expected) << other;
+    EXPECT_EQ(IndexRows(std::string(other) + "v 1 2 3\nv 4 # D:\\\n"), expected) << other;
 }
 
 TEST(ObjLines, MessagesCountEveryLineEnd) {

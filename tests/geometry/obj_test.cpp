@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/log.h"
+#include "core/random.h"
 #include "geometry/triangulate.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
@@ -178,6 +179,31 @@ TEST(ParseObj, RefusesACutText) {
   for (size_t length = 0; length < shortest.size(); ++length) {
     EXPECT_THROW(ParseObj(std::string_view(whole).substr(0, length), "a.obj"), Error) << length;
   }
+}
+
+TEST(ParseObj, DamagedTextsAreReadOrRefused) {
+  testing::AllowWarnings();
+  log::SetLevel(log::Level::kOff);
+  const std::string whole =
+      "\xEF\xBB\xBF# a\r\n" + kFour +
+      "v nan 1.#IND -2\r\nvt 0 0\rvt 1 1\nvn 0 0 1\nl 1 2\nf 1/1 2/2 \\\n 3/1 4/2\r\nf -1// -2//1 -3\nf 1 1 2\n";
+  Rng rng(3);
+  int num_refused = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string damaged = whole.substr(0, whole.size() - (i % 2 == 0 ? 0 : rng.Below(whole.size())));
+    for (uint64_t flip = 0; flip <= rng.Below(3) && !damaged.empty(); ++flip)
+      damaged[rng.Below(damaged.size())] = "0123456789-+.e/\\\r\n\t #vftnlp\xFF"[rng.Below(30)];
+    try {
+      const PolygonMesh mesh = ParseObj(damaged, "a.obj");
+      for (const int v : mesh.corners)
+        EXPECT_TRUE(v >= 0 && v < mesh.vertices.rows() && mesh.vertices.row(v).allFinite());
+    } catch (const Error&) {
+      ++num_refused;
+    }
+  }
+  EXPECT_GT(num_refused, 2000);
+  EXPECT_LT(num_refused, 19'000);
+  log::SetLevel(log::Level::kInfo);
 }
 
 TEST(ParseObjVertices, AgreesWithTheFullReaderAndSkipsPolygons) {

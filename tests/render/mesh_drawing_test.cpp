@@ -1,6 +1,7 @@
 #include "render/mesh_drawing.h"
 
 #include "core/log.h"
+#include "core/random.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/warnings.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <limits>
 
 namespace daumier::render {
@@ -17,7 +19,7 @@ using geometry::PolygonMesh;
 using testing::ExpectError;
 
 const MeshView kTiltedView{.yaw_degrees = 17, .pitch_degrees = 40};
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// A torus in the plane of x and y that faces +z.
 PolygonMesh TorusMesh() {
@@ -103,7 +105,7 @@ TEST(DrawMesh, IgnoresVerticesThatNoPolygonUses) {
   testing::AllowWarnings();
   PolygonMesh mesh = TorusMesh();
   mesh.vertices.conservativeResize(mesh.vertices.rows() + 2, Eigen::NoChange);
-  mesh.vertices.bottomRows(2) << 1e6, 0, 0, kNan, kNan, kNan;
+  mesh.vertices.bottomRows(2) << 1e6, 0, 0, kNotANumber, kNotANumber, kNotANumber;
   const Drawn drawn = Draw(mesh);
   EXPECT_EQ(drawn.num_warnings, 1);
   ExpectSameStrokes(drawn.strokes, Draw(TorusMesh()).strokes, "stray vertices");
@@ -143,11 +145,35 @@ TEST(DrawMesh, RefusesWhatCannotBeDrawn) {
   PolygonMesh point{.vertices = geometry::Points::Ones(3, 3), .offsets = {0, 3}, .corners = {0, 1, 2}};
   ExpectError([&] { Draw(point); }, "a.obj: no triangle has its corners in three places");
   ExpectError([] { Draw({.vertices = geometry::Points::Ones(3, 3)}); }, "a.obj: has no faces (found 3 vertices");
-  point.vertices(1, 0) = kNan;
+  point.vertices(1, 0) = kNotANumber;
   ExpectError([&] { Draw(point); }, "a.obj: the position of vertex 1");
   ContourOptions nothing;
   nothing.min_length = 1e4;
   ExpectError([&] { DrawMesh(TorusMesh(), kTiltedView, nothing, "a.obj"); }, "a.obj: no line of its 3600 triangles");
+}
+
+// Any corners and places: an Error is the only way out.
+TEST(DrawMesh, DrawsOrRefusesDamagedMeshes) {
+  testing::AllowWarnings();
+  log::SetLevel(log::Level::kOff);
+  Rng rng(8);
+  int num_drawn = 0;
+  for (int i = 0; i < 60; ++i) {
+    PolygonMesh mesh = TorusMesh();
+    const auto num_damages = rng.Below(1 + 3 * i);
+    for (uint64_t damage = 0; damage < num_damages; ++damage) {
+      mesh.corners[rng.Below(mesh.corners.size())] = int(rng.Below(uint64_t(mesh.vertices.rows())));
+      const double exponent = double(rng.Below(600)) - 300;
+      mesh.vertices.data()[rng.Below(uint64_t(mesh.vertices.size()))] *= std::pow(10, i % 3 == 0 ? 0 : exponent);
+    }
+    try {
+      Draw(mesh);
+      ++num_drawn;
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_GT(num_drawn, 20);
+  log::SetLevel(log::Level::kInfo);
 }
 
 TEST(UprightFromFile, TakesUpAndFrontToTheirAxes) {
