@@ -6,6 +6,7 @@
 #include "core/log.h"
 #include "core/manifest.h"
 #include "core/output_place.h"
+#include "systems/training_library.h"
 
 #include <optional>
 #include <set>

@@ -44,6 +44,7 @@ std::string ResumeCommand(const fs::path& directory, const std::string& extra) {
 
 Json ReadRunConfig(const fs::path& directory, const Manifest& run) {
   Json config = LoadConfig(ResolvedConfig(directory));
+  if (!config.contains("system") && !config.contains("product")) return config;  // Of an early version.
   const std::string expected = SystemOf(run), found = SystemOfConfig(config, ResolvedConfig(directory).string());
   DAUMIER_CHECK(found == expected,
                 "{} is the config of a run of '{}', but manifest.json next to it is of a run of '{}'. Restore the file "

@@ -54,7 +54,7 @@ std::string SystemOf(const Manifest& run);
 /// The command that resumes the training of a run folder, for messages: its config is resolved.toml. `extra` follows.
 std::string ResumeCommand(const std::filesystem::path& directory, const std::string& extra = "");
 
-/// resolved.toml of a run. @throws UsageError as LoadConfig; Error if it is of another task than the manifest.
+/// resolved.toml of a run. @throws UsageError as LoadConfig; Error if it names another task than the manifest.
 Json ReadRunConfig(const std::filesystem::path& directory, const Manifest& run);
 
 /// The manifest of the run folder `directory`, which has best weights.
