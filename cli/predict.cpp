@@ -14,7 +14,7 @@ namespace {
 struct PredictArguments {
   std::filesystem::path run, out;
   std::vector<std::string> inputs;  ///< Files, and key=value.
-  bool keep_frame = false, no_refine = false, deform = false;
+  bool keep_frame = false, all = false, no_refine = false, deform = false;
   std::string device = "cpu";
 };
 
@@ -28,6 +28,7 @@ void Predict(const PredictArguments& arguments) {
   }
   if (files.empty()) throw UsageError("predict needs at least one input file");
   if (arguments.keep_frame) overrides.push_back("framing=keep");
+  if (arguments.all) overrides.push_back("faces=all");
   if (arguments.no_refine) overrides.push_back("refine=false");
   if (arguments.deform) overrides.push_back("deform=true");
   const systems::System& system = SystemOfRun(arguments.run);
@@ -51,11 +52,16 @@ Verb PredictVerb() {
             auto arguments = std::make_shared<PredictArguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
             command
-                .add_option("inputs", arguments->inputs,
-                            "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines; and key=value")
+                .add_option(
+                    "inputs", arguments->inputs,
+                    "Frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures of lines (PNG, "
+                    "JPEG, WebP, BMP, TIFF); and key=value")
                 ->required();
             command.add_flag("--keep-frame", arguments->keep_frame,
                              "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");
+            command.add_flag("--all", arguments->all,
+                             "Predict every face of a sheet that holds several, as NAME_1, NAME_2, ...; otherwise the "
+                             "largest");
             command.add_flag("--no-refine", arguments->no_refine,
                              "Keep the network's own face; otherwise its contours are drawn to the strokes");
             command.add_flag("--deform", arguments->deform,

@@ -12,13 +12,18 @@ namespace {
 /// A direction that explains a smaller share than this of the first one is rounding.
 constexpr double kLeastShare = 1e-12;
 
+void StopBasisIfCancelled(const Task& task) {
+  task.ThrowIfCancelled("stopped while a basis of faces was fitted; nothing was written");
+}
+
 }  // namespace
 
 FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<std::span<const float>(int)>& face,
-                       int size) {
+                       int size, const Task& task) {
   DAUMIER_CHECK(size > 0 && size <= num_faces, "{} directions cannot be fitted to {} faces", size, num_faces);
   BilinearModel::Core faces(num_faces, num_coordinates);
   for (int i = 0; i < num_faces; ++i) {
+    StopBasisIfCancelled(task);
     const std::span<const float> coordinates = face(i);
     DAUMIER_CHECK(int(coordinates.size()) == num_coordinates, "face {} has {} coordinates, expected {}", i,
                   coordinates.size(), num_coordinates);
@@ -27,6 +32,7 @@ FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<s
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num_faces, num_faces);
   constexpr Eigen::Index kBlock = 4096;  // Coordinates at a time, so that the double copy stays small.
   for (Eigen::Index begin = 0; begin < num_coordinates; begin += kBlock) {
+    StopBasisIfCancelled(task);
     const Eigen::Index width = std::min<Eigen::Index>(kBlock, num_coordinates - begin);
     gram.selfadjointView<Eigen::Lower>().rankUpdate(faces.middleCols(begin, width).cast<double>().eval());
   }

@@ -3,9 +3,10 @@
 #include "core/error.h"
 #include "fitting/stroke_segments.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace daumier::fitting {
 namespace {
@@ -14,29 +15,41 @@ using Eigen::Vector2f;
 
 constexpr float kStepPx = 1.0f;
 
-/// Segments laid out coordinate by coordinate, so that one point is held against all of them at once.
-class AllSegments {
+/// Segments in blocks of neighbours with their bounding boxes, so that most of them are never held against a point.
+class SegmentBlocks {
  public:
-  explicit AllSegments(const std::vector<Segment>& segments)
-      : from_(2, Eigen::Index(segments.size())), along_(2, from_.cols()) {
-    for (Eigen::Index i = 0; i < from_.cols(); ++i) {
-      from_.col(i) = segments[size_t(i)].from;
-      along_.col(i) = segments[size_t(i)].to - segments[size_t(i)].from;
+  explicit SegmentBlocks(const std::vector<Segment>& segments) : segments_(segments) {
+    for (size_t first = 0; first < segments.size(); first += kBlock) {
+      Eigen::AlignedBox2f box;
+      for (size_t i = first; i < std::min(first + kBlock, segments.size()); ++i)
+        box.extend(segments[i].from), box.extend(segments[i].to);
+      boxes_.push_back(box);
     }
-    inverse_length2_ = (along_.colwise().squaredNorm().array() + std::numeric_limits<float>::min()).inverse();
   }
 
-  float DistanceTo(const Vector2f& point) const {
-    const auto x = (point.x() - from_.row(0).array()).eval(), y = (point.y() - from_.row(1).array()).eval();
-    const auto share =
-        ((x * along_.row(0).array() + y * along_.row(1).array()) * inverse_length2_).min(1.0f).max(0.0f).eval();
-    return std::sqrt(
-        ((x - share * along_.row(0).array()).square() + (y - share * along_.row(1).array()).square()).minCoeff());
+  /// Points in an order in which neighbours follow each other are fastest.
+  float DistanceTo(const Vector2f& point) {
+    float best = SquaredDistance(point, segments_[last_nearest_]);
+    for (size_t block = 0; block < boxes_.size(); ++block) {
+      if (boxes_[block].squaredExteriorDistance(point) >= best) continue;
+      for (size_t i = block * kBlock; i < std::min((block + 1) * kBlock, segments_.size()); ++i) {
+        const float squared = SquaredDistance(point, segments_[i]);
+        if (squared < best) best = squared, last_nearest_ = i;
+      }
+    }
+    return std::sqrt(best);
   }
 
  private:
-  Eigen::Matrix<float, 2, Eigen::Dynamic, Eigen::RowMajor> from_, along_;
-  Eigen::Array<float, 1, Eigen::Dynamic> inverse_length2_;
+  static constexpr size_t kBlock = 16;
+
+  static float SquaredDistance(const Vector2f& point, const Segment& segment) {
+    return (segment.Nearest(point) - point).squaredNorm();
+  }
+
+  const std::vector<Segment>& segments_;
+  std::vector<Eigen::AlignedBox2f> boxes_;
+  size_t last_nearest_ = 0;
 };
 
 struct Sample {
@@ -58,7 +71,7 @@ double TrimmedMean(std::vector<Sample> samples, double trim) {
 }
 
 double OneWay(const std::vector<Segment>& from, const std::vector<Segment>& to, double trim) {
-  const AllSegments targets(to);
+  SegmentBlocks targets(to);
   std::vector<Sample> samples;
   for (const Segment& segment : from) {
     const float length = (segment.to - segment.from).norm();

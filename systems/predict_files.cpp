@@ -28,15 +28,18 @@ struct NamedInput {
   Input input;
 };
 
-std::vector<NamedInput> ReadAll(const System& system, const std::vector<fs::path>& files) {
+std::vector<NamedInput> ReadAll(const System& system, const Predictor& predictor, const std::vector<fs::path>& files) {
   std::set<std::string> taken;
   std::vector<NamedInput> all;
   for (const fs::path& file : files) {
     for (Input& input : system.read_inputs(file)) {
-      const std::string stem = file.stem().string();
-      std::string name = stem;
-      for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("{}-{}", stem, copy);
-      all.push_back({name, file, std::move(input)});
+      std::vector<Input> faces = predictor.Separate(std::move(input));
+      for (size_t i = 0; i < faces.size(); ++i) {
+        const std::string stem = file.stem().string() + (faces.size() > 1 ? fmt::format("_{}", i + 1) : "");
+        std::string name = stem;
+        for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("{}-{}", stem, copy);
+        all.push_back({name, file, std::move(faces[i])});
+      }
     }
   }
   return all;
@@ -82,7 +85,7 @@ void PredictFiles(const System& system, const Predictor& predictor, const fs::pa
                   const std::vector<fs::path>& files, const fs::path& out_directory, const Json& options,
                   const Task& task) {
   CheckOutDirectory(out_directory);
-  const std::vector<NamedInput> inputs = ReadAll(system, files);
+  const std::vector<NamedInput> inputs = ReadAll(system, predictor, files);
   std::vector<FaceResult> results;
   Json records = Json::object();
   for (const NamedInput& named : inputs) {

@@ -2,10 +2,13 @@
 
 #include "core/error.h"
 #include "geometry/coordinates.h"
+#include "render/faces_on_sheet.h"
 #include "render/line_drawing.h"
+#include "render/sparse_strokes.h"
 #include "systems/training_library.h"
 
 #include <limits>
+#include <utility>
 
 namespace daumier::sketch {
 namespace {
@@ -63,13 +66,23 @@ fitting::PredictedFace SketchPredictor::Deformed(fitting::PredictedFace face, co
   return face;
 }
 
+std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) const {
+  if (options_.faces != "all" || options_.framing == "keep" || std::holds_alternative<geometry::PolygonMesh>(input))
+    return {std::move(input)};
+  std::vector<systems::Input> inputs;
+  for (render::Drawing& face : render::FacesOnSheet(DrawingOf(input))) inputs.emplace_back(std::move(face));
+  return inputs;
+}
+
 std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const systems::Input> inputs,
                                                           const Task& task) const {
   std::vector<systems::FaceResult> results;
   for (size_t i = 0; i < inputs.size(); ++i) {
     task.ThrowIfCancelled("stopped after {} of {} drawings", i, inputs.size());
     try {
-      results.push_back(PredictOne(DrawingOf(inputs[i])));
+      results.push_back(PredictOne(DrawingOf(inputs[i]), task));
+    } catch (const Cancelled&) {
+      throw;
     } catch (const Error& error) {
       if (inputs.size() == 1) throw;
       throw Error(fmt::format("input {} of {}: {}", i + 1, inputs.size(), error.what()));
@@ -79,10 +92,13 @@ std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const system
   return results;
 }
 
-systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) const {
+systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, const Task& task) const {
   const bool fit = options_.framing == "fit";
-  const render::FramedDrawing framed =
+  const std::vector<render::Drawing> on_sheet = fit ? render::FacesOnSheet(sheet) : std::vector<render::Drawing>{sheet};
+  const render::Drawing& drawing = render::LargestFace(on_sheet);
+  render::FramedDrawing framed =
       fit ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
+  const Strokes drawn = std::exchange(framed.strokes, render::SparseStrokes(framed.strokes, framed.placement.scale));
   render::Placement placement = framed.placement;
   if (fit) {
     const fitting::CurvesOfSketches curves_of = [this](const std::vector<Strokes>& sketches) {
@@ -90,12 +106,14 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) 
       for (const fitting::PredictedFace& face : FromStrokes(sketches)) curves.push_back(CurvesOf(face));
       return curves;
     };
-    placement = fitting::FindFrame(framed, curves_of, options_.search).placement;
+    placement = fitting::FindFrame(framed, curves_of, options_.search, task).placement;
   }
   const Strokes before = render::MapToCanvas(framed.strokes, framed.placement),
                 strokes = render::MapToCanvas(framed.strokes, placement);
+  task.ThrowIfCancelled("stopped before the face was predicted");
   const std::vector<fitting::PredictedFace> faces = FromStrokes({before, strokes});
   fitting::PredictedFace face = options_.refine ? Refined(faces[1], strokes) : faces[1];
+  task.ThrowIfCancelled("stopped before the face was complete");
   if (options_.deform) face = Deformed(std::move(face), strokes);
 
   systems::FaceResult result;
@@ -105,12 +123,15 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) 
   result.expression = face.v;
   result.landmarks = LandmarksOf(*face_template_, result.vertices);
   result.frame = placement;
-  result.drawn = strokes;
+  result.drawn = render::MapToCanvas(drawn, placement);
   result.curves = CurvesOf(face);
   const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
     return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
   };
   const fitting::FrameSearchOptions& search = options_.search;
+  if (on_sheet.size() > 1)
+    result.warnings.push_back(
+        fmt::format("the sheet holds {} faces; the largest is predicted (all of them: faces=all)", on_sheet.size()));
   result.record = {
       {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
       {"two_way_distance_px",

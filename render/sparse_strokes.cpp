@@ -1,0 +1,179 @@
+#include "render/sparse_strokes.h"
+
+#include "core/error.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+namespace daumier::render {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr size_t kMostPoints = 10000;
+constexpr double kMostLengthPx = 12000.0;
+constexpr size_t kMostPieces = 40000;
+constexpr double kFirstCellPx = 1.0, kLastCellPx = 8.0;
+/// Cells along a side of the grid, also of a drawing that is far larger than the canvas.
+constexpr int kMostCells = 4096;
+constexpr int kNumDirections = 4;
+
+Vector2d PlaceOf(const std::array<float, 2>& point) {
+  return {point[0], point[1]};
+}
+
+/// Which cells lines run through, for each range of directions.
+class LineCells {
+ public:
+  LineCells(const Eigen::AlignedBox2d& box, double cell)
+      : origin_(box.min()), cell_(std::max(cell, box.sizes().maxCoeff() / kMostCells)) {
+    size_ = (box.sizes() / cell_).array().floor().cast<int>() + 1;
+    directions_.resize(size_t(size_.x()) * size_t(size_.y()), 0);
+  }
+
+  bool Covered(const Vector2d& from, const Vector2d& to) {
+    const uint8_t direction = DirectionOf(from, to);
+    bool covered = true;
+    ForEachCell(from, to, [&](uint8_t& cell) { covered = covered && (cell & direction); });
+    return covered;
+  }
+  void Cover(const Vector2d& from, const Vector2d& to) {
+    const uint8_t direction = DirectionOf(from, to);
+    ForEachCell(from, to, [&](uint8_t& cell) { cell |= direction; });
+  }
+
+ private:
+  static uint8_t DirectionOf(const Vector2d& from, const Vector2d& to) {
+    const Vector2d along = to - from;
+    const double half_turns = std::atan2(along.y(), along.x()) / std::numbers::pi + 1.0;  // 0 to 2.
+    return uint8_t(1U << (static_cast<int>(half_turns * kNumDirections) % kNumDirections));
+  }
+
+  template <class Visit>
+  void ForEachCell(const Vector2d& from, const Vector2d& to, const Visit& visit) {
+    const int parts = std::max(1, static_cast<int>(std::ceil(2.0 * (to - from).norm() / cell_)));
+    for (int part = 0; part < parts; ++part) {
+      const Vector2d at = (from + (part + 0.5) / parts * (to - from) - origin_) / cell_;
+      const Eigen::Array2i cell = at.array().floor().cast<int>().max(0).min(size_ - 1);
+      visit(directions_[size_t(cell.y()) * size_t(size_.x()) + size_t(cell.x())]);
+    }
+  }
+
+  Vector2d origin_;
+  double cell_;
+  Eigen::Array2i size_;
+  std::vector<uint8_t> directions_;
+};
+
+/// The places of a stroke without those that are nearer than a cell to the last one; the last place stays.
+std::vector<Vector2d> SparsePlaces(const Stroke& stroke, double cell) {
+  std::vector<Vector2d> places;
+  for (const auto& point : stroke.points) {
+    const Vector2d place = PlaceOf(point);
+    if (places.empty() || (place - places.back()).norm() >= cell) places.push_back(place);
+  }
+  if (const Vector2d last = PlaceOf(stroke.points.back()); places.back() != last) places.push_back(last);
+  return places;
+}
+
+/// Collects the pieces of one stroke; a piece that is left out ends the polyline before it.
+class PieceCollector {
+ public:
+  PieceCollector(LineCells& cells, std::vector<Stroke>& strokes, int kind, double cell)
+      : cells_(cells), strokes_(strokes), kind_(kind), cell_(cell) {}
+
+  void Add(const Vector2d& from, const Vector2d& to) {
+    if (cells_.Covered(from, to)) {
+      continues_ = false;
+    } else {
+      if (!continues_) strokes_.push_back({kind_, {{float(from.x()), float(from.y())}}});
+      if (to != from) strokes_.back().points.push_back({float(to.x()), float(to.y())});
+      continues_ = true;
+    }
+    // A piece covers its cells once the pen has left them, or every next piece would seem to be drawn already.
+    recent_.push_back({from, to});
+    recent_length_ += (to - from).norm();
+    while (recent_length_ > kLag * cell_ && recent_.size() > 1) Leave();
+  }
+  void Finish() {
+    while (!recent_.empty()) Leave();
+  }
+
+ private:
+  struct Piece {
+    Vector2d from, to;
+  };
+  static constexpr double kLag = 4.0;
+
+  void Leave() {
+    const auto [from, to] = recent_.front();
+    cells_.Cover(from, to);
+    recent_length_ -= (to - from).norm();
+    recent_.pop_front();
+  }
+
+  LineCells& cells_;
+  std::vector<Stroke>& strokes_;
+  int kind_;
+  double cell_;
+  bool continues_ = false;
+  std::deque<Piece> recent_;
+  double recent_length_ = 0.0;
+};
+
+std::vector<Stroke> SparseOnCells(const std::vector<Stroke>& strokes, const Eigen::AlignedBox2d& box, double cell) {
+  LineCells cells(box, cell);
+  std::vector<Stroke> sparse;
+  for (const Stroke& stroke : strokes) {
+    if (stroke.points.empty()) continue;
+    const std::vector<Vector2d> places = SparsePlaces(stroke, cell);
+    PieceCollector collector(cells, sparse, stroke.kind, cell);
+    if (places.size() == 1) collector.Add(places[0], places[0]);
+    for (size_t i = 1; i < places.size(); ++i) {
+      const Vector2d along = places[i] - places[i - 1];
+      const int parts = std::max(1, static_cast<int>(std::floor(along.norm() / (2.0 * cell))));
+      for (int part = 0; part < parts; ++part)
+        collector.Add(places[i - 1] + double(part) / parts * along, places[i - 1] + double(part + 1) / parts * along);
+    }
+    collector.Finish();
+  }
+  return sparse;
+}
+
+size_t NumPieces(const std::vector<Stroke>& strokes) {
+  size_t count = 0;
+  for (const Stroke& stroke : strokes) count += stroke.points.size() - 1;
+  return count;
+}
+
+}  // namespace
+
+std::vector<Stroke> SparseStrokes(const std::vector<Stroke>& strokes, double scale) {
+  DAUMIER_CHECK(scale > 0.0 && std::isfinite(scale), "strokes are scaled by {}, expected a positive number", scale);
+  size_t num_points = 0;
+  double length = 0.0;
+  Eigen::AlignedBox2d box;
+  for (const Stroke& stroke : strokes) {
+    num_points += stroke.points.size();
+    for (size_t i = 0; i < stroke.points.size(); ++i) {
+      const Vector2d place = PlaceOf(stroke.points[i]);
+      DAUMIER_CHECK(place.allFinite(), "a point of the drawing is ({}, {})", place.x(), place.y());
+      box.extend(place);
+      if (i > 0) length += scale * (place - PlaceOf(stroke.points[i - 1])).norm();
+    }
+  }
+  if (num_points <= kMostPoints && length <= kMostLengthPx) return strokes;
+  std::vector<Stroke> sparse;
+  for (double cell_px = kFirstCellPx; cell_px <= kLastCellPx; cell_px *= 2.0) {
+    sparse = SparseOnCells(strokes, box, cell_px / scale);
+    if (NumPieces(sparse) <= kMostPieces) break;
+  }
+  return sparse;
+}
+
+}  // namespace daumier::render
