@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numbers>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace daumier::render {
 namespace {
@@ -17,11 +19,10 @@ using Eigen::Vector2d;
 
 constexpr size_t kMostPoints = 10000;
 constexpr double kMostLengthPx = 12000.0;
-constexpr size_t kMostPieces = 40000;
+constexpr size_t kMostPieces = 20000;
 constexpr double kFirstCellPx = 1.0, kLastCellPx = 8.0;
 /// Cells along a side of the grid, also of a drawing that is far larger than the canvas.
 constexpr int kMostCells = 4096;
-constexpr int kNumDirections = 4;
 
 Vector2d PlaceOf(const std::array<float, 2>& point) {
   return {point[0], point[1]};
@@ -48,10 +49,13 @@ class LineCells {
   }
 
  private:
+  /// A bit for each 45 degrees of the direction, either sense alike.
   static uint8_t DirectionOf(const Vector2d& from, const Vector2d& to) {
-    const Vector2d along = to - from;
-    const double half_turns = std::atan2(along.y(), along.x()) / std::numbers::pi + 1.0;  // 0 to 2.
-    return uint8_t(1U << (static_cast<int>(half_turns * kNumDirections) % kNumDirections));
+    Vector2d along = to - from;
+    if (along.y() < 0 || (along.y() == 0 && along.x() < 0)) along = -along;
+    if (along.x() > along.y()) return 1;
+    if (along.x() > 0) return 2;
+    return -along.x() < along.y() ? 4 : 8;
   }
 
   template <class Visit>
@@ -84,8 +88,8 @@ std::vector<Vector2d> SparsePlaces(const Stroke& stroke, double cell) {
 /// Collects the pieces of one stroke; a piece that is left out ends the polyline before it.
 class PieceCollector {
  public:
-  PieceCollector(LineCells& cells, std::vector<Stroke>& strokes, int kind, double cell)
-      : cells_(cells), strokes_(strokes), kind_(kind), cell_(cell) {}
+  PieceCollector(LineCells& cells, std::vector<Stroke>& strokes, int kind, double cell, size_t& num_pieces)
+      : cells_(cells), strokes_(strokes), kind_(kind), cell_(cell), num_pieces_(num_pieces) {}
 
   void Add(const Vector2d& from, const Vector2d& to) {
     if (cells_.Covered(from, to)) {
@@ -94,6 +98,7 @@ class PieceCollector {
       if (!continues_) strokes_.push_back({kind_, {{float(from.x()), float(from.y())}}});
       if (to != from) strokes_.back().points.push_back({float(to.x()), float(to.y())});
       continues_ = true;
+      ++num_pieces_;
     }
     // A piece covers its cells once the pen has left them, or every next piece would seem to be drawn already.
     recent_.push_back({from, to});
@@ -121,20 +126,25 @@ class PieceCollector {
   std::vector<Stroke>& strokes_;
   int kind_;
   double cell_;
+  size_t& num_pieces_;
   bool continues_ = false;
   std::deque<Piece> recent_;
   double recent_length_ = 0.0;
 };
 
-std::vector<Stroke> SparseOnCells(const std::vector<Stroke>& strokes, const Eigen::AlignedBox2d& box, double cell) {
+/// Nothing once there are more than `most_pieces` pieces.
+std::optional<std::vector<Stroke>> SparseOnCells(const std::vector<Stroke>& strokes, const Eigen::AlignedBox2d& box,
+                                                 double cell, size_t most_pieces) {
   LineCells cells(box, cell);
   std::vector<Stroke> sparse;
+  size_t num_pieces = 0;
   for (const Stroke& stroke : strokes) {
     if (stroke.points.empty()) continue;
     const std::vector<Vector2d> places = SparsePlaces(stroke, cell);
-    PieceCollector collector(cells, sparse, stroke.kind, cell);
+    PieceCollector collector(cells, sparse, stroke.kind, cell, num_pieces);
     if (places.size() == 1) collector.Add(places[0], places[0]);
     for (size_t i = 1; i < places.size(); ++i) {
+      if (num_pieces > most_pieces) return std::nullopt;
       const Vector2d along = places[i] - places[i - 1];
       const int parts = std::max(1, static_cast<int>(std::floor(along.norm() / (2.0 * cell))));
       for (int part = 0; part < parts; ++part)
@@ -143,12 +153,6 @@ std::vector<Stroke> SparseOnCells(const std::vector<Stroke>& strokes, const Eige
     collector.Finish();
   }
   return sparse;
-}
-
-size_t NumPieces(const std::vector<Stroke>& strokes) {
-  size_t count = 0;
-  for (const Stroke& stroke : strokes) count += stroke.points.size() - 1;
-  return count;
 }
 
 }  // namespace
@@ -168,12 +172,10 @@ std::vector<Stroke> SparseStrokes(const std::vector<Stroke>& strokes, double sca
     }
   }
   if (num_points <= kMostPoints && length <= kMostLengthPx) return strokes;
-  std::vector<Stroke> sparse;
-  for (double cell_px = kFirstCellPx; cell_px <= kLastCellPx; cell_px *= 2.0) {
-    sparse = SparseOnCells(strokes, box, cell_px / scale);
-    if (NumPieces(sparse) <= kMostPieces) break;
-  }
-  return sparse;
+  double cell_px = kFirstCellPx;
+  for (; cell_px < kLastCellPx; cell_px *= 2.0)
+    if (auto sparse = SparseOnCells(strokes, box, cell_px / scale, kMostPieces)) return std::move(*sparse);
+  return *SparseOnCells(strokes, box, cell_px / scale, std::numeric_limits<size_t>::max());
 }
 
 }  // namespace daumier::render
