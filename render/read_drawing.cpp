@@ -40,7 +40,7 @@ bool IsPicture(std::string_view bytes) {
 }
 
 /// By what the file holds, and by its suffix where that does not show it (a damaged file).
-DrawingFormat FormatOf(std::string_view bytes, const std::string& suffix) {
+DrawingFormat DrawingFormatOf(std::string_view bytes, const std::string& suffix) {
   constexpr size_t kHead = 4096;
   const std::string_view head = bytes.substr(0, kHead);
   const size_t begin = head.find_first_not_of("\xEF\xBB\xBF \t\r\n");
@@ -117,7 +117,7 @@ std::vector<Drawing> ReadDrawings(const std::filesystem::path& path, const std::
   const std::string bytes = ReadFile(path);
   DAUMIER_CHECK(!bytes.empty(), "{}: the file is empty (expected a drawing)", path.string());
   RefuseForeignFormat(bytes, path.string());
-  switch (FormatOf(bytes, SuffixOf(path))) {
+  switch (DrawingFormatOf(bytes, SuffixOf(path))) {
     case DrawingFormat::kSvg:
       return {ReadSvg(path, kind_names)};
     case DrawingFormat::kQuickDraw:

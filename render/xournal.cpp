@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace daumier::render {
@@ -75,9 +76,12 @@ std::string Unpacked(std::string bytes) {
 }
 
 void WarnOfWhatIsLeftOut(const std::string& name, const XournalPage& page) {
-  if (page.num_texts + page.num_pictures + page.num_marked == 0) return;
-  log::Warn("{}: {} texts, {} pictures and {} strokes of the highlighter on the page are not read", name,
-            page.num_texts, page.num_pictures, page.num_marked);
+  std::string what;
+  for (const auto& [count, kind] : {std::pair{page.num_texts, "texts"},
+                                    {page.num_pictures, "pictures"},
+                                    {page.num_marked, "strokes of the highlighter"}})
+    if (count > 0) what += fmt::format("{}{} {}", what.empty() ? "" : ", ", count, kind);
+  if (!what.empty()) log::Warn("{}: {} on the page are not read", name, what);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "render/sparse_strokes.h"
 #include "systems/training_library.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,9 @@ namespace daumier::sketch {
 namespace {
 
 using Strokes = std::vector<render::Stroke>;
+
+/// Of a frame search; a task is cancelled between them.
+constexpr size_t kSketchesAtOnce = 16;
 
 geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geometry::Points& vertices) {
   const auto& landmarks = face_template.annotation.landmarks;
@@ -96,14 +100,21 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
   const bool fit = options_.framing == "fit";
   const std::vector<render::Drawing> on_sheet = fit ? render::FacesOnSheet(sheet) : std::vector<render::Drawing>{sheet};
   const render::Drawing& drawing = render::LargestFace(on_sheet);
+  task.ThrowIfCancelled("stopped before the drawing was framed");
   render::FramedDrawing framed =
       fit ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
   const Strokes drawn = std::exchange(framed.strokes, render::SparseStrokes(framed.strokes, framed.placement.scale));
+  task.ThrowIfCancelled("stopped before the drawing was framed");
   render::Placement placement = framed.placement;
   if (fit) {
-    const fitting::CurvesOfSketches curves_of = [this](const std::vector<Strokes>& sketches) {
+    const fitting::CurvesOfSketches curves_of = [&](const std::vector<Strokes>& sketches) {
       std::vector<Strokes> curves;
-      for (const fitting::PredictedFace& face : FromStrokes(sketches)) curves.push_back(CurvesOf(face));
+      for (size_t first = 0; first < sketches.size(); first += kSketchesAtOnce) {
+        task.ThrowIfCancelled("stopped while the frame of the drawing was searched");
+        const auto last = sketches.begin() + ptrdiff_t(std::min(first + kSketchesAtOnce, sketches.size()));
+        for (const fitting::PredictedFace& face : FromStrokes({sketches.begin() + ptrdiff_t(first), last}))
+          curves.push_back(CurvesOf(face));
+      }
       return curves;
     };
     placement = fitting::FindFrame(framed, curves_of, options_.search, task).placement;
@@ -130,8 +141,9 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
   };
   const fitting::FrameSearchOptions& search = options_.search;
   if (on_sheet.size() > 1)
-    result.warnings.push_back(
-        fmt::format("the sheet holds {} faces; the largest is predicted (all of them: faces=all)", on_sheet.size()));
+    result.warnings.push_back(fmt::format(
+        "the sheet holds {} faces, of which the largest is predicted (`daumier predict --all` predicts each)",
+        on_sheet.size()));
   result.record = {
       {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
       {"two_way_distance_px",

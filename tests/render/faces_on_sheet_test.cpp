@@ -11,7 +11,7 @@
 namespace daumier::render {
 namespace {
 
-Stroke Ellipse(double cx, double cy, double rx, double ry) {
+Stroke Oval(double cx, double cy, double rx, double ry) {
   Stroke stroke;
   for (int i = 0; i <= 40; ++i) {
     const double angle = 0.05 * std::numbers::pi * i;
@@ -19,17 +19,17 @@ Stroke Ellipse(double cx, double cy, double rx, double ry) {
   }
   return stroke;
 }
-Stroke Line(float x1, float y1, float x2, float y2) {
+Stroke Dash(float x1, float y1, float x2, float y2) {
   return {0, {{x1, y1}, {x2, y2}}};
 }
 
 /// Outline, eyes, nose and mouth of a face of this height.
 void AddFace(std::vector<Stroke>& strokes, double cx, double cy, double height) {
   const double h = height / 2;
-  strokes.push_back(Ellipse(cx, cy, 0.75 * h, h));
-  for (const double side : {-1, 1}) strokes.push_back(Ellipse(cx + side * 0.3 * h, cy - 0.2 * h, 0.14 * h, 0.07 * h));
-  strokes.push_back(Line(float(cx), float(cy - 0.2 * h), float(cx - 0.1 * h), float(cy + 0.2 * h)));
-  strokes.push_back(Ellipse(cx, cy + 0.5 * h, 0.3 * h, 0.1 * h));
+  strokes.push_back(Oval(cx, cy, 0.75 * h, h));
+  for (const double side : {-1, 1}) strokes.push_back(Oval(cx + side * 0.3 * h, cy - 0.2 * h, 0.14 * h, 0.07 * h));
+  strokes.push_back(Dash(float(cx), float(cy - 0.2 * h), float(cx - 0.1 * h), float(cy + 0.2 * h)));
+  strokes.push_back(Oval(cx, cy + 0.5 * h, 0.3 * h, 0.1 * h));
 }
 Drawing Sheet(const std::vector<Stroke>& strokes) {
   return {1000, 600, strokes};
@@ -68,8 +68,8 @@ TEST(FacesOnSheet, WhatElseIsOnTheSheetBelongsToTheNearestFace) {
   std::vector<Stroke> strokes;
   AddFace(strokes, 200, 300, 300);
   AddFace(strokes, 750, 300, 300);
-  strokes.push_back(Line(190, 60, 210, 62));    // A bow above the left head.
-  strokes.push_back(Line(760, 560, 800, 561));  // A signature below the right one.
+  strokes.push_back(Dash(190, 60, 210, 62));    // A bow above the left head.
+  strokes.push_back(Dash(760, 560, 800, 561));  // A signature below the right one.
   const auto faces = FacesOnSheet(Sheet(strokes));
   ASSERT_EQ(faces.size(), 2U);
   EXPECT_EQ(faces[0].strokes.back().points, strokes[10].points);
@@ -84,25 +84,24 @@ TEST(FacesOnSheet, OneFaceStaysWhole) {
     return FacesOnSheet(Sheet(more)).size();
   };
   EXPECT_EQ(with({}), 1U);
-  EXPECT_EQ(with({Line(300, 500, 480, 460), Line(700, 500, 520, 460)}), 1U) << "shoulders";
-  EXPECT_EQ(with({Ellipse(330, 120, 60, 60), Ellipse(670, 120, 60, 60)}), 1U) << "hair in two bunches";
-  EXPECT_EQ(with({Ellipse(340, 260, 20, 40), Ellipse(660, 260, 20, 40)}), 1U) << "ears";
+  EXPECT_EQ(with({Dash(300, 500, 480, 460), Dash(700, 500, 520, 460)}), 1U) << "shoulders";
+  EXPECT_EQ(with({Oval(330, 120, 60, 60), Oval(670, 120, 60, 60)}), 1U) << "hair in two bunches";
+  EXPECT_EQ(with({Oval(340, 260, 20, 40), Oval(660, 260, 20, 40)}), 1U) << "ears";
   EXPECT_EQ(
-      with({Ellipse(200, 250, 60, 60), Line(180, 250, 220, 250), Line(180, 240, 220, 240), Line(180, 230, 220, 260)}),
-      1U)
+      with({Oval(200, 250, 60, 60), Dash(180, 250, 220, 250), Dash(180, 240, 220, 240), Dash(180, 230, 220, 260)}), 1U)
       << "a small figure";
 
   // Eyes, nose and mouth alone: eyes of several strokes are no faces.
   std::vector<Stroke> features;
   for (const float x : {400.0F, 600.0F}) {
-    features.push_back(Ellipse(x, 200, 40, 20));
-    features.push_back(Ellipse(x, 200, 15, 15));
-    features.push_back(Ellipse(x, 200, 6, 6));
-    features.push_back(Line(x - 40, 150, x + 40, 150));
+    features.push_back(Oval(x, 200, 40, 20));
+    features.push_back(Oval(x, 200, 15, 15));
+    features.push_back(Oval(x, 200, 6, 6));
+    features.push_back(Dash(x - 40, 150, x + 40, 150));
   }
-  features.push_back(Line(500, 200, 480, 300));
-  features.push_back(Line(480, 300, 520, 300));
-  features.push_back(Ellipse(500, 380, 70, 20));
+  features.push_back(Dash(500, 200, 480, 300));
+  features.push_back(Dash(480, 300, 520, 300));
+  features.push_back(Oval(500, 380, 70, 20));
   EXPECT_EQ(FacesOnSheet(Sheet(features)).size(), 1U);
 }
 
@@ -114,7 +113,7 @@ TEST(FacesOnSheet, FacesThatTouchOrShareALineAreOneDrawing) {
   strokes.clear();
   AddFace(strokes, 200, 300, 300);
   AddFace(strokes, 800, 300, 300);
-  strokes.push_back(Line(0, 460, 1000, 460));
+  strokes.push_back(Dash(0, 460, 1000, 460));
   EXPECT_EQ(FacesOnSheet(Sheet(strokes)).size(), 1U);
 }
 

@@ -4,7 +4,7 @@
 #include "render/faces_on_sheet.h"
 #include "render/image.h"
 #include "render/svg.h"
-#include "tests/render/compressed.h"
+#include "tests/render/gzipped.h"
 #include "tests/support/corruption.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"

@@ -2,7 +2,7 @@
 
 #include "core/log.h"
 #include "core/random.h"
-#include "tests/render/compressed.h"
+#include "tests/render/gzipped.h"
 #include "tests/support/corruption.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
