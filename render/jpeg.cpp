@@ -38,7 +38,8 @@ JpegExtent FirstJpeg(std::string_view bytes) {
   JpegExtent extent{.picture = bytes, .exif = {}};
   size_t at = 2;
   while (at + 1 < bytes.size()) {
-    if (static_cast<uint8_t>(bytes[at]) != 0xFF) break;  // No marker where one has to be: the file is damaged.
+    at = bytes.find('\xFF', at);  // As libjpeg does: bytes between segments are skipped.
+    if (at == std::string_view::npos || at + 1 == bytes.size()) break;
     const auto marker = static_cast<uint8_t>(bytes[at + 1]);
     if (marker == 0xFF) {  // Padding.
       ++at;

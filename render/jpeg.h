@@ -6,8 +6,8 @@ namespace daumier::render {
 
 bool IsJpeg(std::string_view bytes);
 
-/// The first picture of a JPEG file [ITU T.81, annex B]. Files of telephones go on after it: with a movie (motion
-/// photos), with further pictures (MPO), with padding.
+/// The first picture of a JPEG file [ITU T.81, annex B]. Files of telephones hold more after it: a movie (motion
+/// photos), further pictures (MPO), padding.
 struct JpegExtent {
   std::string_view picture;  ///< From the start marker to the end marker, or as far as the file reaches.
   std::string_view exif;     ///< Content of the first Exif segment: a TIFF header and its directory; empty if none.

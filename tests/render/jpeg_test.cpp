@@ -37,6 +37,13 @@ TEST(FirstJpeg, StepsOverMarkersInSegmentsAndInCompressedData) {
   EXPECT_TRUE(extent.has_end);
 }
 
+TEST(FirstJpeg, SkipsBytesBetweenSegments) {
+  std::string jpeg = testing::Encoded(".jpg", testing::SixBlocks());
+  jpeg.insert(2, "abc");
+  const std::string file = jpeg + "more";
+  EXPECT_EQ(FirstJpeg(file).picture, jpeg);
+}
+
 TEST(FirstJpeg, WithoutAnEndMarkerReachesToTheEndOfTheFile) {
   const std::string jpeg = testing::Encoded(".jpg", testing::SixBlocks());
   for (size_t size = 0; size < jpeg.size(); ++size) {
