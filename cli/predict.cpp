@@ -15,7 +15,7 @@ namespace {
 struct PredictArguments {
   std::filesystem::path run, out;
   std::vector<std::string> inputs;  ///< Files, and key=value.
-  bool keep_frame = false, no_refine = false, deform = false;
+  bool keep_frame = false, all = false, no_refine = false, deform = false;
   std::string device = "cpu";
 };
 
@@ -29,6 +29,7 @@ void Predict(const PredictArguments& arguments) {
   }
   if (files.empty()) throw UsageError("predict needs at least one input file");
   if (arguments.keep_frame) overrides.push_back("framing=keep");
+  if (arguments.all) overrides.push_back("faces=all");
   if (arguments.no_refine) overrides.push_back("refine=false");
   if (arguments.deform) overrides.push_back("deform=true");
   const systems::System& system = SystemOfRun(arguments.run);
@@ -43,11 +44,12 @@ void Predict(const PredictArguments& arguments) {
   const Device device = ParseDevice(arguments.device);
   CheckOutputFolder(arguments.out, systems::PredictionOutput(), {arguments.run});  // Before files are read.
   const Task task = TaskOfProcess();
-  const auto inputs = systems::ReadPredictionInputs(system, systems::ExpandInputFolders(system, files), task);
+  auto inputs = systems::ReadPredictionInputs(system, systems::ExpandInputFolders(system, files), task);
   systems::CheckPredictionFolder(arguments.out, arguments.run, inputs);
   systems::PredictionSummary summary{0, inputs.failures};
   if (!inputs.inputs.empty()) {  // Otherwise the network is not needed.
     const auto predictor = system.open(arguments.run, device, options);
+    inputs = systems::SeparateInputs(*predictor, std::move(inputs));
     summary = systems::PredictFiles(system, *predictor, arguments.run, inputs, arguments.out, options, task);
   }
   if (summary.num_results > 0)
@@ -66,11 +68,14 @@ Verb PredictVerb() {
             command
                 .add_option(
                     "inputs", arguments->inputs,
-                    "Frontal face drawings: SVG, Quick, Draw! ndjson, or pictures of lines; a folder of them; and "
-                    "key=value")
+                    "Frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures of lines (PNG, "
+                    "JPEG, WebP, BMP, TIFF); a folder of them; and key=value")
                 ->required();
             command.add_flag("--keep-frame", arguments->keep_frame,
                              "The sheet is the canvas of the training sketches; otherwise drawings are fitted to it");
+            command.add_flag("--all", arguments->all,
+                             "Predict every face of a sheet that holds several, as NAME_1, NAME_2, ...; otherwise the "
+                             "largest");
             command.add_flag("--no-refine", arguments->no_refine,
                              "Keep the network's own face; otherwise its contours are drawn to the strokes");
             command.add_flag("--deform", arguments->deform,

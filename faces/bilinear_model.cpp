@@ -17,6 +17,10 @@ using FaceRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 
 constexpr size_t kBlockBytes = 64 << 20;
 
+void StopFitIfCancelled(const Task& task) {
+  task.ThrowIfCancelled("stopped while a bilinear model was fitted; nothing was written");
+}
+
 /// The additive model a_i + b_e of a two-way table with holes, by the normal equations with the a_i eliminated.
 class AdditiveFit {
  public:
@@ -146,7 +150,7 @@ struct GramSums {
         expression(Eigen::MatrixXd::Zero(num_expressions, num_expressions)),
         mean_dots(Eigen::MatrixXd::Zero(num_identities, num_expressions)) {}
 
-  void Add(const Block& block) {
+  void Add(const Block& block, const Task& task) {
     const int num_identities = static_cast<int>(identity.rows()), num_expressions = static_cast<int>(expression.rows());
     const int size = static_cast<int>(block.faces.cols());
     const Eigen::Map<const FaceRows> by_identity(block.faces.data(), num_identities,
@@ -154,6 +158,7 @@ struct GramSums {
     constexpr Eigen::Index kChunk = 4096;  // Summed in float32; chunks are summed in double.
     Eigen::MatrixXf sum(num_identities, num_identities);
     for (Eigen::Index begin = 0; begin < by_identity.cols(); begin += kChunk) {
+      StopFitIfCancelled(task);
       sum.setZero();
       sum.selfadjointView<Eigen::Lower>().rankUpdate(
           by_identity.middleCols(begin, std::min(kChunk, by_identity.cols() - begin)));
@@ -208,7 +213,7 @@ FaceRows CoreColumns(const Block& block, const Eigen::MatrixXf& u, const Eigen::
 }  // namespace
 
 BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coordinates, const FaceReader& face,
-                          const BilinearOptions& options) {
+                          const BilinearOptions& options, const Task& task) {
   DAUMIER_CHECK(num_identities >= options.num_identity && num_expressions >= options.num_expression,
                 "a bilinear model of {} x {} weights needs as many identities and expressions, found {} x {}; lower "
                 "num_identity or num_expression, or build more faces",
@@ -219,8 +224,9 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
   ForEachInOrder(
       reader.num_blocks(),
       [&](int block) {
+        StopFitIfCancelled(task);
         GramSums part(num_identities, num_expressions);
-        part.Add(reader.Read(block));
+        part.Add(reader.Read(block), task);
         return part;
       },
       [&](const GramSums& part) { sums += part; });
@@ -241,6 +247,7 @@ BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coord
   ForEachInOrder(
       reader.num_blocks(),
       [&](int index) {
+        StopFitIfCancelled(task);
         const Block block = reader.Read(index);
         return Columns{block.begin, CoreColumns(block, model.identity_factors, model.expression_factors)};
       },

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "core/task.h"
 
 #include <Eigen/Core>
 
@@ -47,9 +48,9 @@ using FaceReader = std::function<std::span<const float>(int identity, int expres
 /// (without holes: mean_i + mean_e - mean). Signs are fixed: the entry of largest magnitude of a factor column is
 /// positive. The result does not depend on the number of threads.
 /// @throws Error if a mode is smaller than its rank, an identity or an expression has no face at all, or a face has
-/// another size.
+/// another size; Cancelled if the task is.
 BilinearModel FitBilinear(int num_identities, int num_expressions, int num_coordinates, const FaceReader& face,
-                          const BilinearOptions& options);
+                          const BilinearOptions& options, const Task& task = {});
 
 /// 3V coordinates. @throws Error if u or v has the wrong length.
 Eigen::VectorXf Reconstruct(const BilinearModel& model, const Eigen::VectorXf& u, const Eigen::VectorXf& v);

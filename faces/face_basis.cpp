@@ -10,10 +10,14 @@ namespace {
 /// A direction that explains a smaller share than this of the first one is rounding.
 constexpr double kLeastShare = 1e-12;
 
+void StopBasisIfCancelled(const Task& task) {
+  task.ThrowIfCancelled("stopped while a basis of faces was fitted; nothing was written");
+}
+
 }  // namespace
 
 FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<std::span<const float>(int)>& face,
-                       int size) {
+                       int size, const Task& task) {
   DAUMIER_CHECK(size > 0 && size <= num_faces, "{} directions cannot be fitted to {} faces", size, num_faces);
   const SnapshotComponents components =
       FindComponents(GramMatrix(num_faces, num_coordinates, face, Centring::kNone), size, kLeastShare);
@@ -21,6 +25,7 @@ FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<s
 
   BilinearModel::Core faces(num_faces, num_coordinates);
   for (int i = 0; i < num_faces; ++i) {
+    StopBasisIfCancelled(task);
     faces.row(i) = Eigen::Map<const Eigen::RowVectorXf>(face(i).data(), num_coordinates);
   }
   FaceBasis basis;

@@ -19,9 +19,9 @@ struct FaceBasis {
 /// The `size` directions that explain most of some faces, by the eigenvectors of their Gram matrix (n x n for n faces);
 /// deviation is left empty. face(i), i = 0 .. num_faces - 1: 3V coordinates. Signs are fixed: the entry of largest
 /// magnitude of a row is positive.
-/// @throws Error if there are fewer faces, or fewer independent ones, than directions.
+/// @throws Error if there are fewer faces, or fewer independent ones, than directions; Cancelled if the task is.
 FaceBasis FitFaceBasis(int num_faces, int num_coordinates, const std::function<std::span<const float>(int)>& face,
-                       int size);
+                       int size, const Task& task = {});
 
 /// One safetensors file (docs/formats.md); atomic. Returns its checksum.
 std::string WriteFaceBasis(const std::filesystem::path& file, const FaceBasis& basis);

@@ -66,13 +66,15 @@ std::vector<Placement> FramesAround(const Placement& frame, double step) {
 }  // namespace
 
 FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketches& predict,
-                     const FrameSearchOptions& options) {
+                     const FrameSearchOptions& options, const Task& task) {
   const auto try_all = [&](const std::vector<Placement>& frames) {
     std::vector<std::vector<render::Stroke>> sketches;
     for (const Placement& frame : frames) sketches.push_back(render::MapToCanvas(drawing.strokes, frame));
+    task.ThrowIfCancelled("stopped while the frame of the drawing was searched");
     const auto curves = predict(sketches);
     std::vector<Candidate> candidates;
     for (size_t i = 0; i < frames.size(); ++i) {
+      task.ThrowIfCancelled("stopped while the frame of the drawing was searched");
       const auto distance = DistanceBetween(sketches[i], curves[i], options.drawn_trim, options.projected_trim);
       candidates.push_back({frames[i], distance.two_way()});
     }

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "core/task.h"
 #include "fitting/stroke_distance.h"
 #include "render/framing.h"
 #include "render/strokes.h"
@@ -46,8 +47,8 @@ struct FoundFrame {
 /// predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Candidates are the frame of the
 /// bounding box; faces that take a share of the drawing's height, at some places of its box; and around the best of
 /// these, steps of scale and shift that are halved whenever none is better.
-/// @throws Error as DistanceBetween and what `predict` throws.
+/// @throws Error as DistanceBetween and what `predict` throws; Cancelled if the task is.
 FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketches& predict,
-                     const FrameSearchOptions& options = {});
+                     const FrameSearchOptions& options = {}, const Task& task = {});
 
 }  // namespace daumier::fitting

@@ -3,9 +3,13 @@
 #include "core/error.h"
 #include "fitting/stroke_segments.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace daumier::fitting {
 namespace {
@@ -13,30 +17,73 @@ namespace {
 using Eigen::Vector2f;
 
 constexpr float kStepPx = 1.0f;
+/// Of one side; longer lines are sampled more coarsely.
+constexpr double kMostSamples = 12000;
 
-/// Segments laid out coordinate by coordinate, so that one point is held against all of them at once.
-class AllSegments {
+/// The bits of a number below 2^16 at the even places of the result.
+uint32_t SpreadBits(uint32_t bits) {
+  bits = (bits | bits << 8) & 0x00FF00FFU;
+  bits = (bits | bits << 4) & 0x0F0F0F0FU;
+  bits = (bits | bits << 2) & 0x33333333U;
+  return (bits | bits << 1) & 0x55555555U;
+}
+
+/// Along a curve that keeps what is near in the plane near [Morton 1966].
+std::vector<Segment> InSpatialOrder(const std::vector<Segment>& segments) {
+  Eigen::AlignedBox2f box;
+  for (const Segment& segment : segments) box.extend(segment.from), box.extend(segment.to);
+  const float scale = 65535.0f / std::max(box.sizes().maxCoeff(), std::numeric_limits<float>::min());
+  std::vector<std::pair<uint32_t, size_t>> order;
+  for (size_t i = 0; i < segments.size(); ++i) {
+    const Vector2f place =
+        (scale * (0.5f * (segments[i].from + segments[i].to) - box.min())).cwiseMax(0).cwiseMin(65535);
+    order.emplace_back(SpreadBits(uint32_t(place.x())) | SpreadBits(uint32_t(place.y())) << 1, i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Segment> ordered;
+  for (const auto& [code, index] : order) ordered.push_back(segments[index]);
+  return ordered;
+}
+
+/// Segments in blocks of neighbours, and these in blocks again, with their bounding boxes, so that most segments are
+/// never held against a point.
+class SegmentBlocks {
  public:
-  explicit AllSegments(const std::vector<Segment>& segments)
-      : from_(2, Eigen::Index(segments.size())), along_(2, from_.cols()) {
-    for (Eigen::Index i = 0; i < from_.cols(); ++i) {
-      from_.col(i) = segments[size_t(i)].from;
-      along_.col(i) = segments[size_t(i)].to - segments[size_t(i)].from;
+  explicit SegmentBlocks(const std::vector<Segment>& segments) : segments_(InSpatialOrder(segments)) {
+    boxes_.resize((segments_.size() + kBlock - 1) / kBlock);
+    outer_boxes_.resize((boxes_.size() + kBlock - 1) / kBlock);
+    for (size_t i = 0; i < segments_.size(); ++i) {
+      for (Eigen::AlignedBox2f* box : {&boxes_[i / kBlock], &outer_boxes_[i / (kBlock * kBlock)]})
+        box->extend(segments_[i].from), box->extend(segments_[i].to);
     }
-    inverse_length2_ = (along_.colwise().squaredNorm().array() + std::numeric_limits<float>::min()).inverse();
   }
 
-  float DistanceTo(const Vector2f& point) const {
-    const auto x = (point.x() - from_.row(0).array()).eval(), y = (point.y() - from_.row(1).array()).eval();
-    const auto share =
-        ((x * along_.row(0).array() + y * along_.row(1).array()) * inverse_length2_).min(1.0f).max(0.0f).eval();
-    return std::sqrt(
-        ((x - share * along_.row(0).array()).square() + (y - share * along_.row(1).array()).square()).minCoeff());
+  /// Fastest where each point is near to the one before.
+  float DistanceTo(const Vector2f& point) {
+    float best = SquaredDistance(point, segments_[last_nearest_]);
+    for (size_t outer = 0; outer < outer_boxes_.size(); ++outer) {
+      if (outer_boxes_[outer].squaredExteriorDistance(point) >= best) continue;
+      for (size_t block = outer * kBlock; block < std::min((outer + 1) * kBlock, boxes_.size()); ++block) {
+        if (boxes_[block].squaredExteriorDistance(point) >= best) continue;
+        for (size_t i = block * kBlock; i < std::min((block + 1) * kBlock, segments_.size()); ++i) {
+          const float squared = SquaredDistance(point, segments_[i]);
+          if (squared < best) best = squared, last_nearest_ = i;
+        }
+      }
+    }
+    return std::sqrt(best);
   }
 
  private:
-  Eigen::Matrix<float, 2, Eigen::Dynamic, Eigen::RowMajor> from_, along_;
-  Eigen::Array<float, 1, Eigen::Dynamic> inverse_length2_;
+  static constexpr size_t kBlock = 16;
+
+  static float SquaredDistance(const Vector2f& point, const Segment& segment) {
+    return (segment.Nearest(point) - point).squaredNorm();
+  }
+
+  std::vector<Segment> segments_;
+  std::vector<Eigen::AlignedBox2f> boxes_, outer_boxes_;
+  size_t last_nearest_ = 0;
 };
 
 struct Sample {
@@ -58,11 +105,14 @@ double TrimmedMean(std::vector<Sample> samples, double trim) {
 }
 
 double OneWay(const std::vector<Segment>& from, const std::vector<Segment>& to, double trim) {
-  const AllSegments targets(to);
+  SegmentBlocks targets(to);
+  double total = 0;
+  for (const Segment& segment : from) total += (segment.to - segment.from).norm();
+  const auto step = float(std::max<double>(kStepPx, total / kMostSamples));
   std::vector<Sample> samples;
   for (const Segment& segment : from) {
     const float length = (segment.to - segment.from).norm();
-    const int num_parts = static_cast<int>(std::ceil(length / kStepPx));
+    const int num_parts = static_cast<int>(std::ceil(length / step));
     for (int part = 0; part < num_parts; ++part) {
       const Vector2f point = segment.from + (float(part) + 0.5f) / float(num_parts) * (segment.to - segment.from);
       samples.push_back({targets.DistanceTo(point), length / float(num_parts)});

@@ -13,7 +13,8 @@ struct StrokeDistance {
   double two_way() const { return 0.5 * (drawn_to_projected + projected_to_drawn); }
 };
 
-/// Means over the lengths of all lines, taken at points at most a pixel apart. With trimming, the farthest shares of
+/// Means over the lengths of all lines, taken at points at most a pixel apart (or a
+/// 12,000th of the length of more than 12,000 pixels). With trimming, the farthest shares of
 /// the drawn and of the projected length do not count: hair has no counterpart among a face's curves, and a forehead
 /// that hair covers is not drawn. Points outside of the canvas count like others.
 /// @throws Error if one side has no line of positive length or a share is not in [0, 1).

@@ -18,6 +18,9 @@ constexpr double kShareOutside = 0.02;
 /// A stroke belongs to the drawing if it comes nearer to the core box than this share of the box's longer side.
 constexpr double kReach = 0.15;
 
+/// Scribbles much longer than the sheet is wide are sampled more coarsely.
+constexpr double kMostSamples = 1e6;
+
 struct Sample {
   double coordinate, length;
 };
@@ -46,6 +49,12 @@ AlignedBox2d BoxOf(const Stroke& stroke) {
 
 /// The box that holds all but the outermost lengths of the strokes.
 AlignedBox2d CoreBox(const std::vector<Stroke>& strokes, double step) {
+  double total_length = 0.0;
+  for (const auto& stroke : strokes)
+    for (size_t i = 1; i < stroke.points.size(); ++i)
+      total_length += std::hypot(double(stroke.points[i][0]) - stroke.points[i - 1][0],
+                                 double(stroke.points[i][1]) - stroke.points[i - 1][1]);
+  step = std::max(step, total_length / kMostSamples);
   std::array<std::vector<Sample>, 2> samples;
   for (const auto& stroke : strokes) {
     for (size_t i = 1; i < stroke.points.size(); ++i) {

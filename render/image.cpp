@@ -2,27 +2,19 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/log.h"
+#include "render/exif.h"
+#include "render/jpeg.h"
 #include "render/opencv_bridge.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <limits>
 #include <string>
 
 namespace daumier::render {
 namespace {
-
-bool IsJpeg(std::string_view bytes) {
-  return bytes.starts_with("\xFF\xD8");
-}
-
-/// libjpeg fills missing data with grey without an error: a complete file has its end marker after its last start of
-/// scan.
-bool IsTruncatedJpeg(std::string_view bytes) {
-  const size_t scan = bytes.rfind("\xFF\xDA");
-  const size_t end = bytes.rfind("\xFF\xD9");
-  return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
-}
 
 /// 8-bit RGB over white.
 cv::Mat LayOverWhite(const cv::Mat& bgra) {
@@ -40,14 +32,56 @@ cv::Mat LayOverWhite(const cv::Mat& bgra) {
   return rgb;
 }
 
+/// Rows and columns as they are stored: our own code turns pictures, of every format alike.
 cv::Mat DecodeWithOpenCv(std::string_view bytes) {
-  if (bytes.empty()) return {};
+  if (bytes.empty() || bytes.size() > size_t(std::numeric_limits<int>::max())) return {};
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   try {
-    return cv::imdecode(buffer, IsJpeg(bytes) ? cv::IMREAD_ANYCOLOR : cv::IMREAD_UNCHANGED);
+    return cv::imdecode(
+        buffer, IsJpeg(bytes) ? cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION : int(cv::IMREAD_UNCHANGED));
   } catch (const cv::Exception&) {
     return {};
   }
+}
+
+/// A JPEG without its end marker, which libjpeg decodes without an error, grey where data are missing. Whether some are
+/// is found by what follows them: if all pixels are there, none depends on it. Empty if some are missing.
+cv::Mat DecodeWithoutEnd(std::string_view picture) {
+  constexpr std::string_view kEndMarker = "\xFF\xD9";
+  constexpr size_t kNumFollowing = 64;
+  cv::Mat decoded;
+  for (const char following : {'\x00', '\xB5', '\x6A'}) {
+    const cv::Mat other =
+        DecodeWithOpenCv(fmt::format("{}{}{}", picture, std::string(kNumFollowing, following), kEndMarker));
+    if (other.empty()) return {};
+    if (!decoded.empty() && (decoded.size() != other.size() || cv::norm(decoded, other, cv::NORM_INF) > 0)) return {};
+    decoded = other;
+  }
+  return decoded;
+}
+
+/// @throws Error if the file is cut.
+cv::Mat DecodeJpeg(std::string_view bytes, std::string_view name) {
+  const JpegExtent extent = FirstJpeg(bytes);
+  DAUMIER_CHECK(extent.has_scan, "{}: truncated JPEG", name);
+  if (extent.has_end) return DecodeWithOpenCv(extent.picture);
+  cv::Mat decoded = DecodeWithoutEnd(extent.picture);
+  DAUMIER_CHECK(!decoded.empty(), "{}: truncated JPEG: rows are missing at its end", name);
+  log::Warn("{}: the JPEG lacks its end marker; all of its pixels are there", name);
+  return decoded;
+}
+
+/// The picture as its Exif orientation, from 1 to 8, says that it is shown.
+cv::Mat Turned(const cv::Mat& stored, int orientation) {
+  cv::Mat turned = stored;
+  if (orientation >= 5) cv::transpose(stored, turned);
+  // What is left of each: 2 and 6 mirror left and right, 4 and 8 top and bottom, 3 and 7 both.
+  const bool left_right = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool top_bottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  cv::Mat result = turned;
+  if (left_right) cv::flip(turned, result, 1), turned = result.clone();
+  if (top_bottom) cv::flip(turned, result, 0);
+  return result;
 }
 
 }  // namespace
@@ -59,9 +93,11 @@ Image::Image(int height, int width, int channels, uint8_t value) : height(height
 }
 
 Image DecodeImage(std::string_view bytes, std::string_view name) {
-  DAUMIER_CHECK(!IsJpeg(bytes) || !IsTruncatedJpeg(bytes), "{}: truncated JPEG", name);
-  cv::Mat decoded = DecodeWithOpenCv(bytes);
-  DAUMIER_CHECK(!decoded.empty(), "{}: not a readable picture, or truncated (expected PNG or JPEG)", name);
+  DAUMIER_CHECK(!bytes.empty(), "{}: the file is empty", name);
+  cv::Mat decoded = IsJpeg(bytes) ? DecodeJpeg(bytes, name) : DecodeWithOpenCv(bytes);
+  DAUMIER_CHECK(!decoded.empty(), "{}: not a readable picture, or truncated (expected PNG, JPEG, WebP, BMP or TIFF)",
+                name);
+  decoded = Turned(decoded, ExifOrientation(bytes));
   if (decoded.depth() == CV_16U) decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
   DAUMIER_CHECK(decoded.depth() == CV_8U, "{}: neither 8 nor 16 bits a channel", name);
 

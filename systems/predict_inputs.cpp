@@ -19,6 +19,13 @@ std::string LowerCase(std::string text) {
   return text;
 }
 
+/// `stem`, or the first of stem-2, stem-3, ... that no result has.
+std::string FreeName(const std::string& stem, std::set<std::string>& taken) {
+  std::string name = stem;
+  for (int copy = 2; !taken.insert(LowerCase(name)).second; ++copy) name = fmt::format("{}-{}", stem, copy);
+  return name;
+}
+
 std::vector<fs::path> InputsIn(const System& system, const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -60,16 +67,32 @@ PredictionInputs ReadPredictionInputs(const System& system, const std::vector<fs
     task.ThrowIfCancelled("stopped while the inputs were read; nothing was written");
     try {
       for (Input& input : system.read_inputs(file)) {
-        const std::string stem = file.stem().string();
-        std::string name = stem;
-        for (int copy = 2; !taken.insert(LowerCase(name)).second; ++copy) name = fmt::format("{}-{}", stem, copy);
-        read.inputs.push_back({name, file, std::move(input)});
+        read.inputs.push_back({FreeName(file.stem().string(), taken), file, std::move(input)});
       }
     } catch (const std::exception& error) {
       read.failures.push_back(FailureOf(file, error));
     }
   }
   return read;
+}
+
+PredictionInputs SeparateInputs(const Predictor& predictor, PredictionInputs inputs) {
+  std::set<std::string> taken;
+  for (const PredictionInput& input : inputs.inputs) taken.insert(LowerCase(input.name));
+  PredictionInputs apart{{}, std::move(inputs.failures)};
+  for (PredictionInput& input : inputs.inputs) {
+    try {
+      std::vector<Input> faces = predictor.Separate(std::move(input.input));
+      for (size_t i = 0; i < faces.size(); ++i) {
+        const std::string name =
+            faces.size() == 1 ? input.name : FreeName(fmt::format("{}_{}", input.name, i + 1), taken);
+        apart.inputs.push_back({name, input.file, std::move(faces[i])});
+      }
+    } catch (const std::exception& error) {
+      apart.failures.push_back(FailureOf(input.file, error));
+    }
+  }
+  return apart;
 }
 
 }  // namespace daumier::systems

@@ -41,4 +41,8 @@ std::vector<std::filesystem::path> ExpandInputFolders(const System& system,
 PredictionInputs ReadPredictionInputs(const System& system, const std::vector<std::filesystem::path>& files,
                                       const Task& task = {});
 
+/// The inputs that the predictor separates (Predictor::Separate) in place of the one that they come from: NAME_1,
+/// NAME_2, ... One that it refuses is a failure.
+PredictionInputs SeparateInputs(const Predictor& predictor, PredictionInputs inputs);
+
 }  // namespace daumier::systems

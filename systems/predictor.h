@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -41,6 +42,8 @@ class Predictor {
   Predictor(const Predictor&) = delete;
   Predictor& operator=(const Predictor&) = delete;
   virtual ~Predictor() = default;
+  /// The inputs that an input is predicted as: itself alone, or those of the faces that it holds, in their order.
+  virtual std::vector<Input> Separate(Input input) const { return {std::move(input)}; }
   /// One face an input, in order. @throws Error if the system does not take an input's kind, or finds no face in it, of
   /// several inputs with the position in the list ("input 2 of 5: ..."); Cancelled if the task is.
   virtual std::vector<FaceResult> Predict(std::span<const Input> inputs, const Task& task = {}) const = 0;

@@ -11,7 +11,8 @@ namespace {
 
 /// `coordinates` gives those of a training face; it is called from several threads at once.
 FittedBilinear Fit(const faces::FaceDatabase& database, const Split& split, const faces::BilinearOptions& options,
-                   int num_coordinates, const std::function<std::span<const float>(int face)>& coordinates) {
+                   int num_coordinates, const std::function<std::span<const float>(int face)>& coordinates,
+                   const Task& task) {
   const int num_expressions = database.num_expressions();
   std::vector<bool> is_training(database.num_faces(), false);
   for (const int face : split.train) is_training.at(face) = true;
@@ -26,8 +27,8 @@ FittedBilinear Fit(const faces::FaceDatabase& database, const Split& split, cons
     const int face = fitted.identities[identity] * num_expressions + expression;
     return is_training[face] ? coordinates(face) : std::span<const float>();
   };
-  fitted.model =
-      faces::FitBilinear(static_cast<int>(fitted.identities.size()), num_expressions, num_coordinates, reader, options);
+  fitted.model = faces::FitBilinear(static_cast<int>(fitted.identities.size()), num_expressions, num_coordinates,
+                                    reader, options, task);
   fitted.proof = SplitToJson(database, {.train = read, .validation = {}, .test = {}}).at("train");
   fitted.proof["num_identities"] = fitted.identities.size();
   return fitted;
@@ -46,24 +47,29 @@ std::vector<int> TrainingIdentities(const faces::FaceDatabase& database, const S
 }
 
 FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& split,
-                             const faces::BilinearOptions& options) {
-  return Fit(database, split, options, 3 * database.num_vertices(), [&](int face) { return database.vertices(face); });
+                             const faces::BilinearOptions& options, const Task& task) {
+  return Fit(
+      database, split, options, 3 * database.num_vertices(), [&](int face) { return database.vertices(face); }, task);
 }
 
 FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const SketchDatabase& sketches,
-                                   const Split& split, const faces::BilinearOptions& options) {
+                                   const Split& split, const faces::BilinearOptions& options, const Task& task) {
   DAUMIER_CHECK(sketches.num_faces() == database.num_faces(),
                 "there are {} sketches for {} faces: they belong to another database", sketches.num_faces(),
                 database.num_faces());
   std::vector<std::vector<float>> points(database.num_faces());
-  for (const int face : split.train) points.at(face) = PointsOf(sketches.strokes(face), sketches.feature_curves());
+  for (const int face : split.train) {
+    task.ThrowIfCancelled("stopped while the curves of sketches were read; nothing was written");
+    points.at(face) = PointsOf(sketches.strokes(face), sketches.feature_curves());
+  }
   DAUMIER_CHECK(!split.train.empty(), "no face to fit the curves on");
-  return Fit(database, split, options, static_cast<int>(points[split.train.front()].size()),
-             [&](int face) { return std::span<const float>(points[face]); });
+  return Fit(
+      database, split, options, static_cast<int>(points[split.train.front()].size()),
+      [&](int face) { return std::span<const float>(points[face]); }, task);
 }
 
 faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
-                                    const faces::BilinearModel& bilinear, int size, uint64_t seed) {
+                                    const faces::BilinearModel& bilinear, int size, uint64_t seed, const Task& task) {
   const std::vector<int> identities = TrainingIdentities(database, split);
   constexpr int kMostFaces = 600;
   std::vector<int> grid;
@@ -77,11 +83,12 @@ faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const S
   std::sort(chosen.begin(), chosen.end());
   faces::FaceBasis basis = faces::FitFaceBasis(
       static_cast<int>(chosen.size()), 3 * database.num_vertices(),
-      [&](int i) { return database.vertices(chosen[size_t(i)]); }, size);
+      [&](int i) { return database.vertices(chosen[size_t(i)]); }, size, task);
 
   const Eigen::MatrixXf products = basis.rows * bilinear.core.transpose();  // size x Ku Kv.
   Eigen::VectorXf squares = Eigen::VectorXf::Zero(size);
   for (const int face : chosen) {
+    task.ThrowIfCancelled("stopped while a basis of faces was fitted; nothing was written");
     const int identity = face / database.num_expressions(), expression = face % database.num_expressions();
     const auto row = std::lower_bound(identities.begin(), identities.end(), identity);
     const Eigen::VectorXf u = bilinear.identity_factors.row(row - identities.begin()),

@@ -25,19 +25,20 @@ std::vector<int> TrainingIdentities(const faces::FaceDatabase& database, const S
 /// Fits the bilinear model to all coordinates of the split's training faces of the grid; no other face is read.
 /// Identities are the pairs of person and level that have a training face; faces of theirs that are held out (split
 /// "random") are imputed as FitBilinear describes.
-/// @throws Error as FitBilinear.
+/// @throws Error as FitBilinear, Cancelled as well.
 FittedBilinear FitOnTraining(const faces::FaceDatabase& database, const Split& split,
-                             const faces::BilinearOptions& options);
+                             const faces::BilinearOptions& options, const Task& task = {});
 
 /// The same of the 2-D points on silhouette and feature lines, SketchDatabase::feature_curves, in pixels of the 256
 /// canvas: the model behind the shape-level input [Han et al. 2017, section 4.3], which faces::CurveEncoder encodes.
 /// @throws Error as FitBilinear, or if the sketches belong to other faces.
 FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const SketchDatabase& sketches,
-                                   const Split& split, const faces::BilinearOptions& options);
+                                   const Split& split, const faces::BilinearOptions& options, const Task& task = {});
 
 /// A linear basis of at most 600 training faces of the grid, drawn by a stream of the seed, and their distance from the
 /// faces that the bilinear model of FitOnTraining makes of their own u and v. @throws Error as faces::FitFaceBasis.
 faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
-                                    const faces::BilinearModel& bilinear, int size, uint64_t seed);
+                                    const faces::BilinearModel& bilinear, int size, uint64_t seed,
+                                    const Task& task = {});
 
 }  // namespace daumier::datasets

@@ -2,15 +2,22 @@
 
 #include "core/error.h"
 #include "geometry/coordinates.h"
+#include "render/faces_on_sheet.h"
 #include "render/line_drawing.h"
+#include "render/sparse_strokes.h"
 #include "systems/training_library.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace daumier::sketch {
 namespace {
 
 using Strokes = std::vector<render::Stroke>;
+
+/// Of a frame search; a task is cancelled between them.
+constexpr size_t kSketchesAtOnce = 16;
 
 geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geometry::Points& vertices) {
   const auto& landmarks = face_template.annotation.landmarks;
@@ -63,13 +70,23 @@ fitting::PredictedFace SketchPredictor::Deformed(fitting::PredictedFace face, co
   return face;
 }
 
+std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) const {
+  if (options_.faces != "all" || options_.framing == "keep" || std::holds_alternative<geometry::PolygonMesh>(input))
+    return {std::move(input)};
+  std::vector<systems::Input> inputs;
+  for (render::Drawing& face : render::FacesOnSheet(DrawingOf(input))) inputs.emplace_back(std::move(face));
+  return inputs;
+}
+
 std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const systems::Input> inputs,
                                                           const Task& task) const {
   std::vector<systems::FaceResult> results;
   for (size_t i = 0; i < inputs.size(); ++i) {
     task.ThrowIfCancelled("stopped after {} of {} drawings", i, inputs.size());
     try {
-      results.push_back(PredictOne(DrawingOf(inputs[i])));
+      results.push_back(PredictOne(DrawingOf(inputs[i]), task));
+    } catch (const Cancelled&) {
+      throw;
     } catch (const Error& error) {
       if (inputs.size() == 1) throw;
       throw Error(fmt::format("input {} of {}: {}", i + 1, inputs.size(), error.what()));
@@ -79,23 +96,35 @@ std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const system
   return results;
 }
 
-systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) const {
+systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, const Task& task) const {
   const bool fit = options_.framing == "fit";
-  const render::FramedDrawing framed =
+  const std::vector<render::Drawing> on_sheet = fit ? render::FacesOnSheet(sheet) : std::vector<render::Drawing>{sheet};
+  const render::Drawing& drawing = render::LargestFace(on_sheet);
+  task.ThrowIfCancelled("stopped before the drawing was framed");
+  render::FramedDrawing framed =
       fit ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
+  const Strokes drawn = std::exchange(framed.strokes, render::SparseStrokes(framed.strokes, framed.placement.scale));
+  task.ThrowIfCancelled("stopped before the drawing was framed");
   render::Placement placement = framed.placement;
   if (fit) {
-    const fitting::CurvesOfSketches curves_of = [this](const std::vector<Strokes>& sketches) {
+    const fitting::CurvesOfSketches curves_of = [&](const std::vector<Strokes>& sketches) {
       std::vector<Strokes> curves;
-      for (const fitting::PredictedFace& face : FromStrokes(sketches)) curves.push_back(CurvesOf(face));
+      for (size_t first = 0; first < sketches.size(); first += kSketchesAtOnce) {
+        task.ThrowIfCancelled("stopped while the frame of the drawing was searched");
+        const auto last = sketches.begin() + ptrdiff_t(std::min(first + kSketchesAtOnce, sketches.size()));
+        for (const fitting::PredictedFace& face : FromStrokes({sketches.begin() + ptrdiff_t(first), last}))
+          curves.push_back(CurvesOf(face));
+      }
       return curves;
     };
-    placement = fitting::FindFrame(framed, curves_of, options_.search).placement;
+    placement = fitting::FindFrame(framed, curves_of, options_.search, task).placement;
   }
   const Strokes before = render::MapToCanvas(framed.strokes, framed.placement),
                 strokes = render::MapToCanvas(framed.strokes, placement);
+  task.ThrowIfCancelled("stopped before the face was predicted");
   const std::vector<fitting::PredictedFace> faces = FromStrokes({before, strokes});
   fitting::PredictedFace face = options_.refine ? Refined(faces[1], strokes) : faces[1];
+  task.ThrowIfCancelled("stopped before the face was complete");
   if (options_.deform) face = Deformed(std::move(face), strokes);
 
   systems::FaceResult result;
@@ -105,12 +134,16 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& drawing) 
   result.expression = face.v;
   result.landmarks = LandmarksOf(*face_template_, result.vertices);
   result.frame = placement;
-  result.drawn = strokes;
+  result.drawn = render::MapToCanvas(drawn, placement);
   result.curves = CurvesOf(face);
   const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
     return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
   };
   const fitting::FrameSearchOptions& search = options_.search;
+  if (on_sheet.size() > 1)
+    result.warnings.push_back(fmt::format(
+        "the sheet holds {} faces, of which the largest is predicted (`daumier predict --all` predicts each)",
+        on_sheet.size()));
   result.record = {
       {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
       {"two_way_distance_px",

@@ -16,6 +16,7 @@ namespace daumier::sketch {
 
 struct PredictOptions {
   std::string framing = "fit";
+  std::string faces = "largest";
   bool refine = true;
   bool deform = false;
   fitting::FrameSearchOptions search = {};
@@ -27,6 +28,9 @@ struct PredictOptions {
     visit("framing", framing, Choices{{"fit", "keep"}},
           "Scale and shift of a drawing on the canvas: fit to the predicted face, or the sheet is the canvas, for "
           "drawings that were made in the frame of the training sketches.");
+    visit(
+        "faces", faces, Choices{{"largest", "all"}},
+        "Of several faces on one sheet: predict the largest, or all of them. A sheet that is the canvas is one face.");
     visit("refine", refine, Flag{}, "Match the contours of the predicted face with the strokes.");
     visit("deform", deform, Flag{}, "Then move the surface onto the strokes, beyond the model of faces.");
     visit("search", search, Table{}, "How the frame is found.");
@@ -46,6 +50,8 @@ class SketchPredictor : public systems::Predictor {
   SketchPredictor(SketchRunFolder run, std::shared_ptr<const runtime::NetworkRunner> network,
                   const PredictOptions& options = {});
 
+  /// Several faces on one sheet are predicted with faces=all, and else the largest, with a warning (FacesOnSheet).
+  std::vector<systems::Input> Separate(systems::Input input) const override;
   /// Drawings, and images of line drawings (render::TraceLineDrawing). record holds the frame and the two-way distance
   /// between drawing and curves in pixels of the canvas: of the first frame ("before"), of the frame taken ("framed"),
   /// of the result ("after"), and that trimmed as FrameSearchOptions specify ("after_trimmed").
@@ -67,7 +73,7 @@ class SketchPredictor : public systems::Predictor {
   const PredictOptions& options() const { return options_; }
 
  private:
-  systems::FaceResult PredictOne(const render::Drawing& drawing) const;
+  systems::FaceResult PredictOne(const render::Drawing& sheet, const Task& task) const;
 
   SketchRunFolder run_;
   PredictOptions options_;

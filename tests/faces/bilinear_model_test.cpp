@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "tests/faces/random_tensor.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
 
@@ -210,6 +211,14 @@ TEST(BilinearModel, DamagedFilesAreRefused) {
   odd.core.conservativeResize(11, 30);
   WriteBilinearModel(file, odd);
   ExpectError([&] { ReadBilinearModel(file); }, "11 rows");
+}
+
+TEST(BilinearModel, ACancelledTaskEndsTheFit) {
+  const Tensor tensor = RandomTensor(6, 5, 30, 1);
+  EXPECT_THROW(FitBilinear(
+                   6, 5, 30, [&](int i, int e) { return tensor.Read(i, e); }, {.num_identity = 4, .num_expression = 3},
+                   testing::CancelledTask()),
+               Cancelled);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "faces/face_basis.h"
 
 #include "core/random.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
 
@@ -63,6 +64,12 @@ TEST(FaceBasis, ComesBackFromItsFileAndADamagedOneIsRefused) {
   basis.deviation.conservativeResize(2);
   WriteFaceBasis(file, basis);
   testing::ExpectError([&] { ReadFaceBasis(file); }, "a deviation for each of its rows");
+}
+
+TEST(FaceBasis, ACancelledTaskEndsTheFit) {
+  const auto faces = RandomFaces(5, 9, 5);
+  const auto face = [&](int i) { return std::span<const float>(faces.row(i).data(), 9); };
+  EXPECT_THROW(FitFaceBasis(5, 9, face, 2, testing::CancelledTask()), Cancelled);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "fitting/frame_search.h"
 
 #include "tests/fitting/projected_face.h"
+#include "tests/support/cancelled_task.h"
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,12 @@ TEST(FrameSearchOptions, AreParsed) {
   const auto options = ParseOptions<FrameSearchOptions>(Json{{"shares", {1.0, 0.5}}, {"starts", 2}});
   EXPECT_EQ(options.shares, (std::vector<double>{1.0, 0.5}));
   EXPECT_EQ(options.starts, 2);
+}
+
+TEST_F(FrameSearchTest, ACancelledTaskEndsIt) {
+  const auto framed = render::FrameDrawing(OnASheet({}));
+  EXPECT_THROW(FindFrame(framed, Always(), {}, testing::CancelledTask()), Cancelled);
+  EXPECT_EQ(num_tried_, 0);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "fitting/stroke_distance.h"
 
+#include "core/random.h"
+#include "fitting/stroke_segments.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +58,31 @@ TEST(StrokeDistance, RefusesNothingAndTooMuchTrimming) {
   testing::ExpectError([] { DistanceBetween({}, kLine); }, "without any length");
   testing::ExpectError([] { DistanceBetween(kLine, {{0, {{3, 3}}}}); }, "without any length");
   testing::ExpectError([] { DistanceBetween(kLine, kLine, 1.0); }, "a share of 1");
+}
+
+// Every segment held against every point.
+TEST(DistanceBetween, IsThatOfTheNearestOfThousandsOfSegments) {
+  Rng rng(8);
+  const auto scribble = [&](int count, double low, double high) {
+    render::Stroke stroke;
+    for (int i = 0; i < count; ++i)
+      stroke.points.push_back({float(rng.Uniform(low, high)), float(rng.Uniform(low, high))});
+    return std::vector<render::Stroke>{stroke};
+  };
+  const auto drawn = scribble(3000, 0, 250);
+  std::vector<render::Stroke> dots;
+  double sum = 0, length = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto dash = scribble(2, -40, 290)[0];
+    const Eigen::Vector2f from(dash.points[0][0], dash.points[0][1]), to = from + Eigen::Vector2f(0.5f, 0);
+    dots.push_back({0, {{from.x(), from.y()}, {to.x(), to.y()}}});
+    const Eigen::Vector2f middle = 0.5f * (from + to);
+    float nearest = 1e9f;
+    for (const Segment& segment : SegmentsOf(drawn))
+      nearest = std::min(nearest, (segment.Nearest(middle) - middle).norm());
+    sum += 0.5 * nearest, length += 0.5;
+  }
+  EXPECT_NEAR(DistanceBetween(drawn, dots).projected_to_drawn, sum / length, 1e-3);
 }
 
 }  // namespace

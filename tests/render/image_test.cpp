@@ -2,9 +2,12 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/log.h"
 #include "render/opencv_bridge.h"
+#include "tests/render/oriented_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -123,25 +126,50 @@ TEST(DecodeImage, RoundsSixteenBitsToEight) {
   EXPECT_EQ(image.pixels, (std::vector<uint8_t>{0, 100, 255}));
 }
 
-TEST(DecodeImage, TurnsAJpegAsItsExifSays) {
-  // Left half black, right half white; orientation 6 (turn clockwise by 90 degrees) puts black on top.
-  cv::Mat grey(16, 32, CV_8UC1, cv::Scalar(255));
-  grey.colRange(0, 16).setTo(0);
-  std::string bytes = Encode(".jpg", grey);
-  const std::string exif(
-      "\xFF\xE1\x00\x22"
-      "Exif\0\0"
-      "II*\0\x08\0\0\0"
-      "\x01\0"
-      "\x12\x01\x03\0\x01\0\0\0\x06\0\0\0"
-      "\0\0\0\0",
-      36);
-  bytes.insert(2, exif);
-  const Image image = DecodeImage(bytes, "turned");
-  ASSERT_EQ(image.height, 32);
-  ASSERT_EQ(image.width, 16);
-  EXPECT_LT(image.at(4, 8), 20);
-  EXPECT_GT(image.at(28, 8), 235);
+TEST(DecodeImage, TurnsEveryFormatAsItsOrientationSays) {
+  const cv::Mat stored = testing::SixBlocks();
+  const std::string jpeg = Encode(".jpg", stored), png = Encode(".png", stored);
+  const std::string webp = testing::Encoded(".webp", stored, {cv::IMWRITE_WEBP_QUALITY, 101});
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    const std::string exif = testing::ExifData(orientation, orientation % 2 == 0);
+    for (const auto& [name, bytes] : {std::pair{"JPEG", testing::JpegWithExif(jpeg, exif)},
+                                      {"PNG", testing::PngWithExif(png, exif)},
+                                      {"WebP", testing::WebpWithExif(webp, exif, stored.cols, stored.rows)},
+                                      {"TIFF", testing::TiffOf(stored, orientation)}}) {
+      const Image image = DecodeImage(bytes, name);
+      ASSERT_EQ(image.height, orientation < 5 ? 32 : 48) << name << " " << orientation;
+      ASSERT_EQ(image.width, orientation < 5 ? 48 : 32) << name << " " << orientation;
+      for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 3; ++column) {
+          const auto [y, x] = testing::ShownBlock(orientation, row, column);
+          EXPECT_NEAR(image.at(16 * y + 8, 16 * x + 8), 40 * (3 * row + column), 3) << name << " " << orientation;
+        }
+      }
+    }
+  }
+}
+
+TEST(DecodeImage, ReadsTheFirstPictureOfAJpegWithMoreBehind) {
+  const std::string jpeg = Encode(".jpg", testing::SixBlocks()), other = Encode(".jpg", cv::Mat(8, 8, CV_8UC1));
+  const Image alone = DecodeImage(jpeg, "alone");
+  EXPECT_EQ(DecodeImage(jpeg + "ftypmp42 \xFF\xDA movie", "with a movie"), alone);
+  EXPECT_EQ(DecodeImage(jpeg + other, "with a second picture"), alone);
+}
+
+TEST(DecodeImage, ReadsAJpegThatLacksItsEndMarkerAloneWithAWarning) {
+  testing::AllowWarnings();
+  for (const int progressive : {0, 1}) {
+    const std::string jpeg =
+        testing::Encoded(".jpg", testing::SixBlocks(), {cv::IMWRITE_JPEG_PROGRESSIVE, progressive});
+    const int before = log::NumWarnings();
+    EXPECT_EQ(DecodeImage(jpeg.substr(0, jpeg.size() - 2), "without end"), DecodeImage(jpeg, "whole"));
+    EXPECT_EQ(log::NumWarnings(), before + 1);
+    testing::ExpectError([&] { DecodeImage(jpeg.substr(0, jpeg.size() - 6), "cut.jpg"); }, "cut.jpg: truncated JPEG");
+  }
+}
+
+TEST(DecodeImage, OfAnEmptyFileSaysThatItIsEmpty) {
+  testing::ExpectError([] { DecodeImage("", "nothing.png"); }, "nothing.png: the file is empty");
 }
 
 TEST(Image, RefusesImpossibleSizes) {

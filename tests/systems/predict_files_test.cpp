@@ -50,6 +50,18 @@ class FacePredictor : public Predictor {
       std::make_shared<const faces::FaceTemplate>(testing::SyntheticFace());
 };
 
+/// Every stroke but the first is drawn around a face of its own, with that.
+class SeparatingPredictor : public FacePredictor {
+ public:
+  std::vector<Input> Separate(Input input) const override {
+    const auto& strokes = std::get<render::Drawing>(input).strokes;
+    std::vector<Input> inputs;
+    for (size_t i = 1; i < strokes.size(); ++i)
+      inputs.emplace_back(render::Drawing{256, 256, {strokes[0], strokes[i], strokes[i]}});
+    return inputs;
+  }
+};
+
 /// The drawings of a file; of an OBJ its mesh.
 std::vector<Input> ReadInputs(const fs::path& file) {
   if (file.extension() == ".obj") return {geometry::ReadObj(file)};
@@ -202,6 +214,15 @@ TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
   EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
   Draw("out/anna.svg", 2);
   ExpectError([&] { Predict({folder_ / "anna.svg"}); }, "anna.svg has changed since it was written");
+}
+
+TEST_F(PredictFilesTest, InputsThatThePredictorSeparatesAreNumbered) {
+  const SeparatingPredictor predictor;
+  const PredictionInputs inputs =
+      SeparateInputs(predictor, ReadPredictionInputs(system_, {Draw("anna.svg", 3), Draw("bert.svg", 2)}));
+  PredictFiles(system_, predictor, run(), inputs, out(), {});
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna_1.obj", "anna_1.png", "anna_1.svg", "anna_2.obj", "anna_2.png",
+                                              "anna_2.svg", "bert.obj", "bert.png", "bert.svg", "manifest.json"}));
 }
 
 TEST_F(PredictFilesTest, ACancelledTaskKeepsWhatIsFinished) {

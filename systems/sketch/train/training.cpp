@@ -33,13 +33,14 @@ Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchData
 /// The models of a run: fitted and written with all else that begins a run folder, or read back from it.
 FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
                       const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
-                      const datasets::Split& split) {
+                      const datasets::Split& split, const Task& task) {
   log::Info("Fitting the bilinear models on {} training faces", split.train.size());
-  const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear),
-                                 curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear);
+  const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear, task),
+                                 curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear, task);
   FittedModels models{bilinear.model, curves.model, {}};
   if (options.network.residual > 0) {
-    models.basis = datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed);
+    models.basis =
+        datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed, task);
   }
   // Only now does the folder hold a run: options that the fit refuses can be corrected in the same folder.
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
@@ -85,8 +86,8 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   if (place.resume) train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
   const bool begun =
       train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"], defaults);
-  const FittedModels models =
-      begun ? ResumeRun(run_directory, options) : BeginRun(run_directory, options, manifest, faces, sketches, split);
+  const FittedModels models = begun ? ResumeRun(run_directory, options)
+                                    : BeginRun(run_directory, options, manifest, faces, sketches, split, task);
 
   torch::manual_seed(options.seed);
   SketchRecipe recipe(options, faces, sketches, split, models, torch_device);

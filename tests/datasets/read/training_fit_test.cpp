@@ -4,6 +4,7 @@
 #include "core/safetensors.h"
 #include "faces/bilinear_projector.h"
 #include "faces/curve_encoder.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
 
@@ -144,6 +145,16 @@ TEST_F(TrainingFitTest, BasisHoldsTrainingFacesBetterThanTheBilinearModelAndRead
   const auto ruined = FitBasisOnTraining(WithOnly(split.train), split, bilinear, 12, 1);
   EXPECT_EQ(ruined.rows, basis.rows);
   EXPECT_EQ(ruined.deviation, basis.deviation);
+}
+
+TEST_F(CurveFitTest, ACancelledTaskEndsEachFit) {
+  const SketchDatabase sketches(sketches_folder_ / "sketches");
+  const Split split = MakeSplit(*database_, {}, 3);
+  const FittedBilinear fitted = FitOnTraining(*database_, split, kRanks);
+  const Task cancelled = testing::CancelledTask();
+  EXPECT_THROW(FitOnTraining(*database_, split, kRanks, cancelled), Cancelled);
+  EXPECT_THROW(FitCurvesOnTraining(*database_, sketches, split, kRanks, cancelled), Cancelled);
+  EXPECT_THROW(FitBasisOnTraining(*database_, split, fitted.model, 3, 1, cancelled), Cancelled);
 }
 
 }  // namespace

@@ -175,5 +175,78 @@ TEST_F(SketchPredictorTest, ReportsEachDrawing) {
   EXPECT_EQ(done, (std::vector<int64_t>{1, 2}));
 }
 
+/// Faces of circles side by side, the second one the largest.
+std::vector<render::Stroke> SideBySide(int count) {
+  std::vector<render::Stroke> strokes;
+  for (int i = 0; i < count; ++i)
+    for (const render::Stroke& stroke : render::MapToCanvas(Circles(), {i == 1 ? 1.2 : 1.0, {600.0 * i, 0}}))
+      strokes.push_back(stroke);
+  return strokes;
+}
+
+TEST_F(SketchPredictorTest, OfTwoFacesTheLargestIsPredictedWithAWarning) {
+  PredictOptions options = WholeChain();
+  options.deform = false;
+  const auto results = Open(options).Predict(std::vector<systems::Input>{render::Drawing{1200, 400, SideBySide(2)}});
+  ASSERT_EQ(results.size(), 1u);
+  ASSERT_EQ(results[0].warnings.size(), 1u);
+  EXPECT_NE(results[0].warnings[0].find("the sheet holds 2 faces"), std::string::npos);
+  EXPECT_EQ(results[0].drawn.size(), SideBySide(1).size());
+  const auto one = Open(options).Predict(std::vector<systems::Input>{render::Drawing{1200, 400, SideBySide(1)}});
+  EXPECT_TRUE(one[0].warnings.empty());
+}
+
+TEST_F(SketchPredictorTest, AllFacesOfASheetAreInputsOfTheirOwnIfWished) {
+  PredictOptions options = WholeChain();
+  const systems::Input sheet = render::Drawing{1800, 400, SideBySide(3)};
+  EXPECT_EQ(Open(options).Separate(sheet).size(), 1u);
+  options.faces = "all";
+  const auto inputs = Open(options).Separate(sheet);
+  ASSERT_EQ(inputs.size(), 3u);
+  for (const systems::Input& input : inputs)
+    EXPECT_EQ(std::get<render::Drawing>(input).strokes.size(), SideBySide(1).size());
+  EXPECT_EQ(Open(options).Separate(render::Drawing{256, 256, Circles()}).size(), 1u);
+  EXPECT_EQ(Open(options).Separate(geometry::PolygonMesh{}).size(), 1u) << "what it is not refuses Predict";
+  options.framing = "keep";
+  EXPECT_EQ(Open(options).Separate(sheet).size(), 1u) << "the sheet is the canvas";
+}
+
+/// Requests the stop of a task in the middle of a prediction.
+class StoppingNetwork : public testing::FixedNetwork {
+ public:
+  StoppingNetwork(const faces::BilinearModel& model, std::stop_source source)
+      : FixedNetwork(model), source_(std::move(source)) {}
+  NamedArrays Run(const NamedArrays& input) const override {
+    source_.request_stop();
+    return FixedNetwork::Run(input);
+  }
+
+ private:
+  mutable std::stop_source source_;
+};
+
+TEST_F(SketchPredictorTest, ACancelledTaskEndsInTheMiddleOfAPrediction) {
+  for (const size_t count : {1, 2}) {
+    const std::stop_source source;
+    const SketchPredictor predictor(run_, std::make_shared<StoppingNetwork>(run_.models.bilinear, source),
+                                    WholeChain());
+    std::vector<systems::Input> inputs = OneInput();
+    inputs.resize(count, inputs[0]);
+    EXPECT_THROW(predictor.Predict(inputs, Task(source.get_token())), Cancelled) << count;
+  }
+}
+
+TEST_F(SketchPredictorTest, ThousandsOfStrokesAreWrittenAsTheyAreAndPredictedFromFew) {
+  std::vector<render::Stroke> strokes;
+  for (int i = 0; i < 1000; ++i)
+    for (const render::Stroke& stroke : Circles()) strokes.push_back(stroke);
+  PredictOptions options = WholeChain();
+  options.deform = false;
+  const auto few = Open(options).Predict(OneInput());
+  const auto many = Open(options).Predict(std::vector<systems::Input>{render::Drawing{256, 256, strokes}});
+  EXPECT_EQ(many[0].drawn.size(), strokes.size());
+  EXPECT_NEAR(many[0].frame->scale, few[0].frame->scale, 0.02);
+}
+
 }  // namespace
 }  // namespace daumier::sketch
