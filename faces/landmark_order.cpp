@@ -99,7 +99,7 @@ int MirroredLandmark(int landmark) {
   struct Span {
     int first, last, sum;  ///< Both landmarks of a pair lie within, and their numbers have this sum.
   };
-  static constexpr Span kSpans[] = {{0, 16, 16},  {17, 26, 43}, {31, 35, 66},  {48, 54, 102},
+  static constexpr Span kSpans[] = {{0, 16, 16},   {17, 26, 43},  {31, 35, 66}, {48, 54, 102},
                                     {55, 59, 114}, {60, 64, 124}, {65, 67, 132}};
   static constexpr int kEyes[] = {45, 44, 43, 42, 47, 46, 39, 38, 37, 36, 41, 40};  // Of 36 .. 47.
   DAUMIER_CHECK(landmark >= 0 && landmark < kNumLandmarks, "landmark {} of {}", landmark, kNumLandmarks);

@@ -21,8 +21,8 @@ class JsonPoints {
 
   MarkedPoints Parse(const Json& json) {
     AddList(json);
-    const bool has_labels =
-        std::any_of(marked_.labels.begin(), marked_.labels.end(), [](const std::string& label) { return !label.empty(); });
+    const bool has_labels = std::any_of(marked_.labels.begin(), marked_.labels.end(),
+                                        [](const std::string& label) { return !label.empty(); });
     if (!has_labels) marked_.labels.clear();
     marked_.dimension = dimension_.value_or(1);
     return std::move(marked_);
@@ -32,7 +32,8 @@ class JsonPoints {
   [[noreturn]] void Fail(const Json& json) const {
     const std::string text = json.is_structured() ? fmt::format("{} of {} entries", json.type_name(), json.size())
                                                   : json.dump().substr(0, 40);
-    throw Error(fmt::format("{}: point {}: found {}, expected coordinates or a vertex", name_, marked_.points.size(), text));
+    throw Error(
+        fmt::format("{}: point {}: found {}, expected coordinates or a vertex", name_, marked_.points.size(), text));
   }
 
   void AddList(const Json& json) {
@@ -63,7 +64,8 @@ class JsonPoints {
   }
 
   void AddMarkup(const Json& markup) {
-    if (!markup.is_object() || !markup.contains("controlPoints") || !markup.at("controlPoints").is_array()) Fail(markup);
+    if (!markup.is_object() || !markup.contains("controlPoints") || !markup.at("controlPoints").is_array())
+      Fail(markup);
     const Json frame = markup.value("coordinateSystem", Json());
     if (frame == "LPS" || frame == "1") marked_.frame = PatientFrame::kLps;
     if (frame == "RAS" || frame == "0") marked_.frame = PatientFrame::kRas;

@@ -31,7 +31,7 @@ MarkedPoints ReadMarkedPoints(const std::filesystem::path& path, ZeroPoints zero
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::string_view content = text;
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
-  MarkedPoints marked = content.starts_with('<') ? ParseMarkedXml(content, path)
+  MarkedPoints marked = content.starts_with('<')                            ? ParseMarkedXml(content, path)
                         : content.starts_with('[') || IsJsonObject(content) ? ParseMarkedJson(content, path)
                                                                             : ParseMarkedRows(text, path);
   marked.file = path;

@@ -14,7 +14,7 @@ enum class PatientFrame { kLps, kRas };
 /// Points that a person or a program marked on a mesh or in a picture, in the order of their file.
 struct MarkedPoints {
   std::filesystem::path file;  ///< For messages.
-  int dimension = 3;           ///< Numbers of a point: 3 on a mesh, 2 in a picture, 1: a vertex, or numbers without rows.
+  int dimension = 3;  ///< Numbers of a point: 3 on a mesh, 2 in a picture, 1: a vertex, or numbers without rows.
   std::vector<std::optional<geometry::Vector3>> points = {};  ///< No value: absent. Numbers beyond `dimension` are 0.
   std::vector<std::string> labels = {};                       ///< One a point, or none: names or numbers.
   std::optional<PatientFrame> frame = {};                     ///< Where the file names one; points are as stored.

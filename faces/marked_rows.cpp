@@ -22,8 +22,9 @@ std::string LowerCase(std::string_view text) {
 }
 
 bool IsAbsentCell(const std::string& cell) {
-  static const std::set<std::string> kAbsent = {"",     "-",    "--",   "nan",     "-nan",   "nan(ind)", "-nan(ind)", "na",
-                                                "n/a",  "null", "none", "missing", "absent", "?",        "*"};
+  static const std::set<std::string> kAbsent = {"",         "-",         "--",     "nan", "-nan",
+                                                "nan(ind)", "-nan(ind)", "na",     "n/a", "null",
+                                                "none",     "missing",   "absent", "?",   "*"};
   return kAbsent.count(LowerCase(cell)) > 0;
 }
 
@@ -48,8 +49,8 @@ struct Columns {
 
 /// The words of a column's name without those of units and the like: "Pos X (mm)" -> "x".
 std::string CoreOfName(const std::string& name) {
-  static const std::set<std::string> kNoise = {"mm", "cm", "m", "px", "pixel", "pixels", "pos", "position", "coord",
-                                               "coordinate", "world", "3d", "2d"};
+  static const std::set<std::string> kNoise = {"mm",       "cm",    "m",          "px",    "pixel", "pixels", "pos",
+                                               "position", "coord", "coordinate", "world", "3d",    "2d"};
   std::string core, word;
   const auto finish = [&] {
     if (!word.empty() && kNoise.count(word) == 0) core += core.empty() ? word : "_" + word;
@@ -68,10 +69,12 @@ std::string CoreOfName(const std::string& name) {
 
 /// The columns that a header names; nothing where it names no coordinates.
 std::optional<Columns> ColumnsOfHeader(const std::vector<std::string>& names) {
-  static const std::set<std::string> kVertex = {"vertex", "vertex_index", "vertex_id", "vertexid", "vertexindex", "vid"};
+  static const std::set<std::string> kVertex = {"vertex",   "vertex_index", "vertex_id",
+                                                "vertexid", "vertexindex",  "vid"};
   static const std::set<std::string> kName = {"label", "name"};
-  static const std::set<std::string> kNumber = {"id", "index", "idx", "nr", "no", "number", "landmark", "landmarks", "lm",
-                                                "point", "#", "i", "n", "landmark_id", "landmark_index", "point_id"};
+  static const std::set<std::string> kNumber = {
+      "id", "index", "idx", "nr", "no", "number",      "landmark",       "landmarks",
+      "lm", "point", "#",   "i",  "n",  "landmark_id", "landmark_index", "point_id"};
   std::array<std::optional<int>, 3> axes;
   std::optional<int> vertex, name, number;
   for (int c = 0; c < static_cast<int>(names.size()); ++c) {
@@ -166,8 +169,9 @@ void RemoveCount(std::vector<Row>& rows, const std::string& name) {
   const auto count = NumberIn(rows.front().cells.front());
   if (!count || width > 2) return;
   if (width == 1 && next > 1 && next <= 5) {
-    DAUMIER_CHECK(*count == num_points, "{}: line {}: states {} points, but {} rows follow. The file is cut or was edited",
-                  name, rows.front().line, rows.front().cells.front(), rows.size() - 1);
+    DAUMIER_CHECK(*count == num_points,
+                  "{}: line {}: states {} points, but {} rows follow. The file is cut or was edited", name,
+                  rows.front().line, rows.front().cells.front(), rows.size() - 1);
     rows.erase(rows.begin());
   } else if (*count == num_points && width == 2 && NumberIn(rows.front().cells[1]) == double(next)) {
     rows.erase(rows.begin());
@@ -284,8 +288,8 @@ MarkedPoints ParseMarkedRows(std::string_view text, const std::filesystem::path&
   for (const std::string_view key : {"n_points", "numberofpoints", "num_points"}) {
     const auto stated = RemarkOf(table, key);
     DAUMIER_CHECK(!stated || NumberIn(*stated) == double(marked.points.size()),
-                  "{}: states {}: {}, but {} points follow. The file is cut or was edited", name, key, stated.value_or(""),
-                  marked.points.size());
+                  "{}: states {}: {}, but {} points follow. The file is cut or was edited", name, key,
+                  stated.value_or(""), marked.points.size());
   }
   return marked;
 }

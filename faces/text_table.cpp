@@ -40,9 +40,8 @@ bool IsHeaderEntry(std::string_view line) {
   const size_t end = line.find_first_of(":=");
   if (end == 0 || end == std::string_view::npos) return false;
   const std::string_view key = line.substr(0, end);
-  const bool is_name = std::all_of(key.begin(), key.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == ' ' || c == '-';
-  });
+  const bool is_name = std::all_of(key.begin(), key.end(),
+                                   [](unsigned char c) { return std::isalnum(c) || c == '_' || c == ' ' || c == '-'; });
   return is_name && !IsDigit(key[0]) && key[0] != '-' &&
          Trimmed(line.substr(end + 1)).find_first_of(" \t,;") == std::string_view::npos;
 }

@@ -22,6 +22,8 @@ using geometry::Vector3;
 constexpr double kFarBetter = 0.85;
 /// The same of distances from the mesh, which good readings bring to nearly nothing; closer ones are not tried.
 constexpr double kFarCloser = 0.25, kNearMesh = 0.02;
+/// A landmark at 0 0 0 that is farther from the mesh, as a share of the landmarks' spread, is absent.
+constexpr double kFarOffMesh = 0.2;
 /// So many landmarks in one place are none; two are, at closed lips.
 constexpr size_t kFewestZeros = 3;
 
@@ -82,7 +84,8 @@ double NormalAgreement(const FitInput& input, const geometry::TriangleTree& tree
     const geometry::SurfacePoint closest = tree.Closest(pairs.places.row(Eigen::Index(k)).transpose());
     Vector3 normal = Vector3::Zero();
     for (int corner = 0; corner < 3; ++corner)
-      normal += closest.barycentric[corner] * mesh_normals.row(input.mesh.triangles(closest.triangle, corner)).transpose();
+      normal +=
+          closest.barycentric[corner] * mesh_normals.row(input.mesh.triangles(closest.triangle, corner)).transpose();
     const int vertex = input.face.annotation.landmarks[size_t(pairs.landmarks[k])];
     sum += (similarity.rotation * normal.stableNormalized()).dot(rest_normals.row(vertex).transpose());
   }
@@ -109,25 +112,32 @@ std::vector<int> ZeroLandmarks(const FitInput& input) {
   return at_origin.size() >= at_first.size() ? at_origin : at_first;
 }
 
-/// Whether landmarks at zero are absent ones: three or more in one place, or one that lies far off where the others fit.
-bool AreAbsent(const FitInput& input, const std::vector<int>& zeros) {
+/// Whether landmarks at zero are absent ones: three or more in one place, or fewer that lie far off the mesh or far off
+/// where the others fit.
+bool AreAbsent(const FitInput& input, const geometry::TriangleTree& tree, const LandmarkFit& fit,
+               const std::vector<int>& zeros) {
   if (zeros.empty() || zeros.size() >= kFewestZeros) return !zeros.empty();
+  const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark);
+  const double own_spread = SpreadOf(pairs.places, Eigen::VectorXd::Ones(pairs.places.rows()));
+  const double off_mesh = tree.Closest(*input.landmarks[size_t(zeros[0])]).distance / own_spread;
+  if (off_mesh > std::max(kFarOffMesh, 5 * fit.off_mesh)) return true;
   MeshLandmarks others = input.landmarks;
   for (const int l : zeros) others[size_t(l)].reset();
-  const LandmarkPairs fitted = PairsOf(input, others, SameLandmark), all = PairsOf(input, input.landmarks, SameLandmark);
+  const LandmarkPairs fitted = PairsOf(input, others, SameLandmark);
   const geometry::Similarity similarity = geometry::AlignRobustly(fitted.places, fitted.rest, fitted.weights);
   const Eigen::VectorXd usual = Residuals(fitted);
   const double spread = SpreadOf(fitted.rest, fitted.weights);
   return std::all_of(zeros.begin(), zeros.end(), [&](int l) {
-    const auto k = std::find(all.landmarks.begin(), all.landmarks.end(), l) - all.landmarks.begin();
-    const double residual = (similarity.Apply(all.places.row(k)) - all.rest.row(k)).norm() / spread;
+    const auto k = std::find(pairs.landmarks.begin(), pairs.landmarks.end(), l) - pairs.landmarks.begin();
+    const double residual = (similarity.Apply(pairs.places.row(k)) - pairs.rest.row(k)).norm() / spread;
     return residual > std::max(1.0, 1.5 * usual.maxCoeff());
   });
 }
 
 std::string ListOf(const std::vector<int>& landmarks) {
   std::string text;
-  for (size_t k = 0; k < std::min(landmarks.size(), size_t(6)); ++k) text += fmt::format("{}{}", k ? ", " : "", landmarks[k]);
+  for (size_t k = 0; k < std::min(landmarks.size(), size_t(6)); ++k)
+    text += fmt::format("{}{}", k ? ", " : "", landmarks[k]);
   return landmarks.size() > 6 ? text + ", ..." : text;
 }
 
@@ -173,8 +183,8 @@ std::vector<FrameChange> UnitChanges() {
 }
 
 /// The change that brings the landmarks onto the mesh; nothing where none brings them far closer.
-std::optional<FrameChange> BestChange(const geometry::TriangleTree& tree, const geometry::Points& places, double off_mesh,
-                                      const std::vector<FrameChange>& changes) {
+std::optional<FrameChange> BestChange(const geometry::TriangleTree& tree, const geometry::Points& places,
+                                      double off_mesh, const std::vector<FrameChange>& changes) {
   std::optional<FrameChange> best;
   double least = kFarCloser * off_mesh;
   for (const FrameChange& change : changes) {
@@ -186,8 +196,7 @@ std::optional<FrameChange> BestChange(const geometry::TriangleTree& tree, const 
   return best;
 }
 
-std::string MirrorFault(const FitInput& input, const LandmarkFit& fit, const geometry::TriangleTree& tree,
-                        const geometry::Points& places) {
+std::string MirrorFault(const LandmarkFit& fit, const geometry::TriangleTree& tree, const geometry::Points& places) {
   if (fit.off_mesh > kNearMesh) {
     if (const auto change = BestChange(tree, places, fit.off_mesh, AxisChanges(-1))) {
       const bool is_down = change->name == "x -y z";
@@ -196,12 +205,14 @@ std::string MirrorFault(const FitInput& input, const LandmarkFit& fit, const geo
     }
   }
   if (fit.mirrored_normals < 0)
-    return "the mesh is mirrored and inside out, as if a coordinate had been negated: the landmarks fit its mirror image. "
+    return "the mesh is mirrored and inside out, as if a coordinate had been negated: the landmarks fit its mirror "
+           "image. "
            "Negate x of the mesh (and of the landmarks, where they are places)";
-  return fmt::format("left and right of the landmarks are exchanged, or the mesh is a mirror image: with 0 and 16, 36 and 45, "
-                     "48 and 54 and so on exchanged, the misfit falls from {:.2f} to {:.2f}. iBUG order begins at the "
-                     "person's right ear. Exchange them, or mirror the mesh",
-                     fit.misfit, fit.mirrored);
+  return fmt::format(
+      "left and right of the landmarks are exchanged, or the mesh is a mirror image: with 0 and 16, 36 and 45, "
+      "48 and 54 and so on exchanged, the misfit falls from {:.2f} to {:.2f}. iBUG order begins at the "
+      "person's right ear. Exchange them, or mirror the mesh",
+      fit.misfit, fit.mirrored);
 }
 
 }  // namespace
@@ -217,43 +228,49 @@ LandmarkFit MeasureLandmarkFit(const FitInput& input) {
 
 std::optional<std::string> FaultOfLandmarks(const FitInput& input, const LandmarkFit& fit,
                                             const RegistrationLimits& limits) {
-  if (const std::vector<int> zeros = ZeroLandmarks(input); AreAbsent(input, zeros)) {
-    return fmt::format("landmarks {} are all 0, as absent ones are written by some programs. Write -1 for absent vertices and nan "
-                       "nan nan for absent places, or use --zero-is-absent",
-                       ListOf(zeros));
+  const geometry::TriangleTree tree(input.mesh);
+  if (const std::vector<int> zeros = ZeroLandmarks(input); AreAbsent(input, tree, fit, zeros)) {
+    return fmt::format(
+        "landmarks {} are 0, which some programs write for absent ones. Use --zero-is-absent, or write -1 "
+        "for absent vertices and nan nan nan for absent places",
+        ListOf(zeros));
   }
   const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark);
-  const geometry::TriangleTree tree(input.mesh);
-  if (fit.mirrored < kFarBetter * fit.misfit) return MirrorFault(input, fit, tree, pairs.places);
+  if (fit.mirrored < kFarBetter * fit.misfit) return MirrorFault(fit, tree, pairs.places);
   if (input.one_based && MisfitOf(PairsOf(input, *input.one_based, SameLandmark)) < kFarBetter * fit.misfit)
     return "the numbers of the vertices are 1-based: one less each fits a face far better. Subtract 1 from each";
   for (const int shift : {1, faces::kNumLandmarks - 1}) {
     const auto shifted = [&](int l) { return (l + shift) % faces::kNumLandmarks; };
     if (MisfitOf(PairsOf(input, input.landmarks, shifted)) < kFarBetter * fit.misfit)
-      return fmt::format("the landmarks are shifted by one: the {} fits a face far better. Expected 68 in iBUG order, the "
-                         "first at the person's right ear",
-                         shift == 1 ? "next one for each" : "one before for each");
+      return fmt::format(
+          "the landmarks are shifted by one: the {} fits a face far better. Expected 68 in iBUG order, the "
+          "first at the person's right ear",
+          shift == 1 ? "next one for each" : "one before for each");
   }
   if (fit.misfit > limits.max_landmark_misfit)
-    return fmt::format("the landmarks are not those of a face in iBUG order: after the best similarity their mean distance from the "
-                       "template's is {:.2f} of the landmarks' spread (expected {} or less). Order them as iBUG, from the "
-                       "person's right ear",
-                       fit.misfit, limits.max_landmark_misfit);
+    return fmt::format(
+        "the landmarks are not those of a face in iBUG order: after the best similarity their mean distance from the "
+        "template's is {:.2f} of the landmarks' spread (expected {} or less). Order them as iBUG, from the "
+        "person's right ear",
+        fit.misfit, limits.max_landmark_misfit);
   if (fit.off_mesh > kNearMesh) {
     if (const auto change = BestChange(tree, pairs.places, fit.off_mesh, UnitChanges()))
       return fmt::format("the landmarks are in another unit than the mesh: {}", change->name);
     if (const auto change = BestChange(tree, pairs.places, fit.off_mesh, AxisChanges(1)))
-      return fmt::format("the landmarks are in another frame than the mesh: they lie on it as {}. Write them in that way",
-                         change->name);
+      return fmt::format(
+          "the landmarks are in another frame than the mesh: they lie on it as {}. Write them in that way",
+          change->name);
   }
   if (fit.off_mesh > limits.max_landmarks_off_mesh)
-    return fmt::format("the landmarks do not lie on the mesh: their median distance from it is {:.2f} of their spread "
-                       "(expected {} or less). Mark them in the unit and the frame of this mesh",
-                       fit.off_mesh, limits.max_landmarks_off_mesh);
+    return fmt::format(
+        "the landmarks do not lie on the mesh: their median distance from it is {:.2f} of their spread "
+        "(expected {} or less). Mark them in the unit and the frame of this mesh",
+        fit.off_mesh, limits.max_landmarks_off_mesh);
   if (std::abs(fit.normals) < limits.min_normal_agreement)
-    return fmt::format("the mesh does not face as a head does at its landmarks: mean cosine of the normals {:.2f}, expected {} "
-                       "or more. Its triangles are wound in both ways, or the landmarks are elsewhere",
-                       fit.normals, limits.min_normal_agreement);
+    return fmt::format(
+        "the mesh does not face as a head does at its landmarks: mean cosine of the normals {:.2f}, expected {} "
+        "or more. Its triangles are wound in both ways, or the landmarks are elsewhere",
+        fit.normals, limits.min_normal_agreement);
   return std::nullopt;
 }
 
