@@ -103,6 +103,7 @@ std::optional<Columns> ColumnsOfHeader(const std::vector<std::string>& names) {
 /// Whether a column counts its rows: integers that ascend by one from 0 or 1, or with gaps within 0 .. 68.
 bool Counts(const std::vector<Row>& rows, size_t column) {
   constexpr double kMostLandmarks = 68;
+  constexpr size_t kFewestWithGaps = 6;
   std::optional<double> first, last;
   bool is_dense = true;
   for (const Row& row : rows) {
@@ -112,7 +113,7 @@ bool Counts(const std::vector<Row>& rows, size_t column) {
     if (!first) first = number;
     last = number;
   }
-  return rows.size() > 1 && (is_dense || *last <= kMostLandmarks);
+  return rows.size() > 1 && (is_dense || (rows.size() >= kFewestWithGaps && *last <= kMostLandmarks));
 }
 
 /// Rows of the most frequent number of cells.
@@ -143,7 +144,7 @@ std::optional<Columns> ColumnsOfRows(const std::vector<Row>& rows) {
     if (num_texts > num_numbers && !columns.label) columns.label = c;
     if (num_numbers > 0 && num_numbers >= num_texts) numeric.push_back(c);
   }
-  if (numeric.size() > 1 && Counts(usual, size_t(numeric[0]))) {
+  if (numeric.size() > 1 && Counts(rows, size_t(numeric[0]))) {
     if (!columns.label) columns.label = numeric[0];
     columns.is_numbered = columns.label == numeric[0];
     numeric.erase(numeric.begin());

@@ -28,7 +28,7 @@ std::vector<Line> SplitLines(std::string_view text) {
   std::vector<Line> lines;
   while (!text.empty()) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    lines.push_back({static_cast<int>(lines.size()) + 1, Trimmed(text.substr(0, end))});
+    lines.push_back({static_cast<int>(lines.size()) + 1, text.substr(0, end)});
     const bool is_pair = text.substr(end).starts_with("\r\n");
     text.remove_prefix(std::min(end + (is_pair ? 2 : 1), text.size()));
   }
@@ -93,6 +93,11 @@ std::vector<std::string> SplitCells(std::string_view line, char separator) {
   return cells;
 }
 
+/// Of a whole line; ; may also be an empty first cell.
+bool IsComment(std::string_view trimmed) {
+  return trimmed.starts_with('#') || trimmed.starts_with("//");
+}
+
 /// Tabulators separate cells, rather than being white space, where no cell contains blanks.
 bool IsCutByTabulators(std::string_view line) {
   const auto cells = SplitCells(line, '\t');
@@ -104,15 +109,15 @@ bool IsCutByTabulators(std::string_view line) {
 char FindSeparator(const std::vector<Line>& lines) {
   size_t num_semicolons = 0, num_tabulators = 0, num_commas = 0, num_lines = 0;
   for (const auto& [number, line] : lines) {
-    if (line.starts_with('#') || line.starts_with("//")) continue;
-    const std::string_view cells = line.substr(0, CommentBegin(line, false));
+    if (IsComment(Trimmed(line))) continue;
+    const std::string_view cells = line.substr(0, CommentBegin(line, true));
     ++num_lines;
     num_semicolons += cells.find(';', 1) != std::string_view::npos;
     num_tabulators += IsCutByTabulators(cells);
     num_commas += cells.find(',') != std::string_view::npos;
   }
   if (2 * num_semicolons > num_lines) return ';';
-  if (num_tabulators == num_lines && num_lines > 0) return '\t';
+  if (2 * num_tabulators > num_lines) return '\t';
   return 2 * num_commas > num_lines ? ',' : ' ';
 }
 
@@ -137,9 +142,10 @@ TextTable ReadTextTable(std::string_view text, const std::string& name) {
   TextTable table;
   std::vector<Line> lines;
   for (const Line& line : SplitLines(text)) {
-    if (line.text.empty() || line.text == "{" || line.text == "}") continue;
-    if (lines.empty() && IsHeaderEntry(line.text)) {
-      table.remarks.emplace_back(line.text);
+    const std::string_view trimmed = Trimmed(line.text);
+    if (trimmed.empty() || trimmed == "{" || trimmed == "}") continue;
+    if (lines.empty() && IsHeaderEntry(trimmed)) {
+      table.remarks.emplace_back(trimmed);
     } else {
       lines.push_back(line);
     }
@@ -147,11 +153,14 @@ TextTable ReadTextTable(std::string_view text, const std::string& name) {
   const char separator = FindSeparator(lines);
   table.is_delimited = separator != ' ';
   for (const auto& [number, line] : lines) {
-    if (line.starts_with('#') || line.starts_with("//") || (line.starts_with(';') && separator != ';')) {
-      table.remarks.emplace_back(Trimmed(line.substr(std::min(line.find_first_not_of("#/;"), line.size()))));
+    const std::string_view trimmed = Trimmed(line);
+    if (IsComment(trimmed) || (trimmed.starts_with(';') && separator != ';')) {
+      table.remarks.emplace_back(Trimmed(trimmed.substr(std::min(trimmed.find_first_not_of("#/;"), trimmed.size()))));
       continue;
     }
-    const std::string_view cells = line.substr(0, CommentBegin(line, table.is_delimited));
+    // Between tabulators, blanks at the ends are cells.
+    const std::string_view whole = separator == '\t' ? line : trimmed;
+    const std::string_view cells = whole.substr(0, CommentBegin(whole, table.is_delimited));
     if (separator == ',') {
       // Between blanks, "1,5 2,5" are decimal commas; "1, 2" is not.
       const std::vector<std::string> words = SplitCells(cells, ' ');
