@@ -21,10 +21,11 @@ struct RegisterArguments {
   std::string template_name = "makehuman";
   fs::path out;
   std::string licence;
-  bool write_meshes = false, write_pictures = true, as_json = false;
+  bool zero_is_absent = false, write_meshes = false, write_pictures = true, as_json = false;
 };
 
-void Register(const RegisterArguments& arguments) {
+void Register(RegisterArguments arguments) {
+  arguments.inputs.zero = arguments.zero_is_absent ? faces::ZeroPoints::kAbsent : faces::ZeroPoints::kPlaces;
   Json config = arguments.config.Load();
   const bool is_folder = fs::is_directory(arguments.template_name);
   if (!is_folder) config["source"]["name"] = arguments.template_name;
@@ -35,7 +36,8 @@ void Register(const RegisterArguments& arguments) {
   if (is_folder) read.emplace_back(arguments.template_name);
   CheckOutputFolder(arguments.out, datasets::BuildOutput("faces"), read);
   const auto face_template = datasets::RegistrationTemplateOf(options, is_folder ? arguments.template_name : "");
-  datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out, TaskOfProcess());
+  const auto failed =
+      datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out, TaskOfProcess());
   const faces::FaceDatabase database(arguments.out);
   if (arguments.write_meshes) {
     MakeDirectory(arguments.out / "meshes");
@@ -46,6 +48,7 @@ void Register(const RegisterArguments& arguments) {
     datasets::WriteRegistrationPictures(database, arguments.inputs, arguments.out / "pictures");
   }
   PrintResult(ReadJson(arguments.out / "quality.json").at("summary"), arguments.as_json);
+  if (!failed.empty()) throw Error(datasets::ListFailures(failed, arguments.inputs.meshes.size()));
 }
 
 }  // namespace
@@ -56,11 +59,15 @@ Verb RegisterVerb() {
         auto arguments = std::make_shared<RegisterArguments>();
         command.add_option("inputs", arguments->inputs.meshes, "OBJ or PLY meshes, or key=value options")->required();
         command
-            .add_option("--landmarks", arguments->inputs.landmarks,
-                        "68 landmarks (iBUG order): a file with 68 vertex indices (0-based, -1: absent; text or a "
-                        "JSON list) for all meshes of one topology, or a folder with NAME.txt or NAME.json for "
-                        "each mesh, of 68 indices or of 68 lines x y z (nan nan nan: absent)")
+            .add_option(
+                "--landmarks", arguments->inputs.landmarks,
+                "68 landmarks (iBUG order), or the 51 without the contour: a file with vertex indices (0-based, -1: "
+                "absent) for all meshes of one topology, or a folder with a file for each mesh (NAME.txt, .json, "
+                ".pts, .pp, .csv, .tsv, .fcsv, .mrk.json) of indices or of x y z (nan nan nan: absent). Text in "
+                "rows, iBUG .pts, MeshLab .pp, CSV, 3D Slicer, JSON")
             ->required();
+        command.add_flag("--zero-is-absent", arguments->zero_is_absent,
+                         "Landmarks at 0 0 0, or at vertex 0, are absent ones");
         command.add_option("--vertex-map", arguments->inputs.vertex_map,
                            "Line i: the number by which the landmark file calls vertex i of the meshes");
         command.add_option("--template", arguments->template_name,

@@ -29,7 +29,9 @@ void PrintIndented(const Json& value, int depth) {
       PrintIndented(entry, depth + 1);
     } else {
       fmt::print("{}{:<{}} {}\n", indent, key, 28 - 2 * depth,
-                 entry.is_string() ? entry.get<std::string>() : entry.dump());
+                 entry.is_string() ? entry.get<std::string>()
+                 : entry.is_null() ? "none"
+                                   : entry.dump());
     }
   }
 }

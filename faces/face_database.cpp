@@ -5,6 +5,7 @@
 #include "geometry/corner_uv.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -102,11 +103,17 @@ SafetensorsFile OpenShard(const std::filesystem::path& path, const std::vector<i
   return shard;
 }
 
-/// @throws Error if the shard holds distances to a mesh, but not one a vertex.
+/// @throws Error if the shard holds distances to a mesh, but not one a vertex, or none at all: a failed registration.
 void CheckDistances(const SafetensorsFile& shard, const std::filesystem::path& path, int num_vertices) {
   if (!shard.contains("distances")) return;
-  const size_t count = shard.at("distances").As<float>().size();
-  DAUMIER_CHECK(count == size_t(num_vertices), "{}: {} distances of {} vertices", path.string(), count, num_vertices);
+  const std::span<const float> distances = shard.at("distances").As<float>();
+  DAUMIER_CHECK(distances.size() == size_t(num_vertices), "{}: {} distances of {} vertices", path.string(),
+                distances.size(), num_vertices);
+  const bool has_match = std::any_of(distances.begin(), distances.end(), [](float cm) { return !std::isnan(cm); });
+  DAUMIER_CHECK(has_match,
+                "{}: a failed registration: no vertex has a match on the mesh. Register again with `daumier register`, "
+                "which leaves failed meshes out",
+                path.string());
 }
 
 /// Numbers the labels of `groups` in order of their first person; without them every person is its own group.

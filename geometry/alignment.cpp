@@ -2,7 +2,10 @@
 
 #include "core/error.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
+
+#include <cmath>
 
 namespace daumier::geometry {
 
@@ -34,6 +37,21 @@ Similarity AlignSimilarity(const Points& source, const Points& target, const Eig
   similarity.scale = svd.singularValues().dot(sign) / source_moments.trace();
   similarity.translation =
       target_centre.transpose() - similarity.scale * similarity.rotation * source_centre.transpose();
+  return similarity;
+}
+
+Similarity AlignRobustly(const Points& source, const Points& target, const Eigen::VectorXd& weights) {
+  constexpr int kIterations = 30;
+  constexpr double kLeastShare = 1e-3;  // Of the target's size: closer points weigh as much as at this distance.
+  Similarity similarity = AlignSimilarity(source, target, weights);
+  const Eigen::VectorXd w = weights.size() ? weights : Eigen::VectorXd::Ones(source.rows());
+  const Eigen::RowVector3d centre = w.transpose() * target / w.sum();
+  const double floor =
+      kLeastShare * std::sqrt(w.dot((target.rowwise() - centre).rowwise().squaredNorm()) / w.sum());
+  for (int i = 0; i < kIterations; ++i) {
+    const Eigen::ArrayXd distances = (similarity.Apply(source) - target).rowwise().norm();
+    similarity = AlignSimilarity(source, target, (w.array() / distances.max(floor)).matrix());
+  }
   return similarity;
 }
 

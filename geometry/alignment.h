@@ -18,4 +18,8 @@ struct Similarity {
 /// undetermined), or the weighted target in one point.
 Similarity AlignSimilarity(const Points& source, const Points& target, const Eigen::VectorXd& weights = {});
 
+/// The similarity that minimises the weighted sum of distances sum_i w_i |scale R source_i + t - target_i|, by iterated
+/// reweighting of AlignSimilarity: a few points that are far off hardly move it. @throws Error as AlignSimilarity.
+Similarity AlignRobustly(const Points& source, const Points& target, const Eigen::VectorXd& weights = {});
+
 }  // namespace daumier::geometry

@@ -6,14 +6,16 @@
 #include "geometry/normals.h"
 #include "geometry/self_intersections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace daumier::geometry {
 
-DistanceSpread SpreadOf(std::span<const double> distances) {
-  if (distances.empty()) return {};
-  return {Mean(distances), Median(distances), Percentile(distances, 95)};
+std::optional<DistanceSpread> SpreadOf(std::span<const double> distances) {
+  if (distances.empty()) return std::nullopt;
+  return DistanceSpread{Mean(distances), Median(distances), Percentile(distances, 95)};
 }
 
 RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& vertices,
@@ -44,15 +46,22 @@ RegistrationQuality MeasureRegistration(const TriangleMesh& rest, const Points& 
 
   const TriangleTree tree(registered);
   const Eigen::VectorXd target_areas = VertexAreas(target.mesh());
+  const Triangles& target_triangles = target.mesh().triangles;
+  const std::set<int> used(target_triangles.data(), target_triangles.data() + target_triangles.size());
   std::vector<double> back;
   double reached_area = 0;
-  for (int v = 0; v < target.mesh().vertices.rows(); ++v) {
+  for (const int v : used) {
     back.push_back(tree.Closest(target.mesh().vertices.row(v)).distance);
     if (back.back() <= limits.distance) reached_area += target_areas[v];
   }
-  quality.target_to_template = SpreadOf(back);
+  quality.target_to_template = SpreadOf(back).value();  // A tree has a triangle.
   quality.target_reached = reached_area / target_areas.sum();
 
+  const std::set<int> in_region(region.begin(), region.end());
+  for (const auto triangle : rest.triangles.rowwise()) {
+    quality.num_region_triangles +=
+        std::all_of(triangle.begin(), triangle.end(), [&](int v) { return in_region.count(v) > 0; });
+  }
   for (const int f : FlippedTriangles(rest.vertices, vertices, rest.triangles, region)) {
     ++quality.flipped_region;
     bool is_matched = true;

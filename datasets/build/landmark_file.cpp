@@ -1,112 +1,106 @@
 #include "datasets/build/landmark_file.h"
 
 #include "core/error.h"
-#include "core/files.h"
-#include "core/json.h"
+#include "core/log.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <string>
-#include <string_view>
 
 namespace daumier::datasets {
 namespace {
 
-constexpr int kNumLandmarks = 68;
-
-void AppendNumbers(const Json& json, std::vector<double>& numbers) {
-  if (json.is_array()) {
-    for (const Json& entry : json) AppendNumbers(entry, numbers);
-  } else if (json.is_null()) {  // JSON has no NaN.
-    numbers.push_back(std::numeric_limits<double>::quiet_NaN());
-  } else {
-    numbers.push_back(json.get<double>());
-  }
+int ToVertex(double number, const std::filesystem::path& path) {
+  DAUMIER_CHECK(number == std::floor(number) && std::abs(number) < 1e9, "{}: {} is no vertex (expected an integer)",
+                path.string(), number);
+  return static_cast<int>(number);
 }
 
-std::vector<double> ParseWords(std::string_view text, const std::string& name) {
-  std::vector<double> numbers;
-  while (!text.empty()) {
-    const size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.starts_with('#')) continue;
-    constexpr std::string_view kBlank = " \t\r";
-    while (true) {
-      line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
-      if (line.empty()) break;
-      const std::string_view word = line.substr(0, line.find_first_of(kBlank));
-      double number = 0;
-      const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-      DAUMIER_CHECK(error == std::errc() && stop == word.data() + word.size(), "{}: '{}' is not a number", name, word);
-      numbers.push_back(number);
-      line.remove_prefix(word.size());
-    }
+/// The vertex of each name; the first one where several have it.
+std::map<int, int> ReadVertexMap(const std::filesystem::path& path) {
+  const faces::MarkedPoints names = faces::ReadMarkedPoints(path);
+  DAUMIER_CHECK(names.dimension == 1, "{}: {} numbers a row, expected one for each vertex", path.string(),
+                names.dimension);
+  std::map<int, int> vertex_of_name;
+  for (size_t v = 0; v < names.points.size(); ++v) {
+    if (names.points[v]) vertex_of_name.try_emplace(ToVertex(names.points[v]->x(), path), static_cast<int>(v));
   }
-  return numbers;
+  return vertex_of_name;
 }
 
-/// All numbers of a file of words or of a JSON list.
-std::vector<double> ReadNumbers(const std::filesystem::path& path) {
-  const std::string text = ReadFile(path);
-  if (text.find_first_not_of(" \t\r\n") == text.find('[') && text.find('[') != std::string::npos) {
-    std::vector<double> numbers;
-    try {
-      AppendNumbers(ParseJson(text, path.string()), numbers);
-    } catch (const Json::exception& error) {
-      throw Error(fmt::format("{}: malformed: {}", path.string(), error.what()));
-    }
-    return numbers;
+/// Between LPS and RAS.
+MeshLandmarks Turned(MeshLandmarks landmarks) {
+  for (auto& place : landmarks) {
+    if (place) place->head<2>() *= -1;
   }
-  return ParseWords(text, path.string());
+  return landmarks;
 }
 
-std::vector<int> ToIntegers(const std::vector<double>& numbers, const std::filesystem::path& path) {
-  std::vector<int> integers;
-  for (const double number : numbers) {
-    DAUMIER_CHECK(number == std::floor(number) && std::abs(number) < 1e9, "{}: {} is no vertex", path.string(), number);
-    integers.push_back(static_cast<int>(number));
+/// Sum of the distances to the nearest vertex.
+double DistanceTo(const MeshLandmarks& landmarks, const geometry::Points& vertices) {
+  double sum = 0;
+  for (const auto& place : landmarks) {
+    if (place) sum += std::sqrt((vertices.rowwise() - place->transpose()).rowwise().squaredNorm().minCoeff());
   }
-  return integers;
+  return sum;
 }
 
 }  // namespace
 
-LandmarkFile::LandmarkFile(const std::filesystem::path& path, const std::filesystem::path& vertex_map) : path_(path) {
-  const std::vector<double> numbers = ReadNumbers(path);
-  DAUMIER_CHECK(numbers.size() == kNumLandmarks || numbers.size() == 3 * kNumLandmarks,
-                "{}: {} numbers; expected 68 vertices, or x y z of 68 landmarks", path.string(), numbers.size());
-  if (numbers.size() == 3 * kNumLandmarks) {
-    for (int l = 0; l < kNumLandmarks; ++l) {
-      const geometry::Vector3 place(numbers[3 * l], numbers[3 * l + 1], numbers[3 * l + 2]);
-      if (place.allFinite()) places_[l] = place;
-    }
-    return;
+LandmarkFile::LandmarkFile(const std::filesystem::path& path, const std::filesystem::path& vertex_map,
+                           faces::ZeroPoints zero)
+    : landmarks_(faces::OrderLandmarks(faces::ReadMarkedPoints(path, zero))) {
+  DAUMIER_CHECK(landmarks_.dimension != 2,
+                "{}: holds x and y of a picture; expected x y z on the mesh, or vertices of it", path.string());
+  if (landmarks_.dimension != 1) return;
+  for (auto& number : landmarks_.points) {
+    if (number && ToVertex(number->x(), path) == -1) number.reset();
   }
-  vertices_ = ToIntegers(numbers, path);
-  if (vertex_map.empty()) return;
-  const std::vector<int> names = ToIntegers(ReadNumbers(vertex_map), vertex_map);
-  std::map<int, int> vertex_of_name;
-  for (size_t v = 0; v < names.size(); ++v) vertex_of_name.try_emplace(names[v], static_cast<int>(v));
-  for (int& vertex : vertices_) {
-    const auto found = vertex_of_name.find(vertex);
-    vertex = found == vertex_of_name.end() ? -1 : found->second;
-  }
+  if (!vertex_map.empty()) vertex_of_name_ = ReadVertexMap(vertex_map);
+}
+
+std::optional<int> LandmarkFile::VertexOf(int number) const {
+  if (!vertex_of_name_) return number;
+  const auto found = vertex_of_name_->find(number);
+  return found == vertex_of_name_->end() ? std::nullopt : std::optional(found->second);
 }
 
 MeshLandmarks LandmarkFile::On(const geometry::Points& vertices) const {
-  if (vertices_.empty()) return places_;
-  MeshLandmarks landmarks;
-  for (int l = 0; l < kNumLandmarks; ++l) {
-    if (vertices_[l] == -1) continue;
-    DAUMIER_CHECK(vertices_[l] >= 0 && vertices_[l] < vertices.rows(),
-                  "{}: landmark {} is vertex {}, but the mesh has {}; is a vertex map needed?", path_.string(), l,
-                  vertices_[l], vertices.rows());
-    landmarks[l] = vertices.row(vertices_[l]).transpose();
+  if (landmarks_.dimension == 3) {
+    if (!landmarks_.frame || vertices.rows() == 0) return landmarks_.points;
+    const MeshLandmarks turned = Turned(landmarks_.points);
+    const bool is_turned = DistanceTo(turned, vertices) < DistanceTo(landmarks_.points, vertices);
+    log::Info("{}: {} places, {}", landmarks_.file.string(),
+              *landmarks_.frame == faces::PatientFrame::kLps ? "LPS" : "RAS",
+              is_turned ? "x and y turned to the frame of the mesh" : "in the frame of the mesh as they are");
+    return is_turned ? turned : landmarks_.points;
   }
-  return landmarks;
+  MeshLandmarks places;
+  for (size_t l = 0; l < places.size(); ++l) {
+    if (!landmarks_.points[l]) continue;
+    const int number = static_cast<int>(landmarks_.points[l]->x());
+    const auto vertex = VertexOf(number);
+    if (!vertex) continue;
+    const char* repair = number == vertices.rows() ? "are its numbers 1-based? Subtract 1 from each"
+                                                   : "is a vertex map needed (--vertex-map)?";
+    DAUMIER_CHECK(*vertex >= 0 && *vertex < vertices.rows(), "{}: landmark {} is vertex {}, but the mesh has {}; {}",
+                  landmarks_.file.string(), l, *vertex, vertices.rows(), repair);
+    places[l] = vertices.row(*vertex).transpose();
+  }
+  return places;
+}
+
+std::optional<MeshLandmarks> LandmarkFile::OneBasedOn(const geometry::Points& vertices) const {
+  if (landmarks_.dimension == 3) return std::nullopt;
+  MeshLandmarks places;
+  for (size_t l = 0; l < places.size(); ++l) {
+    if (!landmarks_.points[l]) continue;
+    const int number = static_cast<int>(landmarks_.points[l]->x());
+    if (number <= 0) return std::nullopt;
+    const auto vertex = VertexOf(number - 1);
+    if (vertex && *vertex < vertices.rows()) places[l] = vertices.row(*vertex).transpose();
+  }
+  return places;
 }
 
 }  // namespace daumier::datasets

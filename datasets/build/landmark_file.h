@@ -1,34 +1,42 @@
 #pragma once
+#include "faces/landmark_order.h"
 #include "geometry/mesh.h"
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
-#include <vector>
 
 namespace daumier::datasets {
 
 /// The 68 landmarks of one mesh in iBUG order, in its own frame; absent where the mesh lacks the place (the inside of
 /// lips on a cropped scan).
-using MeshLandmarks = std::array<std::optional<geometry::Vector3>, 68>;
+using MeshLandmarks = std::array<std::optional<geometry::Vector3>, faces::kNumLandmarks>;
 
-/// 68 landmarks as stored in a file: vertices (-1: absent) or places.
-/// A file holds 68 vertex indices or 68 lines `x y z` (`nan nan nan`: absent), separated by white space, or the same as
-/// a JSON list; 0-based; lines that begin with # are skipped.
+/// Landmarks of meshes as a file has them: places on one mesh, or vertices (0-based; -1: absent) of all meshes of one
+/// topology. Every form that faces::ReadMarkedPoints and faces::OrderLandmarks read.
 class LandmarkFile {
  public:
   /// `vertex_map`, where given, names for each vertex of the mesh the number that the landmark file calls it by: for
   /// meshes that were cut out of a larger one. A landmark whose vertex was cut away is absent.
-  /// @throws Error naming file and cause: unreadable, another count of numbers, or no integers.
-  explicit LandmarkFile(const std::filesystem::path& path, const std::filesystem::path& vertex_map = {});
+  /// @throws Error naming file and cause: as ReadMarkedPoints and OrderLandmarks, points of a picture, or no integers.
+  explicit LandmarkFile(const std::filesystem::path& path, const std::filesystem::path& vertex_map = {},
+                        faces::ZeroPoints zero = faces::ZeroPoints::kPlaces);
 
-  /// @throws Error if a vertex is out of range.
+  /// Places that the file states in a patient's frame are taken as they are or with x and y turned (LPS and RAS differ
+  /// by that), whichever lies closer to the vertices: Slicer writes meshes in either. @throws Error if a vertex is out
+  /// of range.
   MeshLandmarks On(const geometry::Points& vertices) const;
 
+  /// The landmarks if the first vertex is number 1, as in MATLAB and OBJ files; nothing where the file holds places or
+  /// a number 0.
+  std::optional<MeshLandmarks> OneBasedOn(const geometry::Points& vertices) const;
+
  private:
-  std::filesystem::path path_;
-  std::vector<int> vertices_;  ///< 68, or empty where the file holds places.
-  MeshLandmarks places_;
+  std::optional<int> VertexOf(int number) const;
+
+  faces::OrderedLandmarks landmarks_;
+  std::optional<std::map<int, int>> vertex_of_name_;
 };
 
 }  // namespace daumier::datasets

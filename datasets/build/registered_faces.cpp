@@ -2,12 +2,13 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/log.h"
+#include "core/parallel.h"
 #include "core/safetensors.h"
+#include "core/statistics.h"
 #include "datasets/build/sharded_build.h"
 #include "faces/face_database.h"
-#include "faces/import/mesh_folder.h"
 #include "geometry/registration_quality.h"
-#include "geometry/triangulate.h"
 
 #include <algorithm>
 #include <map>
@@ -17,35 +18,9 @@ namespace daumier::datasets {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kNumContour = 17;
-/// Fewer landmarks hold neither place nor shape.
-constexpr int kFewestLandmarks = 6;
 constexpr const char* kQualityFile = "quality.json";
-
-fs::path LandmarkPath(const MeshInputs& inputs, const std::string& name) {
-  if (!fs::is_directory(inputs.landmarks)) return inputs.landmarks;
-  for (const char* extension : {".txt", ".json"}) {
-    const fs::path path = inputs.landmarks / (name + extension);
-    if (fs::exists(path)) return path;
-  }
-  throw Error(
-      fmt::format("{}: there is no {}.txt or {}.json for the mesh {}", inputs.landmarks.string(), name, name, name));
-}
-
-/// Indices of the present ones of the 68 landmarks.
-std::vector<int> Present(const MeshLandmarks& landmarks) {
-  std::vector<int> present;
-  for (int l = 0; l < static_cast<int>(landmarks.size()); ++l) {
-    if (landmarks[l]) present.push_back(l);
-  }
-  return present;
-}
-
-geometry::Points PlacesOf(const MeshLandmarks& landmarks, const std::vector<int>& present) {
-  geometry::Points places(present.size(), 3);
-  for (size_t k = 0; k < present.size(); ++k) places.row(Eigen::Index(k)) = *landmarks[present[k]];
-  return places;
-}
+/// Of the manifest's details, and of the metadata of a shard.
+constexpr const char* kFailed = "failed";
 
 geometry::NonRigidRegistration MakeRegistration(const faces::FaceTemplate& face, const std::vector<int>& present,
                                                 const RegisterOptions& options) {
@@ -54,12 +29,14 @@ geometry::NonRigidRegistration MakeRegistration(const faces::FaceTemplate& face,
   source.landmark_weights.resize(Eigen::Index(present.size()));
   for (size_t k = 0; k < present.size(); ++k) {
     source.landmarks.push_back(face.annotation.landmarks[present[k]]);
-    source.landmark_weights[Eigen::Index(k)] = present[k] < kNumContour ? options.contour_weight : 1.0;
+    source.landmark_weights[Eigen::Index(k)] = present[k] < faces::kNumContourLandmarks ? options.contour_weight : 1.0;
   }
   return {std::move(source), options.registration};
 }
 
-Json SpreadJson(const geometry::DistanceSpread& spread, double mm_per_cm) {
+Json SpreadJson(const std::optional<geometry::DistanceSpread>& distances, double mm_per_cm) {
+  if (!distances) return nullptr;
+  const geometry::DistanceSpread& spread = *distances;
   return {{"mean", spread.mean * mm_per_cm}, {"median", spread.median * mm_per_cm}, {"p95", spread.p95 * mm_per_cm}};
 }
 
@@ -83,86 +60,201 @@ Json QualityJson(const std::string& name, const geometry::Registration& result,
             {"translation", std::vector<double>(similarity.translation.begin(), similarity.translation.end())}}}};
 }
 
-/// Registers one mesh and writes its shard.
-std::string WriteShard(const geometry::NonRigidRegistration& registration, const faces::FaceTemplate& face,
-                       const LandmarkedMesh& target, const fs::path& file) {
-  const geometry::Points landmarks = PlacesOf(target.landmarks, Present(target.landmarks));
-  const geometry::Registration result = registration.Register(target.mesh, landmarks);
-  const geometry::SurfaceMatcher matcher(
-      {result.template_from_target.Apply(target.mesh.vertices), target.mesh.triangles});
+/// Why a registration has failed; nothing where it has not.
+std::optional<std::string> FaultOf(const geometry::RegistrationQuality& quality, const RegistrationLimits& limits) {
+  if (quality.coverage < limits.min_coverage || !quality.template_to_target)
+    return fmt::format(
+        "the registered template hardly lies on the mesh: {:.1f} % of the face has a match, expected {:.1f} % or "
+        "more. Compare mesh and landmarks in a viewer: unit, frame, and that the face itself is in the mesh",
+        100 * quality.coverage, 100 * limits.min_coverage);
+  const double flipped = double(quality.flipped_region) / std::max(1, quality.num_region_triangles);
+  if (flipped > limits.max_flipped)
+    return fmt::format(
+        "the registration folds the face: {:.1f} % of its triangles are flipped, expected {:.1f} % or less. "
+        "Check the order of the landmarks",
+        100 * flipped, 100 * limits.max_flipped);
+  return std::nullopt;
+}
+
+/// A mesh that is ready to be registered.
+struct Target {
+  LandmarkedMesh mesh;
+  Winding winding;
+};
+
+/// A target, or why there is none.
+struct Preparation {
+  std::optional<Target> target;
+  FailedMesh failed;
+};
+
+Preparation Prepare(const faces::FaceTemplate& face, const MeshInputs& inputs, const RegisterOptions& options,
+                    int index) {
+  Preparation result;
+  result.failed.name = NameOf(inputs.meshes.at(size_t(index)));
+  try {
+    LandmarkedMesh mesh = ReadLandmarkedMesh(inputs, index);
+    const Winding winding = CheckAgainst(face, options.contour_weight, options.limits, mesh);
+    result.target = Target{std::move(mesh), winding};
+  } catch (const std::exception& error) {
+    result.failed.cause = error.what();
+  }
+  return result;
+}
+
+/// The shard of a registered mesh. @throws Error as NonRigidRegistration::Register, and if its result is beyond limits.
+SafetensorsWriter RegisteredShard(const geometry::NonRigidRegistration& registration, const faces::FaceTemplate& face,
+                                  const RegistrationLimits& limits, const Target& target) {
+  const LandmarkedMesh& mesh = target.mesh;
+  const geometry::Points landmarks = PlacesOf(mesh.landmarks);
+  const geometry::Registration result = registration.Register(mesh.mesh, landmarks);
+  const geometry::SurfaceMatcher matcher({result.template_from_target.Apply(mesh.mesh.vertices), mesh.mesh.triangles});
   const geometry::RegistrationOptions& options = registration.options();
   const geometry::RegistrationQuality quality =
       geometry::MeasureRegistration(registration.source().mesh, result.vertices,
                                     faces::RegionFor(face.annotation, "face", "the quality of a registration"), matcher,
                                     {options.max_distance_end, options.max_angle});
+  if (const auto fault = FaultOf(quality, limits)) throw Error(*fault);
   const double landmark_error =
       (result.vertices(registration.source().landmarks, Eigen::all) - result.template_from_target.Apply(landmarks))
           .rowwise()
           .norm()
           .mean();
+  Json row = QualityJson(mesh.name, result, quality, landmark_error, faces::MillimetresPerCm(face));
+  if (target.winding == Winding::kTurned) row["turned_inside_out"] = true;
   using Floats = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Floats vertices = result.vertices.cast<float>();
   const Eigen::VectorXf distances = quality.distances.cast<float>();
   SafetensorsWriter writer;
   writer.SetMetadata("kind", "faces");
-  writer.SetMetadata("quality",
-                     QualityJson(target.name, result, quality, landmark_error, faces::MillimetresPerCm(face)).dump());
+  writer.SetMetadata("quality", row.dump());
   writer.Add<float>("vertices", {1, 1, vertices.rows(), 3}, {vertices.data(), size_t(vertices.size())});
   writer.Add<float>("identity_weights", {0}, {});
   writer.Add<float>("distances", {distances.size()}, {distances.data(), size_t(distances.size())});
-  return writer.Write(file);
+  return writer;
+}
+
+/// A shard without arrays, whose metadata `failed` are the cause.
+SafetensorsWriter FailedShard(const std::string& cause) {
+  SafetensorsWriter writer;
+  writer.SetMetadata("kind", "faces");
+  writer.SetMetadata(kFailed, cause);
+  return writer;
 }
 
 /// SHA-256 over names, positions, triangles and landmarks: names the exact meshes, however they are stored.
-std::string ChecksumOf(const std::vector<LandmarkedMesh>& targets) {
+std::string ChecksumOf(const std::vector<Target>& targets) {
   std::string all;
-  for (const LandmarkedMesh& target : targets) {
-    const geometry::Points landmarks = PlacesOf(target.landmarks, Present(target.landmarks));
+  for (const Target& target : targets) {
+    const geometry::Points landmarks = PlacesOf(target.mesh.landmarks);
     const auto bytes = [](const auto& matrix) {
       return std::string_view(reinterpret_cast<const char*>(matrix.data()), matrix.size() * sizeof(*matrix.data()));
     };
-    all += target.name + Sha256(bytes(target.mesh.vertices)) + Sha256(bytes(target.mesh.triangles)) +
-           Json(Present(target.landmarks)).dump() + Sha256(bytes(landmarks));
+    all += target.mesh.name + Sha256(bytes(target.mesh.mesh.vertices)) + Sha256(bytes(target.mesh.mesh.triangles)) +
+           Json(PresentLandmarks(target.mesh.landmarks)).dump() + Sha256(bytes(landmarks));
   }
   return Sha256(all);
 }
 
-void WriteQuality(const fs::path& directory, int num_persons) {
+/// The cause without the folders of the inputs, for files that hold no paths.
+std::string WithoutFolders(std::string cause, const MeshInputs& inputs) {
+  std::vector<fs::path> folders = {
+      fs::is_directory(inputs.landmarks) ? inputs.landmarks : inputs.landmarks.parent_path(),
+      inputs.vertex_map.parent_path()};
+  for (const fs::path& mesh : inputs.meshes) folders.push_back(mesh.parent_path());
+  for (const fs::path& folder : folders) {
+    const std::string prefix = (folder / "").string();
+    if (folder.empty()) continue;
+    for (size_t at = cause.find(prefix); at != std::string::npos; at = cause.find(prefix, at))
+      cause.erase(at, prefix.size());
+  }
+  return cause;
+}
+
+Json FailedJson(const std::vector<FailedMesh>& failed, const MeshInputs& inputs) {
+  Json json = Json::object();
+  for (const FailedMesh& mesh : failed) json[mesh.name] = WithoutFolders(mesh.cause, inputs);
+  return json;
+}
+
+/// Persons and failed meshes of a manifest.
+void SetMeshes(Manifest& manifest, const std::vector<std::string>& names, const Json& failed) {
+  manifest.counts["persons"] = names.size();
+  manifest.counts["faces"] = names.size();
+  manifest.details["meshes"] = names;
+  manifest.details.erase(kFailed);
+  if (!failed.empty()) manifest.details[kFailed] = failed;
+}
+
+/// Removes the shards that failed, and numbers the others again.
+void KeepRegistered(const fs::path& directory, const Json& failed_before, Manifest& manifest) {
+  const auto names = manifest.details.at("meshes").get<std::vector<std::string>>();
+  std::vector<std::string> kept;
+  Json failed = failed_before;
+  for (size_t i = 0; i < names.size(); ++i) {
+    const std::string shard = faces::PersonShardName(static_cast<int>(i));
+    const auto metadata = SafetensorsFile(directory / shard).metadata();
+    if (const auto cause = metadata.find(kFailed); cause != metadata.end()) {
+      failed[names[i]] = cause->second;
+      fs::remove(directory / shard);
+      manifest.checksums.erase(shard);
+      continue;
+    }
+    const std::string place = faces::PersonShardName(static_cast<int>(kept.size()));
+    kept.push_back(names[i]);
+    if (place == shard) continue;
+    fs::rename(directory / shard, directory / place);
+    manifest.checksums[place] = manifest.checksums.at(shard);
+    manifest.checksums.erase(shard);
+  }
+  SetMeshes(manifest, kept, failed);
+}
+
+Json MeanOf(const std::vector<double>& values) {
+  return values.empty() ? Json() : Json(Mean(values));
+}
+
+void WriteQuality(const fs::path& directory) {
+  const faces::FaceDatabase database(directory, false);
   Json rows = Json::array();
-  double mean = 0, back = 0, coverage = 0;
+  std::vector<double> there, back, coverage;
   int flipped = 0, flipped_matched = 0;
-  for (int person = 0; person < num_persons; ++person) {
+  for (int person = 0; person < database.num_persons(); ++person) {
     const Json& row = rows.emplace_back(ReadRegistrationQuality(directory, person));
-    mean += row.at("template_to_target_mm").at("mean").get<double>() / num_persons;
-    back += row.at("target_to_template_mm").at("mean").get<double>() / num_persons;
-    coverage += row.at("coverage").get<double>() / num_persons;
+    if (!row.at("template_to_target_mm").is_null())
+      there.push_back(row.at("template_to_target_mm").at("mean").get<double>());
+    back.push_back(row.at("target_to_template_mm").at("mean").get<double>());
+    coverage.push_back(row.at("coverage").get<double>());
     flipped += row.at("flipped_face").get<int>();
     flipped_matched += row.at("flipped_matched").get<int>();
   }
-  const Json quality = {{"format_version", 1},
-                        {"unit", "mm"},
-                        {"summary",
-                         {{"num_meshes", num_persons},
-                          {"template_to_target_mm", mean},
-                          {"target_to_template_mm", back},
-                          {"coverage", coverage},
-                          {"flipped_face", flipped},
-                          {"flipped_matched", flipped_matched}}},
-                        {"meshes", rows}};
+  Json quality = {{"format_version", 1},
+                  {"unit", "mm"},
+                  {"summary",
+                   {{"num_meshes", rows.size()},
+                    {"template_to_target_mm", MeanOf(there)},
+                    {"target_to_template_mm", MeanOf(back)},
+                    {"coverage", MeanOf(coverage)},
+                    {"flipped_face", flipped},
+                    {"flipped_matched", flipped_matched}}},
+                  {"meshes", rows}};
+  const Json& details = database.manifest().details;
+  if (details.contains(kFailed)) {
+    quality["summary"]["num_failed"] = details.at(kFailed).size();
+    quality["summary"][kFailed] = details.at(kFailed);
+  }
   WriteFileAtomically(directory / kQualityFile, quality.dump(1) + "\n");
 }
 
 }  // namespace
 
-LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
-  const fs::path& path = inputs.meshes.at(index);
-  const geometry::PolygonMesh polygons = faces::ReadMesh(path);
-  LandmarkedMesh result{path.stem().string(), {polygons.vertices, geometry::Triangulate(polygons)}, {}};
-  result.landmarks = LandmarkFile(LandmarkPath(inputs, result.name), inputs.vertex_map).On(polygons.vertices);
-  const auto num_landmarks = Present(result.landmarks).size();
-  DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: {} of 68 landmarks are present, expected {} or more",
-                path.string(), num_landmarks, kFewestLandmarks);
-  return result;
+std::string ListFailures(const std::vector<FailedMesh>& failed, size_t num_meshes) {
+  const bool have_same_cause = std::all_of(failed.begin(), failed.end(),
+                                           [&](const FailedMesh& mesh) { return mesh.cause == failed.front().cause; });
+  if (failed.size() == num_meshes && have_same_cause) return failed.front().cause;
+  std::string text = fmt::format("{} of {} meshes failed", failed.size(), num_meshes);
+  for (const FailedMesh& mesh : failed) text += fmt::format("\n  {}: {}", mesh.name, mesh.cause);
+  return text;
 }
 
 faces::FaceTemplate RegistrationTemplateOf(const RegisterOptions& options, const fs::path& template_folder) {
@@ -170,23 +262,37 @@ faces::FaceTemplate RegistrationTemplateOf(const RegisterOptions& options, const
   return faces::ReadFaceTemplate(template_folder);
 }
 
-void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
-                          const RegisterOptions& options, const fs::path& directory, const Task& task) {
+std::vector<FailedMesh> BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
+                                             const RegisterOptions& options, const fs::path& directory,
+                                             const Task& task) {
   if (inputs.meshes.empty()) throw UsageError("there is no mesh to register");
-  const int num_meshes = static_cast<int>(inputs.meshes.size());
-  std::vector<LandmarkedMesh> targets;
-  Json names = Json::array();
   std::set<std::string> taken;
-  std::map<std::vector<int>, geometry::NonRigidRegistration> registrations;  // By the present landmarks.
-  for (int i = 0; i < num_meshes; ++i) {
-    const LandmarkedMesh& target = targets.emplace_back(ReadLandmarkedMesh(inputs, i));
-    if (!taken.insert(target.name).second) throw UsageError(fmt::format("two meshes have the name {}", target.name));
-    names.push_back(target.name);
-    const std::vector<int> present = Present(target.landmarks);
-    if (registrations.count(present) == 0)
-      registrations.emplace(present, MakeRegistration(face_template, present, options));
+  for (const fs::path& mesh : inputs.meshes) {
+    if (!taken.insert(NameOf(mesh)).second) throw UsageError(fmt::format("two meshes have the name {}", NameOf(mesh)));
   }
+  std::vector<Target> targets;
+  std::vector<std::string> names;
+  std::vector<FailedMesh> failed;
+  std::map<std::vector<int>, geometry::NonRigidRegistration> registrations;  // By the present landmarks.
+  ForEachInOrder(
+      static_cast<int>(inputs.meshes.size()), [&](int i) { return Prepare(face_template, inputs, options, i); },
+      [&](Preparation prepared) {
+        if (!prepared.target) {
+          failed.push_back(std::move(prepared.failed));
+          return;
+        }
+        const Target& target = targets.emplace_back(std::move(*prepared.target));
+        names.push_back(target.mesh.name);
+        if (target.winding == Winding::kTurned)
+          log::Warn("{}: the mesh is inside out; its triangles are turned", target.mesh.name);
+        const std::vector<int> present = PresentLandmarks(target.mesh.landmarks);
+        if (registrations.count(present) == 0)
+          registrations.emplace(present, MakeRegistration(face_template, present, options));
+      });
+  if (targets.empty()) throw Error(ListFailures(failed, inputs.meshes.size()));
 
+  const int num_targets = static_cast<int>(targets.size());
+  const Json failed_before = FailedJson(failed, inputs);
   ShardedBuild build;
   build.manifest.kind = "faces";
   build.manifest.verb = "register";
@@ -197,25 +303,56 @@ void BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshIn
                                          {"version", ""},
                                          {"checksum", ChecksumOf(targets)},
                                          {"licence", options.licence}}});
-  build.manifest.counts = {{"persons", num_meshes},
+  build.manifest.counts = {{"persons", num_targets},
                            {"levels", 1},
                            {"expressions", 1},
-                           {"faces", num_meshes},
+                           {"faces", num_targets},
                            {"vertices", face_template.num_vertices()}};
-  build.manifest.details = {{"source", face_template.source},
-                            {"gammas", Json::array({0.0})},
-                            {"expressions", Json::array({"neutral"})},
-                            {"meshes", names}};
-  build.num_shards = num_meshes;
+  build.manifest.details = {
+      {"source", face_template.source}, {"gammas", Json::array({0.0})}, {"expressions", Json::array({"neutral"})}};
+  SetMeshes(build.manifest, names, failed_before);
+  build.num_shards = num_targets;
   build.unit = "meshes";
   build.shard_name = faces::PersonShardName;
   build.write_rest = [&](const fs::path& folder) { return faces::WriteFaceTemplate(folder, face_template); };
   build.write_shard = [&](int person, const fs::path& file) {
-    const LandmarkedMesh& target = targets[person];
-    return WriteShard(registrations.at(Present(target.landmarks)), face_template, target, file);
+    const Target& target = targets[size_t(person)];
+    const auto& registration = registrations.at(PresentLandmarks(target.mesh.landmarks));
+    const auto shard = [&] {
+      try {
+        return RegisteredShard(registration, face_template, options.limits, target);
+      } catch (const Error& error) {
+        return FailedShard(error.what());
+      }
+    };
+    return shard().Write(file);
   };
+  const auto add_failures = [&](const Json& all) {
+    for (const auto& [name, cause] : all.items()) {
+      if (!failed_before.contains(name)) failed.push_back({name, cause.get<std::string>()});
+    }
+  };
+  build.finish = [&](const fs::path& folder, Manifest& manifest) {
+    KeepRegistered(folder, failed_before, manifest);
+    if (!manifest.details.at("meshes").empty()) return;
+    add_failures(manifest.details.at(kFailed));
+    fs::remove_all(folder);
+    throw Error(ListFailures(failed, inputs.meshes.size()));
+  };
+  if (fs::exists(directory / "manifest.json")) {
+    // What failed in the finished build is not in its plan.
+    const Json finished = ReadManifest(directory, "faces").details.value(kFailed, Json::object());
+    std::erase_if(names, [&](const std::string& name) { return finished.contains(name); });
+    Json all = failed_before;
+    for (const auto& [name, cause] : finished.items()) {
+      if (taken.count(name) && !all.contains(name)) all[name] = cause;
+    }
+    SetMeshes(build.manifest, names, all);
+  }
   BuildShards(directory, build, task);
-  WriteQuality(directory, num_meshes);
+  add_failures(ReadManifest(directory, "faces").details.value(kFailed, Json::object()));
+  WriteQuality(directory);
+  return failed;
 }
 
 Json ReadRegistrationQuality(const fs::path& directory, int person) {

@@ -138,6 +138,7 @@ void BuildShards(const fs::path& directory, const ShardedBuild& build, const Tas
                                 directory.string(), num_done, build.num_shards));
   }
   manifest.checksums.insert(journal.checksums.begin(), journal.checksums.end());
+  if (build.finish) build.finish(directory, manifest);
   WriteManifest(directory, manifest);
   fs::remove(directory / kBuildJournal);
 }

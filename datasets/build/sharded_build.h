@@ -24,6 +24,9 @@ struct ShardedBuild {
   std::function<std::string(int shard, const std::filesystem::path& file)> write_shard;
   /// Writes the files next to the shards and returns the checksums by file name; may be empty.
   std::function<std::map<std::string, std::string>(const std::filesystem::path& directory)> write_rest;
+  /// Called once all shards are written, before the manifest, which it may change, as it may remove and rename shards;
+  /// may be empty. A build that is stopped in it writes the shards again that are not as they were recorded.
+  std::function<void(const std::filesystem::path& directory, Manifest& manifest)> finish;
 };
 
 /// The folder of a build of that manifest kind, finished or stopped.

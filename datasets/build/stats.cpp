@@ -43,6 +43,7 @@ Json FaceStatistics(const std::filesystem::path& directory) {
   result["licences"] = manifest.sources;
   result["gammas"] = manifest.details.at("gammas");
   result["expression_names"] = manifest.details.at("expressions");
+  if (manifest.details.contains("failed")) result["failed"] = manifest.details.at("failed");
   result["millimetres_per_cm"] = faces::MillimetresPerCm(database.face_template());
   result["data_hash"] = DataHash(directory);
   result["principal_components_99"] = {{"identities", NumPrincipalComponents(database, neutrals, kShare)},

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace daumier::datasets {
 namespace {
 
@@ -31,6 +33,15 @@ geometry::Similarity SimilarityFromJson(const Json& json) {
           Eigen::Map<const geometry::Vector3>(translation.data())};
 }
 
+/// The input of this name.
+int InputOf(const std::string& name, const MeshInputs& inputs) {
+  const auto found = std::find_if(inputs.meshes.begin(), inputs.meshes.end(),
+                                  [&](const std::filesystem::path& mesh) { return NameOf(mesh) == name; });
+  DAUMIER_CHECK(found != inputs.meshes.end(), "the database has a mesh {}, which is none of the {} inputs", name,
+                inputs.meshes.size());
+  return static_cast<int>(found - inputs.meshes.begin());
+}
+
 /// Millimetres from each vertex to the mesh.
 Eigen::VectorXd Distances(const faces::FaceDatabase& database, int person) {
   const SafetensorsFile shard(database.directory() / faces::PersonShardName(person));
@@ -44,14 +55,11 @@ Eigen::VectorXd Distances(const faces::FaceDatabase& database, int person) {
 void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshInputs& inputs,
                                const std::filesystem::path& folder) {
   const std::vector<std::string> names = MeshNames(database);
-  DAUMIER_CHECK(names.size() == inputs.meshes.size(), "{} meshes for a database of {}", inputs.meshes.size(),
-                names.size());
   const faces::FaceTemplate& face = database.face_template();
   for (int person = 0; person < database.num_persons(); ++person) {
-    const LandmarkedMesh target = ReadLandmarkedMesh(inputs, person);
-    DAUMIER_CHECK(target.name == names[person], "mesh {} is {}, the database has {} there", person, target.name,
-                  names[person]);
+    LandmarkedMesh target = ReadLandmarkedMesh(inputs, InputOf(names[size_t(person)], inputs));
     const Json quality = ReadRegistrationQuality(database.directory(), person);
+    if (quality.value("turned_inside_out", false)) TurnTriangles(target.mesh);
     const geometry::Similarity similarity = SimilarityFromJson(quality.at("template_from_target"));
     const render::RenderInput mesh{.surface = {similarity.Apply(target.mesh.vertices), target.mesh.triangles}};
     const render::RenderInput registered = reports::SurfaceOf(face, database.points(database.index({person, 0, 0})));
@@ -69,9 +77,12 @@ void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshIn
     }
     const Json& distance = quality.at("template_to_target_mm");
     render::SheetStyle style;
-    style.title = fmt::format("{}: mean {:.2f} mm, p95 {:.2f} mm, coverage {:.0f} %", target.name,
-                              distance.at("mean").get<double>(), distance.at("p95").get<double>(),
-                              100 * quality.at("coverage").get<double>());
+    const std::string measured = distance.is_null()
+                                     ? "no match"
+                                     : fmt::format("mean {:.2f} mm, p95 {:.2f} mm", distance.at("mean").get<double>(),
+                                                   distance.at("p95").get<double>());
+    style.title =
+        fmt::format("{}: {}, coverage {:.0f} %", target.name, measured, 100 * quality.at("coverage").get<double>());
     style.column_titles = {"mesh", "registered", "distance"};
     render::WriteImage(folder / (target.name + ".jpg"), render::MakeSheet(cells, 3, style));
   }

@@ -8,7 +8,8 @@ namespace daumier::datasets {
 
 /// NAME.jpg for each mesh of a database that BuildRegisteredFaces wrote: from the front and from the side the mesh, the
 /// registered template, and the distance of each of its vertices to the mesh in millimetres (grey: no match). Into an
-/// existing folder. @throws Error if the inputs are not those of the database, or a picture cannot be written.
+/// existing folder. Inputs that failed have no picture. @throws Error if a mesh of the database is not among the inputs, or
+/// a picture cannot be written.
 void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshInputs& inputs,
                                const std::filesystem::path& folder);
 

@@ -330,6 +330,12 @@ TEST_F(FaceDatabaseTest, ShardsOfAnotherShapeAreRefused) {
   ExpectRefused("manifest.json: malformed");
 }
 
+TEST_F(FaceDatabaseTest, RefusesARegistrationWithoutAnyMatch) {
+  WritePerson(0, std::vector<float>(size_t(template_.num_vertices()), std::numeric_limits<float>::quiet_NaN()));
+  WriteManifest(directory_.path(), manifest_);
+  ExpectRefused("a failed registration: no vertex has a match");
+}
+
 TEST_F(FaceDatabaseTest, DistancesOfRegisteredFacesAreThoseOfTheirShard) {
   EXPECT_TRUE(FaceDatabase(directory_.path()).match_distances(0).empty());
   std::vector<float> distances(size_t(template_.num_vertices()), 0.5f);

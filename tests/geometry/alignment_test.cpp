@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace daumier::geometry {
 namespace {
 
@@ -28,6 +30,24 @@ TEST(AlignSimilarity, IgnoresPointsOfWeightZero) {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(source.rows());
   weights[4] = 0;
   EXPECT_NEAR(AlignSimilarity(source, target, weights).scale, kKnown.scale, 1e-12);
+}
+
+TEST(AlignRobustly, HardlyMovesByPointsThatAreFarOff) {
+  const Points source = testing::Torus(3, 1, 7, 5).vertices;
+  Points target = kKnown.Apply(source);
+  for (const int row : {4, 11, 20, 27}) target.row(row) << 30, -20, 10;
+  const Similarity found = AlignRobustly(source, target);
+  EXPECT_NEAR(found.scale, kKnown.scale, 0.01);
+  EXPECT_LT((found.rotation - kKnown.rotation).norm(), 0.01);
+  EXPECT_GT(std::abs(AlignSimilarity(source, target).scale - kKnown.scale), 0.1);
+}
+
+TEST(AlignRobustly, EqualsTheSimilarityOfExactPoints) {
+  const Points source = testing::Torus(3, 1, 7, 5).vertices;
+  const Similarity found = AlignRobustly(source, kKnown.Apply(source));
+  EXPECT_NEAR(found.scale, kKnown.scale, 1e-12);
+  EXPECT_LT((found.translation - kKnown.translation).norm(), 1e-11);
+  ExpectError([&] { AlignRobustly(source, source.topRows(3)); }, "35 source points for 3 target points");
 }
 
 TEST(AlignSimilarity, NeverReflects) {

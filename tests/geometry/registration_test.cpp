@@ -80,7 +80,7 @@ TEST(Registration, RecoversASmoothWarpFromAnotherTriangulation) {
   std::vector<int> all(mesh.vertices.rows());
   std::iota(all.begin(), all.end(), 0);
   const auto quality = MeasureRegistration(mesh, result.vertices, all, matcher, {});
-  EXPECT_LT(quality.template_to_target.mean, 0.01);
+  EXPECT_LT(quality.template_to_target.value().mean, 0.01);
   EXPECT_GT(quality.coverage, 0.99);
   EXPECT_EQ(quality.flipped_region, 0);
 }

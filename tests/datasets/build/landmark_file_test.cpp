@@ -67,12 +67,35 @@ TEST_F(LandmarkFileTest, AVertexMapNamesTheVerticesOfACutMesh) {
   EXPECT_EQ(found[67].value(), geometry::Vector3(330, 331, 332));
 }
 
+TEST_F(LandmarkFileTest, APatientsFrameIsTurnedWhereThatLiesOnTheMesh) {
+  const auto path =
+      Write("a.fcsv", "# CoordinateSystem = LPS\n" + Lines(68, [](int l) {
+                        return fmt::format("{},{},{},{},0,0,0,1,1,1,0,F-{},,", l, -10 * l, -10 * l - 1, 10 * l + 2, l);
+                      }));
+  EXPECT_EQ(LandmarkFile(path).On(Vertices())[5].value(), geometry::Vector3(50, 51, 52));
+  const geometry::Points turned = Vertices() * Eigen::Vector3d(-1, -1, 1).asDiagonal();
+  EXPECT_EQ(LandmarkFile(path).On(turned)[5].value(), geometry::Vector3(-50, -51, 52));
+}
+
+TEST_F(LandmarkFileTest, NumbersFromOneAndZeroForAbsent) {
+  const auto path = Write("a.txt", Lines(68, [](int l) { return std::to_string(l + 1); }));
+  EXPECT_EQ(LandmarkFile(path).OneBasedOn(Vertices()).value()[0].value(), geometry::Vector3(0, 1, 2));
+  const auto zeros = Write("b.txt", Lines(68, [](int l) { return std::to_string(l < 17 ? 0 : l); }));
+  EXPECT_FALSE(LandmarkFile(zeros).OneBasedOn(Vertices()));
+  EXPECT_TRUE(LandmarkFile(zeros).On(Vertices())[3]);
+  const MeshLandmarks landmarks = LandmarkFile(zeros, {}, faces::ZeroPoints::kAbsent).On(Vertices());
+  EXPECT_FALSE(landmarks[3]);
+  EXPECT_TRUE(landmarks[17]);
+}
+
 TEST_F(LandmarkFileTest, RefusesWhatIsNot68Landmarks) {
   const auto with = [&](const std::string& text) { LandmarkFile(Write("a.txt", text)).On(Vertices()); };
-  ExpectError([&] { with("1 2 3"); }, "a.txt: 3 numbers; expected 68 vertices");
+  ExpectError([&] { with("1 2 3"); }, "a.txt: 1 points; expected 68 points in iBUG order");
   ExpectError([&] { with(Lines(68, [](int) { return std::string("nose"); })); }, "'nose' is not a number");
   ExpectError([&] { with(Lines(68, [](int) { return std::string("1.5"); })); }, "1.5 is no vertex");
   ExpectError([&] { with(Lines(68, [](int) { return std::string("100"); })); }, "is vertex 100, but the mesh has 100");
+  ExpectError([&] { with(Lines(68, [](int l) { return std::to_string(l + 33); })); }, "1-based? Subtract 1 from each");
+  ExpectError([&] { with(Lines(68, [](int) { return std::string("1.5 2"); })); }, "a.txt: holds x and y of a picture");
   ExpectError([&] { with("[1, 2"); }, "not JSON");
   ExpectError([&] { LandmarkFile(folder_ / "absent.txt"); }, "absent.txt");
 }

@@ -8,6 +8,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/synthetic_face.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -120,12 +121,65 @@ TEST_F(RegisteredFaces, RefusesBadInputs) {
   inputs_.meshes = {folder_ / "odd.obj"};
   MakeDirectory(folder_ / "empty");
   inputs_.landmarks = folder_ / "empty";
-  ExpectError(build, "there is no odd.txt or odd.json");
+  ExpectError(build, "there are no landmarks of the mesh odd (expected one of odd.txt, odd.json, odd.pts");
   std::string few;
   for (int l = 0; l < 68; ++l) few += l < 5 ? "0 " : "-1 ";
   WriteFileAtomically(folder_ / "empty/odd.txt", few);
   ExpectError(build, "5 of 68 landmarks are present, expected 6 or more");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(RegisteredFaces, FailedMeshesAreNoPersons) {
+  inputs_.landmarks = folder_ / "places";
+  MakeDirectory(inputs_.landmarks);
+  std::string numbers, next;
+  for (const int v : face_.annotation.landmarks) {
+    numbers += std::to_string(v) + "\n";
+    next += std::to_string(v + 1) + "\n";
+  }
+  WriteFileAtomically(folder_ / "places/plain.txt", numbers);
+  WriteFileAtomically(folder_ / "places/odd.txt", next);
+  WriteFileAtomically(folder_ / "places/odder.txt", numbers);
+  WriteFileAtomically(folder_ / "cut.obj", "v 1 2 3\n");
+  inputs_.meshes.insert(inputs_.meshes.begin(), folder_ / "cut.obj");
+  const auto check = [&](const std::vector<FailedMesh>& failed) {
+    ASSERT_EQ(failed.size(), 2u);
+    EXPECT_EQ(failed[0].name, "cut");
+    EXPECT_EQ(failed[1].name, "odd");
+    EXPECT_NE(failed[1].cause.find("1-based"), std::string::npos) << failed[1].cause;
+    EXPECT_NE(ListFailures(failed, 4).find("2 of 4 meshes failed\n  cut: "), std::string::npos);
+    const faces::FaceDatabase database(folder_ / "out");
+    EXPECT_EQ(database.num_persons(), 2);
+    const Json& details = database.manifest().details;
+    EXPECT_EQ(details.at("meshes"), (Json{"plain", "odder"}));
+    EXPECT_EQ(details.at("failed").at("odd").get<std::string>().rfind("odd.txt: ", 0), 0u) << "no folder in a manifest";
+    const Json summary = ReadJson(folder_ / "out/quality.json").at("summary");
+    EXPECT_EQ(summary.at("num_meshes"), 2);
+    EXPECT_EQ(summary.at("num_failed"), 2);
+    EXPECT_TRUE(FaceStatistics(folder_ / "out").contains("failed"));
+  };
+  check(BuildRegisteredFaces(face_, inputs_, options_, folder_ / "out"));
+  check(BuildRegisteredFaces(face_, inputs_, options_, folder_ / "out"));  // Finished already.
+}
+
+TEST_F(RegisteredFaces, AResultBeyondTheLimitsFails) {
+  inputs_.meshes.resize(1);
+  options_.limits.min_coverage = 1.0;
+  const auto build = [&] { BuildRegisteredFaces(face_, inputs_, options_, folder_ / "out"); };
+  ExpectError(build, "the registered template hardly lies on the mesh");
+  EXPECT_FALSE(fs::exists(folder_ / "out")) << "nothing is written if all fail";
+}
+
+TEST_F(RegisteredFaces, AMeshThatIsInsideOutIsTurned) {
+  testing::AllowWarnings();
+  inputs_.meshes.resize(2);
+  geometry::TriangleMesh mesh{Warp(face_.neutral, 0.5), face_.triangles};
+  TurnTriangles(mesh);
+  geometry::WriteObj(inputs_.meshes[1], mesh);
+  EXPECT_TRUE(BuildRegisteredFaces(face_, inputs_, options_, folder_ / "out").empty());
+  EXPECT_TRUE(ReadRegistrationQuality(folder_ / "out", 1).at("turned_inside_out").get<bool>());
+  EXPECT_FALSE(ReadRegistrationQuality(folder_ / "out", 0).contains("turned_inside_out"));
+  EXPECT_GT(ReadRegistrationQuality(folder_ / "out", 1).at("coverage").get<double>(), 0.8);
 }
 
 TEST(RegisteredCaricatures, LieOnTheirMeshes) {

@@ -171,5 +171,30 @@ TEST_F(ShardedBuildTest, AMalformedRecordIsRefused) {
   ExpectError([&] { BuildShards(other_, build_); }, "unknown format version 2");
 }
 
+TEST(ShardedBuild, FinishMayRemoveAndRenameShards) {
+  const TempDir folder;
+  Build build;
+  build.finish = [](const fs::path& directory, Manifest& manifest) {
+    fs::rename(directory / "shards/9.txt", directory / "shards/0.txt");
+    manifest.checksums["shards/0.txt"] = manifest.checksums.at("shards/9.txt");
+    manifest.checksums.erase("shards/9.txt");
+  };
+  BuildShards(folder / "out", build);
+  const Manifest manifest = ReadManifest(folder / "out", "numbers");
+  EXPECT_EQ(manifest.checksums.size(), 10u);  // Nine shards and the rest.
+  VerifyChecksums(folder / "out", manifest);
+  // Stopped in it: shards that are not as recorded are written again.
+  build.finish = [&](const fs::path& directory, Manifest&) {
+    fs::remove(directory / "shards/3.txt");
+    throw Error("stopped");
+  };
+  ExpectError([&] { BuildShards(folder / "other", build); }, "stopped");
+  build.num_written = 0;
+  build.finish = nullptr;
+  BuildShards(folder / "other", build);
+  EXPECT_EQ(build.num_written, 1);
+  VerifyChecksums(folder / "other", ReadManifest(folder / "other", "numbers"));
+}
+
 }  // namespace
 }  // namespace daumier::datasets

@@ -36,7 +36,7 @@ TEST(RegistrationPictures, ShowMeshRegisteredFaceAndDistance) {
   inputs.meshes[0] = folder / "other.obj";
   geometry::WriteObj(inputs.meshes[0], {face.neutral, face.triangles});
   testing::ExpectError([&] { WriteRegistrationPictures(database, inputs, folder.path()); },
-                       "mesh 0 is other, the database has head there");
+                       "the database has a mesh head, which is none of the 1 inputs");
   testing::BuildSyntheticFaces(folder / "faces", 1);
   testing::ExpectError([&] { WriteRegisteredMeshes(faces::FaceDatabase(folder / "faces"), folder.path()); },
                        "holds no registered meshes");

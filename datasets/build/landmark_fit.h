@@ -1,0 +1,62 @@
+#pragma once
+#include "core/options.h"
+#include "datasets/build/landmark_file.h"
+#include "faces/face_model.h"
+#include "geometry/mesh.h"
+
+#include <optional>
+#include <string>
+
+namespace daumier::datasets {
+
+/// When a registration has failed. docs/registration.md has the measurements that the numbers come from.
+struct RegistrationLimits {
+  double max_landmark_misfit = 0.7;
+  double max_landmarks_off_mesh = 0.15;
+  double min_normal_agreement = 0.3;
+  double min_coverage = 0.1;
+  double max_flipped = 0.1;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("max_landmark_misfit", max_landmark_misfit, Range{0.0, 10.0},
+          "Mean distance of the landmarks from the template's after a robust similarity, as a share of their spread.");
+    visit("max_landmarks_off_mesh", max_landmarks_off_mesh, Range{0.0, 1e3},
+          "Median distance of the landmarks from the mesh, as a share of their spread.");
+    visit("min_normal_agreement", min_normal_agreement, Range{-1.0, 1.0},
+          "Mean cosine between the normals of mesh and template at the landmarks.");
+    visit("min_coverage", min_coverage, Range{0.0, 1.0}, "Share of the face's area that has a match on the mesh.");
+    visit("max_flipped", max_flipped, Range{0.0, 1.0}, "Share of the face's triangles that are flipped.");
+  }
+};
+
+/// How the landmarks of a mesh fit those of a template, before any registration. The spread of points is the root of
+/// their mean squared distance from their mean; the contour weighs `contour_weight`.
+struct LandmarkFit {
+  double misfit = 0;    ///< Mean distance after geometry::AlignRobustly, over the spread of the template's landmarks.
+  double mirrored = 0;  ///< The same with left and right of the landmarks exchanged.
+  double off_mesh = 0;  ///< Median distance to the mesh, over the spread of the landmarks themselves.
+  double normals = 0;   ///< Mean cosine between the normals of mesh and template at the landmarks.
+  double mirrored_normals = 0;  ///< The same with left and right of the landmarks exchanged.
+};
+
+/// A mesh with its landmarks, for MeasureLandmarkFit.
+struct FitInput {
+  const faces::FaceTemplate& face;
+  const geometry::TriangleMesh& mesh;
+  const MeshLandmarks& landmarks;
+  const std::optional<MeshLandmarks>& one_based;  ///< LandmarkFile::OneBasedOn.
+  double contour_weight;
+};
+
+/// @throws Error as geometry::AlignSimilarity and TriangleTree.
+LandmarkFit MeasureLandmarkFit(const FitInput& input);
+
+/// Why these landmarks do not fit this mesh or no face at all, with the repair; nothing where they do. Recognises by
+/// trial what would fit far better: zeros for absent landmarks, left and right exchanged or a mirrored mesh, an axis of
+/// the wrong sign, another frame, another unit, 1-based numbers of vertices, an order shifted by one. A mesh that is
+/// inside out but fits otherwise has no fault here: its `normals` are below 0.
+std::optional<std::string> FaultOfLandmarks(const FitInput& input, const LandmarkFit& fit,
+                                            const RegistrationLimits& limits);
+
+}  // namespace daumier::datasets

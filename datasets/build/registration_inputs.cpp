@@ -1,0 +1,93 @@
+#include "datasets/build/registration_inputs.h"
+
+#include "core/error.h"
+#include "faces/import/mesh_folder.h"
+#include "geometry/triangulate.h"
+
+namespace daumier::datasets {
+namespace fs = std::filesystem;
+namespace {
+
+/// Fewer landmarks hold neither place nor shape.
+constexpr int kFewestLandmarks = 6;
+constexpr const char* kLandmarkEndings[] = {".txt", ".json", ".pts",      ".pp",  ".csv",
+                                            ".tsv", ".fcsv", ".mrk.json", ".xml", "_picked_points.pp"};
+
+fs::path LandmarkPath(const MeshInputs& inputs, const std::string& name) {
+  if (!fs::is_directory(inputs.landmarks)) return inputs.landmarks;
+  std::string endings;
+  for (const char* ending : kLandmarkEndings) {
+    const fs::path path = inputs.landmarks / (name + ending);
+    if (fs::exists(path)) return path;
+    endings += fmt::format("{}{}", endings.empty() ? "" : ", ", name + ending);
+  }
+  throw Error(fmt::format("{}: there are no landmarks of the mesh {} (expected one of {})", inputs.landmarks.string(),
+                          name, endings));
+}
+
+}  // namespace
+
+std::string NameOf(const fs::path& mesh) {
+  return mesh.stem().string();
+}
+
+std::vector<int> PresentLandmarks(const MeshLandmarks& landmarks) {
+  std::vector<int> present;
+  for (int l = 0; l < faces::kNumLandmarks; ++l) {
+    if (landmarks[size_t(l)]) present.push_back(l);
+  }
+  return present;
+}
+
+geometry::Points PlacesOf(const MeshLandmarks& landmarks) {
+  const std::vector<int> present = PresentLandmarks(landmarks);
+  geometry::Points places(static_cast<Eigen::Index>(present.size()), 3);
+  for (size_t k = 0; k < present.size(); ++k) places.row(Eigen::Index(k)) = *landmarks[size_t(present[k])];
+  return places;
+}
+
+LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
+  const fs::path& path = inputs.meshes.at(size_t(index));
+  const geometry::PolygonMesh polygons = faces::ReadMesh(path);
+  DAUMIER_CHECK(
+      polygons.num_polygons() > 0,
+      "{}: has {} points, but no faces: a cloud of points. Mesh it first, for example with MeshLab's Screened "
+      "Poisson reconstruction",
+      path.string(), polygons.vertices.rows());
+  const std::string name = NameOf(path);
+  const fs::path landmark_path = LandmarkPath(inputs, name);
+  const LandmarkFile file(landmark_path, inputs.vertex_map, inputs.zero);
+  LandmarkedMesh result{name,
+                        landmark_path,
+                        {polygons.vertices, geometry::Triangulate(polygons)},
+                        file.On(polygons.vertices),
+                        file.OneBasedOn(polygons.vertices)};
+  DAUMIER_CHECK(result.mesh.triangles.rows() > 0, "{}: no polygon has three corners that differ", path.string());
+  const auto num_landmarks = PresentLandmarks(result.landmarks).size();
+  DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: {} of 68 landmarks are present, expected {} or more",
+                path.string(), num_landmarks, kFewestLandmarks);
+  return result;
+}
+
+void TurnTriangles(geometry::TriangleMesh& mesh) {
+  mesh.triangles.col(1).swap(mesh.triangles.col(2));
+}
+
+Winding CheckAgainst(const faces::FaceTemplate& face, double contour_weight, const RegistrationLimits& limits,
+                     LandmarkedMesh& target) {
+  const FitInput input{face, target.mesh, target.landmarks, target.one_based, contour_weight};
+  LandmarkFit fit;
+  std::optional<std::string> fault;
+  try {
+    fit = MeasureLandmarkFit(input);
+    fault = FaultOfLandmarks(input, fit, limits);
+  } catch (const Error& error) {
+    fault = error.what();
+  }
+  DAUMIER_CHECK(!fault, "{}: {}", target.landmark_file.string(), *fault);
+  if (fit.normals >= 0) return Winding::kAsStored;
+  TurnTriangles(target.mesh);
+  return Winding::kTurned;
+}
+
+}  // namespace daumier::datasets
