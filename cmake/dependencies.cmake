@@ -31,11 +31,11 @@ add_library(image_libraries INTERFACE)
 target_link_libraries(image_libraries INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
 
 find_package(pugixml REQUIRED)
+find_package(ZLIB REQUIRED)
 add_library(markup_libraries INTERFACE)
-target_link_libraries(markup_libraries INTERFACE pugixml::pugixml)
+target_link_libraries(markup_libraries INTERFACE pugixml::pugixml ZLIB::ZLIB)
 
 find_package(LibArchive REQUIRED)
-find_package(ZLIB REQUIRED)
 find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)  # CMake's own module needs the language C.
 find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
 add_library(archive_libraries INTERFACE)

@@ -13,7 +13,7 @@ namespace daumier::render {
 std::vector<Drawing> ReadDrawings(const std::filesystem::path& path, const std::vector<std::string>& kind_names) {
   std::string suffix = path.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (suffix == ".svg") return {ReadSvg(path, kind_names)};
+  if (suffix == ".svg" || suffix == ".svgz") return {ReadSvg(path, kind_names)};
   if (suffix == ".ndjson") return ReadQuickDraw(path);
   const Image picture = ReadImage(path);
   try {
