@@ -5,7 +5,7 @@
 
 namespace daumier::render {
 
-/// Whether bytes begin as a gzip member [RFC 1952]: 1f 8b.
+/// Whether bytes begin as a gzip member: 1f 8b.
 bool IsGzip(std::string_view bytes);
 
 /// The content of all gzip members, one after the other; what follows them is ignored, as gzip does.

@@ -14,7 +14,7 @@ constexpr int kMaxEntityDepth = 8;
 
 using Entities = std::map<std::string, std::string, std::less<>>;
 
-/// <!ENTITY name "value"> of the internal subset of a DOCTYPE [XML 1.0, 4.2]; Illustrator writes namespaces and styles
+/// <!ENTITY name "value"> of the internal subset of a DOCTYPE; Illustrator writes namespaces and styles
 /// that way.
 Entities EntitiesOf(std::string_view bytes) {
   Entities entities;

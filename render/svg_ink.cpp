@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 namespace daumier::render {
 namespace {
@@ -25,6 +26,9 @@ constexpr double kCanvasMargin = 0.5;
 constexpr double kRectangleShare = 0.94;
 /// Share of the sheet that a frame covers at least to be one without doubt.
 constexpr double kFrameShare = 0.6;
+/// Height of a straight line at most, as a share of its length; length of a frame's line at least, as a share of the
+/// side of what it frames.
+constexpr double kStraightness = 0.01, kFrameLine = 0.8;
 /// Share of a line that is seen from which the line is kept as a whole.
 constexpr double kWholeShare = 0.97;
 /// Steps of the canvas: the shortest piece that is kept of a line; how far beside an outline its area is seen.
@@ -271,6 +275,32 @@ void RemoveFrames(SvgScene& scene, std::vector<InkLine>& lines) {
   }
 }
 
+/// Removes straight lines along the axes that together surround all others: a frame of single lines. Each lies beyond
+/// the others' box, and reaches along most of that side.
+void RemoveFrameOfLines(std::vector<InkLine>& lines) {
+  const auto is_straight = [](const InkLine& line) {
+    const Vector2d size = BoxOfLine(line.polyline).sizes();
+    return line.polyline.points.size() > 1 && size.minCoeff() <= kStraightness * size.maxCoeff();
+  };
+  AlignedBox2d inside;
+  for (const auto& line : lines)
+    if (!is_straight(line)) inside.extend(BoxOfLine(line.polyline));
+  if (inside.isEmpty()) return;
+  // -1 and +1: beyond the smaller and the larger coordinate of an axis.
+  const auto side_of = [&](const InkLine& line) -> std::optional<std::pair<int, int>> {
+    const AlignedBox2d box = BoxOfLine(line.polyline);
+    const int along = box.sizes().x() >= box.sizes().y() ? 0 : 1, across = 1 - along;
+    if (!is_straight(line) || box.sizes()[along] < kFrameLine * inside.sizes()[along]) return std::nullopt;
+    if (box.max()[across] <= inside.min()[across]) return std::pair(across, -1);
+    if (box.min()[across] >= inside.max()[across]) return std::pair(across, 1);
+    return std::nullopt;
+  };
+  std::set<std::pair<int, int>> sides;
+  for (const auto& line : lines)
+    if (const auto side = side_of(line)) sides.insert(*side);
+  if (sides.size() == 4) std::erase_if(lines, [&](const InkLine& line) { return side_of(line).has_value(); });
+}
+
 /// Removes lines that lie far from the sheet while others do not.
 void RemoveOutside(SvgScene& scene, std::vector<InkLine>& lines) {
   const Vector2d size(scene.width, scene.height);
@@ -303,6 +333,7 @@ std::vector<Stroke> InkOfScene(SvgScene& scene) {
   }
   RemoveOutside(scene, lines);
   RemoveFrames(scene, lines);
+  RemoveFrameOfLines(lines);
   std::vector<Stroke> strokes;
   for (const InkLine& line : lines) {
     Stroke stroke{.kind = line.kind, .points = {}};

@@ -19,7 +19,7 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
 /// What one element costs, in units of SvgWork.
-constexpr int64_t kWorkOfElement = 2000;
+constexpr int64_t kWorkOfElement = 10000;
 /// Of all shapes together; memory is what they cost.
 constexpr int64_t kMaxPoints = 10'000'000;
 /// Clip paths that are clipped themselves.
@@ -162,7 +162,9 @@ class SceneReader {
       if (!context.style.IsDisplayed() || context.style.Share(SvgProperty::kOpacity) == 0.0) return;
       if (element == SvgElement::kNoStrokes) {
         const bool is_empty = name == "text" && !node.first_child();
-        if (!is_empty && context.style.IsVisible()) Report(node, "it is left out: it has no strokes");
+        if (!is_empty && context.style.IsVisible())
+          Report(node, name == "image" ? "it is left out: it is a picture. Export the picture itself as PNG"
+                                       : "it is left out: it has no strokes");
         return;
       }
       Enter(node, context);
