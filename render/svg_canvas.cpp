@@ -1,7 +1,6 @@
 #include "render/svg_canvas.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <opencv2/core.hpp>
@@ -29,10 +28,18 @@ AlignedBox2d BoxOfShape(const SvgShape& shape) {
   return box;
 }
 
+cv::Scalar ScalarOf(const Vector3d& rgb) {
+  return {255.0 * rgb.x(), 255.0 * rgb.y(), 255.0 * rgb.z()};
+}
+
+Vector3d ColorOfPixel(const cv::Vec3b& pixel) {
+  return Vector3d(pixel[0], pixel[1], pixel[2]) / 255.0;
+}
+
 }  // namespace
 
 struct SvgCanvas::Pixels {
-  cv::Mat color;   ///< CV_32FC3.
+  cv::Mat color;   ///< CV_8UC3.
   cv::Mat hidden;  ///< CV_32S: the last shape that hides what lies below; -1 where there is none.
   std::map<const SvgClip*, cv::Mat> clips;
   Vector2d corner;
@@ -122,7 +129,7 @@ SvgCanvas::SvgCanvas(const AlignedBox2d& box, const SvgColor& paper, const std::
     return static_cast<int>(std::clamp(std::ceil(length / step_), 1.0, side + 1));
   };
   const cv::Size size(pixels(box.sizes().x()), pixels(box.sizes().y()));
-  pixels_->color = cv::Mat(size, CV_32FC3, cv::Scalar(paper_.x(), paper_.y(), paper_.z()));
+  pixels_->color = cv::Mat(size, CV_8UC3, ScalarOf(paper_));
   pixels_->hidden = cv::Mat(size, CV_32S, cv::Scalar(-1));
   pixels_->corner = corner_;
   pixels_->step = step_;
@@ -133,8 +140,7 @@ SvgCanvas::~SvgCanvas() = default;
 Vector3d SvgCanvas::ColorAt(const Vector2d& point) const {
   const Vector2d pixel = (point - corner_) / step_;
   if (pixel.minCoeff() < 0.0 || pixel.x() >= pixels_->color.cols || pixel.y() >= pixels_->color.rows) return paper_;
-  const auto& color = pixels_->color.at<cv::Vec3f>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x()));
-  return {color[0], color[1], color[2]};
+  return ColorOfPixel(pixels_->color.at<cv::Vec3b>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())));
 }
 
 bool SvgCanvas::IsHidden(const Vector2d& point, int shape) const {
@@ -149,7 +155,7 @@ void SvgCanvas::PaintArea(const SvgShape& shape, int index) {
   cv::Mat mask = pixels_->MaskOfArea(shape.polylines, shape.fill_rule, rectangle);
   pixels_->ApplyClips(shape, rectangle, mask);
   const SvgColor& paint = *shape.fill;
-  const cv::Scalar color(paint.rgb.x(), paint.rgb.y(), paint.rgb.z());
+  const cv::Scalar color = ScalarOf(paint.rgb);
   cv::Mat below = pixels_->color(rectangle);
   if (paint.alpha >= 1.0) {
     below.setTo(color, mask);
@@ -178,8 +184,8 @@ void SvgCanvas::Erase(const SvgShape& shape, int index, double contrast) {
   for (int row = 0; row < mask.rows; ++row) {
     for (int column = 0; column < mask.cols; ++column) {
       if (mask.at<uint8_t>(row, column) == 0) continue;
-      const auto& below = pixels_->color.at<cv::Vec3f>(rectangle.y + row, rectangle.x + column);
-      if (PaintContrast(*shape.stroke, {below[0], below[1], below[2]}) < contrast)
+      const auto& below = pixels_->color.at<cv::Vec3b>(rectangle.y + row, rectangle.x + column);
+      if (PaintContrast(*shape.stroke, ColorOfPixel(below)) < contrast)
         pixels_->hidden.at<int>(rectangle.y + row, rectangle.x + column) = index;
     }
   }

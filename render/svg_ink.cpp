@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 
 namespace daumier::render {
@@ -40,6 +41,7 @@ struct InkLine {
   SvgPolyline polyline;
   int shape = 0, kind = 0;
   double half_width = 0.0;
+  std::optional<AlignedBox2d> rectangle;  ///< Of which it is a part: its box.
 };
 
 AlignedBox2d BoxOfLine(const SvgPolyline& polyline) {
@@ -48,18 +50,24 @@ AlignedBox2d BoxOfLine(const SvgPolyline& polyline) {
   return box;
 }
 
-/// Whether a line is a closed rectangle with sides along the axes, its corners rounded or not.
-bool IsRectangle(const SvgPolyline& polyline) {
-  const AlignedBox2d box = BoxOfLine(polyline);
+double TwiceAreaOf(const SvgPolyline& polyline) {
   const auto& points = polyline.points;
-  if (points.size() < 4 || box.sizes().minCoeff() <= 0.0) return false;
-  if ((points.front() - points.back()).norm() > 0.01 * box.sizes().maxCoeff()) return false;
   double twice_area = 0.0;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Vector2d a = points[i] - box.min(), b = points[(i + 1) % points.size()] - box.min();
+    const Vector2d a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
     twice_area += a.x() * b.y() - a.y() * b.x();
   }
-  return 0.5 * std::abs(twice_area) >= kRectangleShare * box.volume();
+  return std::abs(twice_area);
+}
+
+/// The box of a line that is a closed rectangle with sides along the axes, its corners rounded or not.
+std::optional<AlignedBox2d> RectangleOf(const SvgPolyline& polyline) {
+  const AlignedBox2d box = BoxOfLine(polyline);
+  const auto& points = polyline.points;
+  if (points.size() < 4 || box.sizes().minCoeff() <= 0.0) return std::nullopt;
+  if ((points.front() - points.back()).norm() > 0.01 * box.sizes().maxCoeff()) return std::nullopt;
+  if (0.5 * TwiceAreaOf(polyline) < kRectangleShare * box.volume()) return std::nullopt;
+  return box;
 }
 
 /// Calls `visit(point, normal)` along a line at steps of the canvas, normal being of length 1.
@@ -156,18 +164,20 @@ class InkReader {
     const auto add = [&](const SvgPolyline& whole, double half_width, const auto& is_ink) {
       for (const auto& polyline : Clipped(whole, shape))
         for (auto& piece : SeenPieces(polyline, canvas_.step(), is_ink))
-          lines.push_back({std::move(piece), index, shape.kind, half_width});
+          lines.push_back({std::move(piece), index, shape.kind, half_width, RectangleOf(whole)});
     };
     if (has_seen_stroke) {
       for (const auto& polyline : shape.polylines) {
+        const bool has_area = shape.fill && TwiceAreaOf(polyline) > 0.0;
         add(polyline, 0.5 * shape.stroke_width, [&](const Vector2d& point, const Vector2d& normal) {
           return PaintContrast(*shape.stroke, canvas_.ColorAt(point)) >= kInkContrast ||
-                 (shape.fill && IsAreaSeen(shape, point, normal));
+                 (has_area && IsAreaSeen(shape, point, normal));
         });
       }
     } else if (shape.fill && !CoversSheet(shape)) {
       for (const auto& line : LinesOfArea({shape.polylines, shape.fill_rule})) {
-        if (line.points.size() == 1) continue;  // A point has no area.
+        // Hand-written files leave out fill='none' and stroke; a line that has a stroke needs no area.
+        if (line.points.size() == 1 || (shape.stroke && TwiceAreaOf(line) == 0.0)) continue;
         add(line, 0.0, [&](const Vector2d& point, const Vector2d& normal) { return IsAreaSeen(shape, point, normal); });
       }
     }
@@ -207,7 +217,7 @@ class InkReader {
     const AlignedBox2d sheet(Vector2d(0, 0), Vector2d(scene_.width, scene_.height));
     return std::any_of(shape.polylines.begin(), shape.polylines.end(), [&](const SvgPolyline& polyline) {
       const auto covered = sheet.intersection(BoxOfLine(polyline));
-      return IsRectangle(polyline) && !covered.isEmpty() && covered.volume() >= kSheetCover * sheet.volume();
+      return RectangleOf(polyline) && !covered.isEmpty() && covered.volume() >= kSheetCover * sheet.volume();
     });
   }
 
@@ -232,7 +242,8 @@ class InkReader {
         return !canvas_.IsHidden(point, line.shape) || !canvas_.IsHidden(point + beside * normal, line.shape) ||
                !canvas_.IsHidden(point - beside * normal, line.shape);
       });
-      for (auto& piece : pieces) seen.push_back({std::move(piece), line.shape, line.kind, line.half_width});
+      for (auto& piece : pieces)
+        seen.push_back({std::move(piece), line.shape, line.kind, line.half_width, line.rectangle});
     }
     return seen;
   }
@@ -243,32 +254,30 @@ class InkReader {
   std::vector<InkLine> lines_;
 };
 
-/// Whether one line lies inside a rectangle, or is nearly the same rectangle.
+/// Whether a line lies inside a rectangle, or is part of nearly the same one.
 bool LiesInside(const InkLine& line, const AlignedBox2d& rectangle) {
-  const AlignedBox2d box = BoxOfLine(line.polyline);
   const double margin = 0.01 * rectangle.sizes().maxCoeff();
   const AlignedBox2d grown(rectangle.min().array() - margin, rectangle.max().array() + margin);
-  if (grown.contains(box)) return true;
-  if (!IsRectangle(line.polyline)) return false;
-  const AlignedBox2d both = box.intersection(rectangle);
-  return !both.isEmpty() && both.volume() >= 0.8 * box.merged(rectangle).volume();
+  if (grown.contains(BoxOfLine(line.polyline))) return true;
+  if (!line.rectangle) return false;
+  const AlignedBox2d both = line.rectangle->intersection(rectangle);
+  return !both.isEmpty() && both.volume() >= 0.8 * line.rectangle->merged(rectangle).volume();
 }
 
 /// Removes rectangles around all other lines, from outside to inside.
 void RemoveFrames(SvgScene& scene, std::vector<InkLine>& lines) {
-  for (size_t i = 0; lines.size() > 1 && i < lines.size();) {
-    const AlignedBox2d box = BoxOfLine(lines[i].polyline);
-    const bool is_frame =
-        IsRectangle(lines[i].polyline) &&
-        std::all_of(lines.begin(), lines.end(), [&](const auto& line) { return LiesInside(line, box); }) &&
-        !std::all_of(lines.begin(), lines.end(), [](const auto& line) { return IsRectangle(line.polyline); });
-    if (!is_frame) {
+  const auto is_part = [](const InkLine& line) { return line.rectangle.has_value(); };
+  if (std::all_of(lines.begin(), lines.end(), is_part)) return;
+  for (size_t i = 0; i < lines.size();) {
+    const auto box = lines[i].rectangle;
+    const auto lies_inside = [&](const InkLine& line) { return LiesInside(line, *box); };
+    if (!box || !std::all_of(lines.begin(), lines.end(), lies_inside)) {
       ++i;
       continue;
     }
-    if (scene.width * scene.height > 0.0 && box.volume() < kFrameShare * scene.width * scene.height) {
+    if (scene.width * scene.height > 0.0 && box->volume() < kFrameShare * scene.width * scene.height) {
       scene.problems.push_back(fmt::format("{}: a rectangle of {:.4g} x {:.4g} around all else is taken for a frame",
-                                           scene.file, box.sizes().x(), box.sizes().y()));
+                                           scene.file, box->sizes().x(), box->sizes().y()));
     }
     lines.erase(lines.begin() + static_cast<ptrdiff_t>(i));
     i = 0;
@@ -320,6 +329,7 @@ std::vector<SvgPolyline> LinesOfArea(const SvgArea& area) {
 }
 
 std::vector<Stroke> InkOfScene(SvgScene& scene) {
+  if (scene.shapes.empty()) return {};
   const SvgColor white{Vector3d::Ones(), 1.0};
   SvgColor paper = scene.background.value_or(SvgColor{Vector3d::Ones(), 0.0});
   paper.rgb = paper.alpha * paper.rgb + (1.0 - paper.alpha) * white.rgb;

@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "render/image.h"
 #include "render/svg.h"
+#include "tests/render/gzipped.h"
 #include "tests/support/corruption.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
@@ -19,6 +20,7 @@ const std::vector<Stroke> kStrokes = {{1, {{40, 60}, {220, 190}}}, {0, {{50, 200
 TEST(ReadDrawings, ReadsEachFormatByItsSuffix) {
   const testing::TempDir folder;
   WriteSvg(folder / "vector.SVG", kStrokes, {"a", "b"});
+  testing::WriteQuickly(folder / "packed.svgz", testing::Gzipped(ReadFile(folder / "vector.SVG")));
   testing::WriteQuickly(folder / "many.ndjson", "{\"drawing\":[[[0],[0]]]}\n{\"drawing\":[[[1],[1]]]}\n");
   WriteImage(folder / "picture.png", RasteriseStrokes(kStrokes, 300));
 
@@ -27,6 +29,7 @@ TEST(ReadDrawings, ReadsEachFormatByItsSuffix) {
   EXPECT_EQ(vector[0].strokes[0].points, kStrokes[0].points);
   EXPECT_EQ(vector[0].strokes[0].kind, 1);
   EXPECT_EQ(ReadDrawings(folder / "vector.SVG")[0].strokes[0].kind, 0);
+  EXPECT_EQ(ReadDrawings(folder / "packed.svgz")[0].strokes[1].points, kStrokes[1].points);
   EXPECT_EQ(ReadDrawings(folder / "many.ndjson").size(), 2U);
   const auto picture = ReadDrawings(folder / "picture.png");
   ASSERT_EQ(picture.size(), 1U);

@@ -1,0 +1,89 @@
+#include "render/svg_canvas.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace daumier::render {
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const AlignedBox2d kBox(Vector2d(0, 0), Vector2d(100, 100));
+const SvgColor kPaper{Vector3d::Ones(), 1.0}, kBlack{}, kRed{Vector3d(1, 0, 0), 1.0};
+
+SvgPolyline Ring(double low, double high) {
+  return {{{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}};
+}
+
+TEST(SvgCanvas, AreasColorAndHideWhatLiesInThem) {
+  SvgShape area{.polylines = {Ring(20, 60)}, .fill = kRed};
+  SvgCanvas canvas(kBox, kPaper, {area});
+  EXPECT_EQ(canvas.ColorAt({40, 40}), kPaper.rgb);
+  canvas.PaintArea(area, 3);
+  EXPECT_EQ(canvas.ColorAt({40, 40}), kRed.rgb);
+  EXPECT_EQ(canvas.ColorAt({70, 40}), kPaper.rgb);
+  EXPECT_EQ(canvas.ColorAt({-500, 40}), kPaper.rgb);
+  EXPECT_TRUE(canvas.IsHidden({40, 40}, 2));
+  EXPECT_FALSE(canvas.IsHidden({40, 40}, 3));
+  EXPECT_FALSE(canvas.IsHidden({70, 40}, 2));
+  EXPECT_FALSE(canvas.IsHidden({-500, 40}, 2));
+}
+
+TEST(SvgCanvas, TransparentAreasAreBlendedAndHideNothing) {
+  SvgShape area{.polylines = {Ring(20, 60)}, .fill = SvgColor{Vector3d::Zero(), 0.25}};
+  SvgCanvas canvas(kBox, kPaper, {area});
+  canvas.PaintArea(area, 0);
+  EXPECT_NEAR(canvas.ColorAt({40, 40}).x(), 0.75, 0.003);
+  EXPECT_FALSE(canvas.IsHidden({40, 40}, -1));
+}
+
+TEST(SvgCanvas, RulesDecideAboutHoles) {
+  SvgPolyline reversed = Ring(40, 60);
+  std::reverse(reversed.points.begin(), reversed.points.end());
+  const auto color_inside = [&](const SvgPolyline& hole, SvgFillRule rule) {
+    SvgShape area{.polylines = {Ring(20, 80), hole}, .fill = kRed, .fill_rule = rule};
+    SvgCanvas canvas(kBox, kPaper, {area});
+    canvas.PaintArea(area, 0);
+    EXPECT_EQ(canvas.ColorAt({30, 30}), kRed.rgb);
+    return canvas.ColorAt({50, 50});
+  };
+  EXPECT_EQ(color_inside(Ring(40, 60), SvgFillRule::kEvenOdd), kPaper.rgb);
+  EXPECT_EQ(color_inside(Ring(40, 60), SvgFillRule::kNonzero), kRed.rgb);
+  EXPECT_EQ(color_inside(reversed, SvgFillRule::kNonzero), kPaper.rgb);
+}
+
+TEST(SvgCanvas, ClipsLimitAreas) {
+  SvgShape area{.polylines = {Ring(20, 80)}, .fill = kRed};
+  area.clips = {std::make_shared<SvgClip>(std::vector<SvgArea>{{{Ring(0, 50)}}})};
+  SvgCanvas canvas(kBox, kPaper, {area});
+  canvas.PaintArea(area, 0);
+  EXPECT_EQ(canvas.ColorAt({40, 40}), kRed.rgb);
+  EXPECT_EQ(canvas.ColorAt({60, 60}), kPaper.rgb);
+}
+
+TEST(SvgCanvas, StrokesOfTheColorBelowErase) {
+  SvgShape area{.polylines = {Ring(0, 50)}, .fill = kBlack};
+  SvgShape eraser{.polylines = {{{{0, 40}, {100, 40}}}}, .stroke = kPaper, .stroke_width = 10};
+  SvgCanvas canvas(kBox, kPaper, {area, eraser});
+  canvas.PaintArea(area, 0);
+  canvas.Erase(eraser, 1, 0.1);
+  EXPECT_TRUE(canvas.IsHidden({70, 43}, 0));
+  EXPECT_FALSE(canvas.IsHidden({70, 47}, 0));
+  EXPECT_FALSE(canvas.IsHidden({30, 40}, 0)) << "on black it is a line";
+}
+
+TEST(SvgCanvas, ManyLargeAreasMakeItCoarser) {
+  const std::vector<SvgShape> shapes(20000, SvgShape{.polylines = {Ring(0, 100)}, .fill = kRed});
+  EXPECT_GT(SvgCanvas(kBox, kPaper, shapes).step(), 2 * SvgCanvas(kBox, kPaper, {shapes[0]}).step());
+}
+
+TEST(SvgCanvas, ContrastIsThatOfTheLargestChannel) {
+  EXPECT_EQ(PaintContrast({Vector3d(1, 1, 0.5), 1.0}, Vector3d::Ones()), 0.5);
+  EXPECT_EQ(PaintContrast({Vector3d(1, 1, 0.5), 0.5}, Vector3d::Ones()), 0.25);
+}
+
+}  // namespace
+}  // namespace daumier::render
