@@ -116,14 +116,17 @@ double PaintContrast(const SvgColor& paint, const Vector3d& below) {
   return paint.alpha * (paint.rgb - below).cwiseAbs().maxCoeff();
 }
 
-SvgCanvas::SvgCanvas(const AlignedBox2d& box, const SvgColor& paper, const std::vector<SvgShape>& shapes)
-    : paper_(paper.rgb), corner_(box.min()), pixels_(std::make_unique<Pixels>()) {
+double SvgCanvas::SideFor(const AlignedBox2d& box, const std::vector<SvgShape>& shapes) {
   double shares = 0.0;
   for (const auto& shape : shapes) {
     const AlignedBox2d part = BoxOfShape(shape).intersection(box);
     if (!part.isEmpty()) shares += part.volume() / std::max(box.volume(), 1e-12);
   }
-  const double side = std::clamp(std::sqrt(kMaxPainted / std::max(shares, 1e-12)), kLeastCanvasSide, kCanvasSide);
+  return std::clamp(std::sqrt(kMaxPainted / std::max(shares, 1e-12)), kLeastCanvasSide, kCanvasSide);
+}
+
+SvgCanvas::SvgCanvas(const AlignedBox2d& box, const SvgColor& paper, double side)
+    : paper_(paper.rgb), corner_(box.min()), pixels_(std::make_unique<Pixels>()) {
   step_ = std::max(box.sizes().maxCoeff(), 1e-9) / side;
   const auto pixels = [&](double length) {
     return static_cast<int>(std::clamp(std::ceil(length / step_), 1.0, side + 1));

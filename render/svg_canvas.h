@@ -12,12 +12,15 @@ namespace daumier::render {
 /// that hides what lies below. Strokes leave no colour, so that lines that cross do not hide each other.
 class SvgCanvas {
  public:
-  /// `box` is what it shows, in pixels of the sheet; `paper` the colour before the first shape. Pixels are as fine as
-  /// the number of shapes allows.
-  SvgCanvas(const Eigen::AlignedBox2d& box, const SvgColor& paper, const std::vector<SvgShape>& shapes);
+  /// `box` is what it shows, in pixels of the sheet; `paper` the colour before the first shape; `side` the pixels of its
+  /// longer side.
+  SvgCanvas(const Eigen::AlignedBox2d& box, const SvgColor& paper, double side);
   ~SvgCanvas();
   SvgCanvas(const SvgCanvas&) = delete;
   SvgCanvas& operator=(const SvgCanvas&) = delete;
+
+  /// As many pixels a side as the areas of these shapes allow.
+  static double SideFor(const Eigen::AlignedBox2d& box, const std::vector<SvgShape>& shapes);
 
   /// Length of a pixel's side in pixels of the sheet.
   double step() const { return step_; }

@@ -129,7 +129,7 @@ std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, Is
 class InkReader {
  public:
   InkReader(const SvgScene& scene, const SvgColor& paper)
-      : scene_(scene), canvas_(CanvasBox(scene), paper, scene.shapes), work_(scene.file) {}
+      : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {}
 
   std::vector<InkLine> Read() {
     for (int index = 0; index < std::ssize(scene_.shapes); ++index) {
@@ -155,6 +155,14 @@ class InkReader {
     if (box.isEmpty()) box = AlignedBox2d(Vector2d(0, 0), Vector2d(1, 1));
     const double margin = 0.01 * box.sizes().maxCoeff() + 1e-6;
     return {box.min().array() - margin, box.max().array() + margin};
+  }
+
+  /// Strokes alone that differ from the paper need no picture of what lies below.
+  static double SideOfCanvas(const SvgScene& scene, const SvgColor& paper) {
+    const bool is_plain = std::all_of(scene.shapes.begin(), scene.shapes.end(), [&](const SvgShape& shape) {
+      return !shape.fill && PaintContrast(*shape.stroke, paper.rgb) >= kInkContrast;
+    });
+    return is_plain ? 1.0 : SvgCanvas::SideFor(CanvasBox(scene), scene.shapes);
   }
 
   /// The strokes of a shape, or else the lines of its area, where they differ from what lies below.
@@ -336,7 +344,7 @@ std::vector<Stroke> InkOfScene(SvgScene& scene) {
   std::vector<InkLine> lines = InkReader(scene, paper).Read();
   if (lines.empty()) {
     lines = InkReader(scene, SvgColor{Vector3d::Zero(), 1.0}).Read();
-    if (std::all_of(lines.begin(), lines.end(), [](const auto& line) { return IsRectangle(line.polyline); }))
+    if (std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line.rectangle.has_value(); }))
       lines.clear();
     if (!lines.empty())
       scene.problems.push_back(scene.file + ": all strokes are as light as paper; the sheet is taken as dark");

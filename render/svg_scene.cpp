@@ -19,7 +19,7 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
 /// What one element costs, in units of SvgWork.
-constexpr int64_t kWorkOfElement = 10000;
+constexpr int64_t kWorkOfElement = 20000;
 /// Of all shapes together; memory is what they cost.
 constexpr int64_t kMaxPoints = 10'000'000;
 /// Clip paths that are clipped themselves.

@@ -20,7 +20,7 @@ SvgPolyline Ring(double low, double high) {
 
 TEST(SvgCanvas, AreasColorAndHideWhatLiesInThem) {
   SvgShape area{.polylines = {Ring(20, 60)}, .fill = kRed};
-  SvgCanvas canvas(kBox, kPaper, {area});
+  SvgCanvas canvas(kBox, kPaper, 500);
   EXPECT_EQ(canvas.ColorAt({40, 40}), kPaper.rgb);
   canvas.PaintArea(area, 3);
   EXPECT_EQ(canvas.ColorAt({40, 40}), kRed.rgb);
@@ -34,7 +34,7 @@ TEST(SvgCanvas, AreasColorAndHideWhatLiesInThem) {
 
 TEST(SvgCanvas, TransparentAreasAreBlendedAndHideNothing) {
   SvgShape area{.polylines = {Ring(20, 60)}, .fill = SvgColor{Vector3d::Zero(), 0.25}};
-  SvgCanvas canvas(kBox, kPaper, {area});
+  SvgCanvas canvas(kBox, kPaper, 500);
   canvas.PaintArea(area, 0);
   EXPECT_NEAR(canvas.ColorAt({40, 40}).x(), 0.75, 0.003);
   EXPECT_FALSE(canvas.IsHidden({40, 40}, -1));
@@ -45,7 +45,7 @@ TEST(SvgCanvas, RulesDecideAboutHoles) {
   std::reverse(reversed.points.begin(), reversed.points.end());
   const auto color_inside = [&](const SvgPolyline& hole, SvgFillRule rule) {
     SvgShape area{.polylines = {Ring(20, 80), hole}, .fill = kRed, .fill_rule = rule};
-    SvgCanvas canvas(kBox, kPaper, {area});
+    SvgCanvas canvas(kBox, kPaper, 500);
     canvas.PaintArea(area, 0);
     EXPECT_EQ(canvas.ColorAt({30, 30}), kRed.rgb);
     return canvas.ColorAt({50, 50});
@@ -58,7 +58,7 @@ TEST(SvgCanvas, RulesDecideAboutHoles) {
 TEST(SvgCanvas, ClipsLimitAreas) {
   SvgShape area{.polylines = {Ring(20, 80)}, .fill = kRed};
   area.clips = {std::make_shared<SvgClip>(std::vector<SvgArea>{{{Ring(0, 50)}}})};
-  SvgCanvas canvas(kBox, kPaper, {area});
+  SvgCanvas canvas(kBox, kPaper, 500);
   canvas.PaintArea(area, 0);
   EXPECT_EQ(canvas.ColorAt({40, 40}), kRed.rgb);
   EXPECT_EQ(canvas.ColorAt({60, 60}), kPaper.rgb);
@@ -67,7 +67,7 @@ TEST(SvgCanvas, ClipsLimitAreas) {
 TEST(SvgCanvas, StrokesOfTheColorBelowErase) {
   SvgShape area{.polylines = {Ring(0, 50)}, .fill = kBlack};
   SvgShape eraser{.polylines = {{{{0, 40}, {100, 40}}}}, .stroke = kPaper, .stroke_width = 10};
-  SvgCanvas canvas(kBox, kPaper, {area, eraser});
+  SvgCanvas canvas(kBox, kPaper, 500);
   canvas.PaintArea(area, 0);
   canvas.Erase(eraser, 1, 0.1);
   EXPECT_TRUE(canvas.IsHidden({70, 43}, 0));
@@ -77,7 +77,8 @@ TEST(SvgCanvas, StrokesOfTheColorBelowErase) {
 
 TEST(SvgCanvas, ManyLargeAreasMakeItCoarser) {
   const std::vector<SvgShape> shapes(20000, SvgShape{.polylines = {Ring(0, 100)}, .fill = kRed});
-  EXPECT_GT(SvgCanvas(kBox, kPaper, shapes).step(), 2 * SvgCanvas(kBox, kPaper, {shapes[0]}).step());
+  EXPECT_LT(SvgCanvas::SideFor(kBox, shapes), 0.5 * SvgCanvas::SideFor(kBox, {shapes[0]}));
+  EXPECT_EQ(SvgCanvas(kBox, kPaper, 200).step(), 0.5);
 }
 
 TEST(SvgCanvas, ContrastIsThatOfTheLargestChannel) {
