@@ -32,9 +32,9 @@ constexpr double kFrameShare = 0.6;
 constexpr double kStraightness = 0.01, kFrameLine = 0.8;
 /// Share of a line that is seen from which the line is kept as a whole.
 constexpr double kWholeShare = 0.97;
-/// Steps of the canvas: the shortest piece that is kept of a line; how far beside an outline its area is seen.
-constexpr double kShortestPiece = 4.0, kBeside = 1.5;
-constexpr int kMaxSamples = 4096;
+/// Steps of the canvas: the shortest piece that is kept of a line; how far from an outline its area is seen.
+constexpr double kShortestPiece = 4.0, kOutlineMargin = 1.5;
+constexpr int kMaxSamplesOfSegment = 4096;
 
 /// A line that may be ink: seen from the sheet until a later shape hides it.
 struct InkLine {
@@ -79,7 +79,8 @@ void Walk(const SvgPolyline& polyline, double step, Visit&& visit) {
     const Vector2d along = points[i] - points[i - 1];
     if (along.norm() == 0.0) continue;
     const Vector2d normal = Vector2d(-along.y(), along.x()).normalized();
-    const int num_samples = static_cast<int>(std::clamp(std::ceil(along.norm() / step), 1.0, double(kMaxSamples)));
+    const int num_samples =
+        static_cast<int>(std::clamp(std::ceil(along.norm() / step), 1.0, double(kMaxSamplesOfSegment)));
     for (int s = 0; s < num_samples; ++s) visit(points[i - 1] + (s + 0.5) / num_samples * along, normal);
   }
 }
@@ -106,7 +107,7 @@ std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, Is
   for (size_t i = 1; i < points.size(); ++i) {
     int sample = 0;
     const Vector2d along = points[i] - points[i - 1];
-    const double count = std::clamp(std::ceil(along.norm() / step), 1.0, double(kMaxSamples));
+    const double count = std::clamp(std::ceil(along.norm() / step), 1.0, double(kMaxSamplesOfSegment));
     Walk({{points[i - 1], points[i]}}, step, [&](const Vector2d& point, const Vector2d& normal) {
       if (is_seen(point, normal)) {
         append(sample == 0 ? points[i - 1] : Vector2d(points[i - 1] + sample / count * along));
@@ -214,8 +215,8 @@ class InkReader {
 
   /// Whether the colour of an area differs from what lies below, on its border or on either side of it.
   bool IsAreaSeen(const SvgShape& shape, const Vector2d& point, const Vector2d& normal) const {
-    const Vector2d beside = kBeside * canvas_.step() * normal;
-    for (const Vector2d& at : {point, Vector2d(point + beside), Vector2d(point - beside)})
+    const Vector2d offset = kOutlineMargin * canvas_.step() * normal;
+    for (const Vector2d& at : {point, Vector2d(point + offset), Vector2d(point - offset)})
       if (PaintContrast(*shape.fill, canvas_.ColorAt(at)) >= kInkContrast) return true;
     return false;
   }
@@ -245,10 +246,10 @@ class InkReader {
   std::vector<InkLine> WithoutHidden() const {
     std::vector<InkLine> seen;
     for (const InkLine& line : lines_) {
-      const double beside = std::max(0.7 * line.half_width, kBeside * canvas_.step());
+      const double offset = std::max(0.7 * line.half_width, kOutlineMargin * canvas_.step());
       auto pieces = SeenPieces(line.polyline, canvas_.step(), [&](const Vector2d& point, const Vector2d& normal) {
-        return !canvas_.IsHidden(point, line.shape) || !canvas_.IsHidden(point + beside * normal, line.shape) ||
-               !canvas_.IsHidden(point - beside * normal, line.shape);
+        return !canvas_.IsHidden(point, line.shape) || !canvas_.IsHidden(point + offset * normal, line.shape) ||
+               !canvas_.IsHidden(point - offset * normal, line.shape);
       });
       for (auto& piece : pieces)
         seen.push_back({std::move(piece), line.shape, line.kind, line.half_width, line.rectangle});

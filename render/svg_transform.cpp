@@ -27,7 +27,7 @@ Affine2d Matrix(double a, double b, double c, double d, double e, double f) {
   return transform;
 }
 
-/// Pixels or degrees that the unit after a number stands for; 1 where there is none. @throws Error if it is unknown.
+/// Pixels or degrees of the unit after a number; 1 where there is none. @throws Error if it is unknown.
 double TakeUnit(SvgNumbers& numbers) {
   const size_t position = numbers.position();
   std::string unit;

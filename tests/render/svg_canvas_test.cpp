@@ -11,21 +11,21 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-const AlignedBox2d kBox(Vector2d(0, 0), Vector2d(100, 100));
-const SvgColor kPaper{Vector3d::Ones(), 1.0}, kBlack{}, kRed{Vector3d(1, 0, 0), 1.0};
+const AlignedBox2d kCanvasBox(Vector2d(0, 0), Vector2d(100, 100));
+const SvgColor kPaperPaint{Vector3d::Ones(), 1.0}, kBlackPaint{}, kRedPaint{Vector3d(1, 0, 0), 1.0};
 
-SvgPolyline Ring(double low, double high) {
+SvgPolyline SquareRing(double low, double high) {
   return {{{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}};
 }
 
 TEST(SvgCanvas, AreasColorAndHideWhatLiesInThem) {
-  SvgShape area{.polylines = {Ring(20, 60)}, .fill = kRed};
-  SvgCanvas canvas(kBox, kPaper, 500);
-  EXPECT_EQ(canvas.ColorAt({40, 40}), kPaper.rgb);
+  SvgShape area{.polylines = {SquareRing(20, 60)}, .fill = kRedPaint};
+  SvgCanvas canvas(kCanvasBox, kPaperPaint, 500);
+  EXPECT_EQ(canvas.ColorAt({40, 40}), kPaperPaint.rgb);
   canvas.PaintArea(area, 3);
-  EXPECT_EQ(canvas.ColorAt({40, 40}), kRed.rgb);
-  EXPECT_EQ(canvas.ColorAt({70, 40}), kPaper.rgb);
-  EXPECT_EQ(canvas.ColorAt({-500, 40}), kPaper.rgb);
+  EXPECT_EQ(canvas.ColorAt({40, 40}), kRedPaint.rgb);
+  EXPECT_EQ(canvas.ColorAt({70, 40}), kPaperPaint.rgb);
+  EXPECT_EQ(canvas.ColorAt({-500, 40}), kPaperPaint.rgb);
   EXPECT_TRUE(canvas.IsHidden({40, 40}, 2));
   EXPECT_FALSE(canvas.IsHidden({40, 40}, 3));
   EXPECT_FALSE(canvas.IsHidden({70, 40}, 2));
@@ -33,41 +33,41 @@ TEST(SvgCanvas, AreasColorAndHideWhatLiesInThem) {
 }
 
 TEST(SvgCanvas, TransparentAreasAreBlendedAndHideNothing) {
-  SvgShape area{.polylines = {Ring(20, 60)}, .fill = SvgColor{Vector3d::Zero(), 0.25}};
-  SvgCanvas canvas(kBox, kPaper, 500);
+  SvgShape area{.polylines = {SquareRing(20, 60)}, .fill = SvgColor{Vector3d::Zero(), 0.25}};
+  SvgCanvas canvas(kCanvasBox, kPaperPaint, 500);
   canvas.PaintArea(area, 0);
   EXPECT_NEAR(canvas.ColorAt({40, 40}).x(), 0.75, 0.003);
   EXPECT_FALSE(canvas.IsHidden({40, 40}, -1));
 }
 
 TEST(SvgCanvas, RulesDecideAboutHoles) {
-  SvgPolyline reversed = Ring(40, 60);
+  SvgPolyline reversed = SquareRing(40, 60);
   std::reverse(reversed.points.begin(), reversed.points.end());
   const auto color_inside = [&](const SvgPolyline& hole, SvgFillRule rule) {
-    SvgShape area{.polylines = {Ring(20, 80), hole}, .fill = kRed, .fill_rule = rule};
-    SvgCanvas canvas(kBox, kPaper, 500);
+    SvgShape area{.polylines = {SquareRing(20, 80), hole}, .fill = kRedPaint, .fill_rule = rule};
+    SvgCanvas canvas(kCanvasBox, kPaperPaint, 500);
     canvas.PaintArea(area, 0);
-    EXPECT_EQ(canvas.ColorAt({30, 30}), kRed.rgb);
+    EXPECT_EQ(canvas.ColorAt({30, 30}), kRedPaint.rgb);
     return canvas.ColorAt({50, 50});
   };
-  EXPECT_EQ(color_inside(Ring(40, 60), SvgFillRule::kEvenOdd), kPaper.rgb);
-  EXPECT_EQ(color_inside(Ring(40, 60), SvgFillRule::kNonzero), kRed.rgb);
-  EXPECT_EQ(color_inside(reversed, SvgFillRule::kNonzero), kPaper.rgb);
+  EXPECT_EQ(color_inside(SquareRing(40, 60), SvgFillRule::kEvenOdd), kPaperPaint.rgb);
+  EXPECT_EQ(color_inside(SquareRing(40, 60), SvgFillRule::kNonzero), kRedPaint.rgb);
+  EXPECT_EQ(color_inside(reversed, SvgFillRule::kNonzero), kPaperPaint.rgb);
 }
 
 TEST(SvgCanvas, ClipsLimitAreas) {
-  SvgShape area{.polylines = {Ring(20, 80)}, .fill = kRed};
-  area.clips = {std::make_shared<SvgClip>(std::vector<SvgArea>{{{Ring(0, 50)}}})};
-  SvgCanvas canvas(kBox, kPaper, 500);
+  SvgShape area{.polylines = {SquareRing(20, 80)}, .fill = kRedPaint};
+  area.clips = {std::make_shared<SvgClip>(std::vector<SvgArea>{{{SquareRing(0, 50)}}})};
+  SvgCanvas canvas(kCanvasBox, kPaperPaint, 500);
   canvas.PaintArea(area, 0);
-  EXPECT_EQ(canvas.ColorAt({40, 40}), kRed.rgb);
-  EXPECT_EQ(canvas.ColorAt({60, 60}), kPaper.rgb);
+  EXPECT_EQ(canvas.ColorAt({40, 40}), kRedPaint.rgb);
+  EXPECT_EQ(canvas.ColorAt({60, 60}), kPaperPaint.rgb);
 }
 
 TEST(SvgCanvas, StrokesOfTheColorBelowErase) {
-  SvgShape area{.polylines = {Ring(0, 50)}, .fill = kBlack};
-  SvgShape eraser{.polylines = {{{{0, 40}, {100, 40}}}}, .stroke = kPaper, .stroke_width = 10};
-  SvgCanvas canvas(kBox, kPaper, 500);
+  SvgShape area{.polylines = {SquareRing(0, 50)}, .fill = kBlackPaint};
+  SvgShape eraser{.polylines = {{{{0, 40}, {100, 40}}}}, .stroke = kPaperPaint, .stroke_width = 10};
+  SvgCanvas canvas(kCanvasBox, kPaperPaint, 500);
   canvas.PaintArea(area, 0);
   canvas.Erase(eraser, 1, 0.1);
   EXPECT_TRUE(canvas.IsHidden({70, 43}, 0));
@@ -76,9 +76,9 @@ TEST(SvgCanvas, StrokesOfTheColorBelowErase) {
 }
 
 TEST(SvgCanvas, ManyLargeAreasMakeItCoarser) {
-  const std::vector<SvgShape> shapes(20000, SvgShape{.polylines = {Ring(0, 100)}, .fill = kRed});
-  EXPECT_LT(SvgCanvas::SideFor(kBox, shapes), 0.5 * SvgCanvas::SideFor(kBox, {shapes[0]}));
-  EXPECT_EQ(SvgCanvas(kBox, kPaper, 200).step(), 0.5);
+  const std::vector<SvgShape> shapes(20000, SvgShape{.polylines = {SquareRing(0, 100)}, .fill = kRedPaint});
+  EXPECT_LT(SvgCanvas::SideFor(kCanvasBox, shapes), 0.5 * SvgCanvas::SideFor(kCanvasBox, {shapes[0]}));
+  EXPECT_EQ(SvgCanvas(kCanvasBox, kPaperPaint, 200).step(), 0.5);
 }
 
 TEST(SvgCanvas, ContrastIsThatOfTheLargestChannel) {

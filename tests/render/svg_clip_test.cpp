@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-SvgPolyline Square(double low, double high) {
+SvgPolyline ClipSquare(double low, double high) {
   return {{{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}};
 }
 
@@ -22,7 +22,7 @@ std::vector<SvgPolyline> Clipped(const SvgClip& clip, const SvgPolyline& polylin
 }
 
 TEST(SvgClip, PiecesAreWorkedOutByHand) {
-  const SvgClip clip({{{Square(0, 10)}}});
+  const SvgClip clip({{{ClipSquare(0, 10)}}});
   const auto pieces = Clipped(clip, {{{-5, 5}, {5, 5}, {15, 5}, {15, 2}, {5, 2}}});
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_EQ(pieces[0].points, (std::vector<Vector2d>{{0, 5}, {5, 5}, {10, 5}}));
@@ -30,7 +30,7 @@ TEST(SvgClip, PiecesAreWorkedOutByHand) {
 }
 
 TEST(SvgClip, WhatLiesInsideIsUnchangedAndOutsideIsGone) {
-  const SvgClip clip({{{Square(0, 10)}}});
+  const SvgClip clip({{{ClipSquare(0, 10)}}});
   const SvgPolyline inside{{{1, 1}, {9, 1}, {9, 9}}};
   ASSERT_EQ(Clipped(clip, inside).size(), 1U);
   EXPECT_EQ(Clipped(clip, inside)[0].points, inside.points);
@@ -41,7 +41,7 @@ TEST(SvgClip, WhatLiesInsideIsUnchangedAndOutsideIsGone) {
 }
 
 TEST(SvgClip, RulesDecideAboutHoles) {
-  const std::vector<SvgPolyline> rings{Square(0, 10), Square(3, 7)};
+  const std::vector<SvgPolyline> rings{ClipSquare(0, 10), ClipSquare(3, 7)};
   EXPECT_TRUE(SvgClip({{rings, SvgFillRule::kNonzero}}).Contains({5, 5}));
   EXPECT_FALSE(SvgClip({{rings, SvgFillRule::kEvenOdd}}).Contains({5, 5}));
   EXPECT_TRUE(SvgClip({{{rings[0]}, SvgFillRule::kEvenOdd}, {{rings[1]}, SvgFillRule::kEvenOdd}}).Contains({5, 5}))
@@ -49,7 +49,7 @@ TEST(SvgClip, RulesDecideAboutHoles) {
 }
 
 TEST(SvgClip, AClosedLineIsCutAtTheClipAlone) {
-  const auto pieces = Clipped(SvgClip({{{Square(0, 10)}}}), Square(5, 15));
+  const auto pieces = Clipped(SvgClip({{{ClipSquare(0, 10)}}}), ClipSquare(5, 15));
   ASSERT_EQ(pieces.size(), 1U);
   EXPECT_EQ(pieces[0].points, (std::vector<Vector2d>{{5, 10}, {5, 5}, {10, 5}}));
 }

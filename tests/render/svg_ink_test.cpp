@@ -9,32 +9,33 @@ namespace daumier::render {
 namespace {
 
 /// The ink of elements on a sheet of 200 x 200, and the problems that they have.
-struct Ink {
+struct InkOfElements {
   std::vector<Stroke> strokes;
   std::vector<std::string> problems;
 };
-Ink InkOf(const std::string& elements, const std::string& attributes = "width='200' height='200'") {
+InkOfElements InkOf(const std::string& elements, const std::string& attributes = "width='200' height='200'") {
   SvgScene scene = ReadSvgScene(SvgDocument("a.svg", "<svg " + attributes + ">" + elements + "</svg>"), {}, 1e-3);
-  Ink ink;
+  InkOfElements ink;
   ink.strokes = InkOfScene(scene);
   ink.problems = scene.problems;
   return ink;
 }
 size_t NumStrokes(const std::string& elements) {
-  const Ink ink = InkOf(elements);
+  const InkOfElements ink = InkOf(elements);
   EXPECT_TRUE(ink.problems.empty()) << elements << ": " << ink.problems[0];
   return ink.strokes.size();
 }
 
 /// A drawing of two curves between 60 and 140.
-const std::string kFace =
+const std::string kTwoCurves =
     "<g fill='none' stroke='black'><path d='M60 60Q100 180 140 60'/><path d='M80 100Q100 120 120 100'/></g>";
 
 TEST(SvgInk, PaperColoredStrokesAreNone) {
   for (const std::string color : {"#fff", "#fefefe", "rgb(98% 99% 100%)", "rgba(0,0,0,.02)", "hsl(60, 100%, 99%)"})
-    EXPECT_EQ(NumStrokes(kFace + "<path fill='none' stroke='" + color + "' d='M-90 20H290L-90 40'/>"), 2U) << color;
-  EXPECT_EQ(NumStrokes(kFace + "<path fill='none' stroke='#ccc' d='M20 20H90'/>"), 3U);
-  EXPECT_EQ(NumStrokes(kFace + "<path fill='#fffffe' d='M20 20H90V50Z'/>"), 2U);
+    EXPECT_EQ(NumStrokes(kTwoCurves + "<path fill='none' stroke='" + color + "' d='M-90 20H290L-90 40'/>"), 2U)
+        << color;
+  EXPECT_EQ(NumStrokes(kTwoCurves + "<path fill='none' stroke='#ccc' d='M20 20H90'/>"), 3U);
+  EXPECT_EQ(NumStrokes(kTwoCurves + "<path fill='#fffffe' d='M20 20H90V50Z'/>"), 2U);
 }
 
 TEST(SvgInk, SheetsAndFramesAreNone) {
@@ -50,25 +51,26 @@ TEST(SvgInk, SheetsAndFramesAreNone) {
         "<path fill-rule='evenodd' d='M0 0H200V200H0ZM4 4V196H196V4Z'/>",
         "<g stroke='black'><path d='M3 3H197'/><path d='M197 3V197'/><path d='M3 197H197'/><path d='M3 3V197'/></g>",
         "<rect x='-50' y='-50' width='300' height='300' fill='#999'/>"}) {
-    EXPECT_EQ(NumStrokes(frame + kFace), 2U) << frame;
+    EXPECT_EQ(NumStrokes(frame + kTwoCurves), 2U) << frame;
   }
 }
 
 TEST(SvgInk, SmallFramesAreReported) {
-  const Ink ink = InkOf("<rect x='50' y='50' width='100' height='100' fill='none' stroke='black'/>" + kFace);
+  const InkOfElements ink =
+      InkOf("<rect x='50' y='50' width='100' height='100' fill='none' stroke='black'/>" + kTwoCurves);
   EXPECT_EQ(ink.strokes.size(), 2U);
   ASSERT_EQ(ink.problems.size(), 1U);
   EXPECT_EQ(ink.problems[0], "a.svg: a rectangle of 100 x 100 around all else is taken for a frame");
 }
 
 TEST(SvgInk, OtherRectanglesAreDrawn) {
-  EXPECT_EQ(NumStrokes("<rect x='20' y='20' width='30' height='30'/>" + kFace), 3U);
+  EXPECT_EQ(NumStrokes("<rect x='20' y='20' width='30' height='30'/>" + kTwoCurves), 3U);
   EXPECT_EQ(NumStrokes("<rect x='9' y='9' width='180' height='180' fill='none' stroke='black'/>"), 1U);
-  EXPECT_EQ(NumStrokes("<ellipse cx='100' cy='100' rx='90' ry='95' fill='none' stroke='black'/>" + kFace), 3U);
+  EXPECT_EQ(NumStrokes("<ellipse cx='100' cy='100' rx='90' ry='95' fill='none' stroke='black'/>" + kTwoCurves), 3U);
 }
 
 TEST(SvgInk, ErasersCutWhatLiesBelow) {
-  const Ink ink = InkOf(
+  const InkOfElements ink = InkOf(
       "<path stroke='black' d='M0 50H200'/><path stroke='white' stroke-width='20' d='M100 0V200'/>"
       "<path stroke='black' d='M0 150H200'/>");
   ASSERT_EQ(ink.strokes.size(), 3U);
@@ -79,9 +81,9 @@ TEST(SvgInk, ErasersCutWhatLiesBelow) {
 
 TEST(SvgInk, AreasHideWhatLiesBelow) {
   const std::string cross = "<path fill='none' stroke='black' d='M0 0L200 200M200 0L0 200'/>";
-  EXPECT_EQ(NumStrokes(cross + "<path fill='white' d='M-9 -9H209V209H-9Z'/>" + kFace), 2U);
-  EXPECT_EQ(NumStrokes("<g><path fill='white' d='M-9 -9H209V209H-9Z'/></g>" + cross + kFace), 4U);
-  const Ink ink =
+  EXPECT_EQ(NumStrokes(cross + "<path fill='white' d='M-9 -9H209V209H-9Z'/>" + kTwoCurves), 2U);
+  EXPECT_EQ(NumStrokes("<g><path fill='white' d='M-9 -9H209V209H-9Z'/></g>" + cross + kTwoCurves), 4U);
+  const InkOfElements ink =
       InkOf("<path stroke='black' d='M0 100H200'/><circle cx='100' cy='100' r='50' fill='white' stroke='black'/>");
   ASSERT_EQ(ink.strokes.size(), 3U);
   EXPECT_NEAR(ink.strokes[0].points.back()[0], 50, 0.5);
@@ -101,7 +103,7 @@ TEST(SvgInk, LightStrokesOnDarkAreasAreInk) {
   EXPECT_EQ(NumStrokes("<circle cx='100' cy='100' r='90' fill='black'/>" + light), 2U);
   EXPECT_EQ(NumStrokes("<rect width='200' height='200' fill='#123'/><path stroke='#123' d='M0 0L9 99'/>" + light), 1U);
   EXPECT_EQ(InkOf(light, "style='background-color:black'").strokes.size(), 1U);
-  const Ink alone = InkOf(light);
+  const InkOfElements alone = InkOf(light);
   EXPECT_EQ(alone.strokes.size(), 1U);
   ASSERT_EQ(alone.problems.size(), 1U);
   EXPECT_EQ(alone.problems[0], "a.svg: all strokes are as light as paper; the sheet is taken as dark");
@@ -109,7 +111,7 @@ TEST(SvgInk, LightStrokesOnDarkAreasAreInk) {
 }
 
 TEST(SvgInk, ClippedStrokesEndAtTheClip) {
-  const Ink ink = InkOf(
+  const InkOfElements ink = InkOf(
       "<clipPath id='c'><rect x='50' y='0' width='100' height='200'/></clipPath>"
       "<g clip-path='url(#c)' stroke='black'><path d='M0 20H200'/><path d='M0 0V200'/></g>");
   ASSERT_EQ(ink.strokes.size(), 1U);
@@ -117,12 +119,12 @@ TEST(SvgInk, ClippedStrokesEndAtTheClip) {
 }
 
 TEST(SvgInk, StrokesFarFromTheSheetAreLeftOut) {
-  const Ink ink = InkOf("<path stroke='black' d='M900 0H999'/>" + kFace);
+  const InkOfElements ink = InkOf("<path stroke='black' d='M900 0H999'/>" + kTwoCurves);
   EXPECT_EQ(ink.strokes.size(), 2U);
   ASSERT_EQ(ink.problems.size(), 1U);
   EXPECT_EQ(ink.problems[0], "a.svg: 1 strokes outside the sheet are left out");
   EXPECT_EQ(InkOf("<path stroke='black' d='M900 0H999'/>").strokes.size(), 1U) << "the only one";
-  EXPECT_EQ(NumStrokes("<path stroke='black' d='M-900 0H999'/>" + kFace), 3U);
+  EXPECT_EQ(NumStrokes("<path stroke='black' d='M-900 0H999'/>" + kTwoCurves), 3U);
 }
 
 TEST(SvgInk, AreasAreTheirOutlines) {

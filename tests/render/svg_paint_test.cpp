@@ -8,13 +8,13 @@ namespace {
 using Eigen::Vector3d;
 
 /// The fill of the last element of a document, and what was reported.
-struct Paint {
+struct PaintOfLast {
   std::optional<SvgColor> color;
   std::string problem;
 };
-Paint FillOfLast(const std::string& elements) {
+PaintOfLast FillOfLast(const std::string& elements) {
   const SvgDocument document("a.svg", "<svg>" + elements + "</svg>");
-  Paint paint;
+  PaintOfLast paint;
   const SvgCascade cascade(document.sheet(), [](const std::string& problem) { ADD_FAILURE() << problem; });
   const SvgStyle style = cascade.Compute(document.root().last_child(), SvgStyle());
   paint.color = SvgPaint(document, style, SvgProperty::kFill, [&](const auto& problem) { paint.problem = problem; });

@@ -24,17 +24,17 @@ std::vector<Vector2d> PointsOf(const std::string& elements) {
   for (const auto& problem : scene.problems) ADD_FAILURE() << problem;
   return scene.shapes.empty() ? std::vector<Vector2d>{} : scene.shapes[0].polylines.at(0).points;
 }
-using Points = std::vector<Vector2d>;
+using ScenePoints = std::vector<Vector2d>;
 
 TEST(SvgScene, UsesPlaceWhatTheyReferTo) {
   EXPECT_EQ(PointsOf("<defs><path id='a' d='M0 0H1'/></defs><use href='#a' x='10' y='20'/>"),
-            (Points{{10, 20}, {11, 20}}));
+            (ScenePoints{{10, 20}, {11, 20}}));
   EXPECT_EQ(PointsOf("<defs><g id='a' transform='scale(2)'><path d='M1 1H2'/></g></defs>"
                      "<use xlink:href='#a' transform='translate(5)' x='10'/>"),
-            (Points{{17, 2}, {19, 2}}));
+            (ScenePoints{{17, 2}, {19, 2}}));
   EXPECT_EQ(
       PointsOf("<defs><use id='b' href='#a' x='1'/></defs><defs><path id='a' d='M0 0H1'/></defs><use href='#b'/>"),
-      (Points{{1, 0}, {2, 0}}));
+      (ScenePoints{{1, 0}, {2, 0}}));
 }
 
 TEST(SvgScene, UsedElementsInheritFromTheUse) {
@@ -47,22 +47,22 @@ TEST(SvgScene, UsedElementsInheritFromTheUse) {
 
 TEST(SvgScene, SymbolsAreFittedIntoTheirUse) {
   const std::string symbol = "<symbol id='a' viewBox='0 0 10 10'><path d='M1 1H2'/></symbol>";
-  EXPECT_EQ(PointsOf(symbol + "<use href='#a' x='10' width='50' height='100'/>"), (Points{{15, 30}, {20, 30}}));
-  EXPECT_EQ(PointsOf(symbol + "<use href='#a'/>"), (Points{{10, 10}, {20, 10}})) << "100 % of the sheet";
+  EXPECT_EQ(PointsOf(symbol + "<use href='#a' x='10' width='50' height='100'/>"), (ScenePoints{{15, 30}, {20, 30}}));
+  EXPECT_EQ(PointsOf(symbol + "<use href='#a'/>"), (ScenePoints{{10, 10}, {20, 10}})) << "100 % of the sheet";
   EXPECT_TRUE(SceneOfElements(symbol).shapes.empty());
   EXPECT_TRUE(SceneOfElements(symbol + "<use href='#a' width='0' height='9'/>").shapes.empty());
 }
 
 TEST(SvgScene, NestedSvgsPlaceTheirContent) {
   EXPECT_EQ(PointsOf("<svg x='10' y='20' width='30' height='40'><path d='M1 1H2'/></svg>"),
-            (Points{{11, 21}, {12, 21}}));
+            (ScenePoints{{11, 21}, {12, 21}}));
   EXPECT_EQ(PointsOf("<svg x='10%' width='50' height='50' viewBox='-5 -5 10 10'><path d='M0 0H1'/></svg>"),
-            (Points{{35, 25}, {40, 25}}));
+            (ScenePoints{{35, 25}, {40, 25}}));
   EXPECT_EQ(
       PointsOf("<svg width='50' height='100' viewBox='0 0 10 10' preserveAspectRatio='none'><path d='M1 1V2'/></svg>"),
-      (Points{{5, 10}, {5, 20}}));
+      (ScenePoints{{5, 10}, {5, 20}}));
   EXPECT_EQ(PointsOf("<svg width='50' height='50' viewBox='0 0 10 20'><line x2='100%' y2='50%'/></svg>"),
-            (Points{{12.5, 0}, {37.5, 25}}))
+            (ScenePoints{{12.5, 0}, {37.5, 25}}))
       << "percentages refer to the viewBox";
   const auto clips = [](const std::string& attributes) {
     return SceneOfElements("<svg width='5' height='5' " + attributes + "><path d='M0 0H9'/></svg>").shapes.at(0).clips;
@@ -78,7 +78,7 @@ TEST(SvgScene, SwitchDrawsItsFirstFittingChild) {
       PointsOf(
           "<switch><foreignObject requiredExtensions='http://ns.adobe.com/x'/><path systemLanguage='xx' d='M0 0V5'/>"
           "<path systemLanguage='de, en-GB' d='M0 0H1'/><path d='M0 0H2'/></switch>"),
-      (Points{{0, 0}, {1, 0}}));
+      (ScenePoints{{0, 0}, {1, 0}}));
 }
 
 TEST(SvgScene, CyclesAreRefusedAndRepetitionIsLimited) {
@@ -134,8 +134,9 @@ TEST(SvgScene, StylesDecideWhatIsPainted) {
   EXPECT_EQ(
       SceneOfElements("<g transform='scale(3)'><path stroke-width='2' d='M0 0H9'/></g>").shapes.at(0).stroke_width,
       6.0);
-  EXPECT_EQ(PointsOf("<path style='transform: translate(1px, 2px)' d='M0 0H1'/>"), (Points{{1, 2}, {2, 2}}));
-  EXPECT_EQ(PointsOf("<path transform='scale(2)' transform-origin='50% 0' d='M50 1H51'/>"), (Points{{50, 2}, {52, 2}}));
+  EXPECT_EQ(PointsOf("<path style='transform: translate(1px, 2px)' d='M0 0H1'/>"), (ScenePoints{{1, 2}, {2, 2}}));
+  EXPECT_EQ(PointsOf("<path transform='scale(2)' transform-origin='50% 0' d='M50 1H51'/>"),
+            (ScenePoints{{50, 2}, {52, 2}}));
 }
 
 TEST(SvgScene, SizesOfTheSheet) {
@@ -176,7 +177,7 @@ TEST(SvgScene, NamesWhatIsNotRead) {
 
 TEST(SvgScene, APolygonWithAnErrorIsClosed) {
   const SvgScene scene = SceneOfElements("<polygon points='0,0 9,0 9,9 3'/>");
-  EXPECT_EQ(scene.shapes.at(0).polylines.at(0).points, (Points{{0, 0}, {9, 0}, {9, 9}, {0, 0}}));
+  EXPECT_EQ(scene.shapes.at(0).polylines.at(0).points, (ScenePoints{{0, 0}, {9, 0}, {9, 9}, {0, 0}}));
 }
 
 }  // namespace
