@@ -362,21 +362,25 @@ bool CssStyleSheet::Selector::Matches(const pugi::xml_node& element) const {
   return !ends.empty();
 }
 
-std::vector<const CssDeclaration*> CssStyleSheet::Match(const pugi::xml_node& element) const {
-  std::vector<size_t> matching;
-  const auto add = [&](const std::string& key) {
-    const auto found = by_key_.find(key);
-    if (found == by_key_.end()) return;
-    for (const size_t selector : found->second)
-      if (selectors_[selector].Matches(element)) matching.push_back(selector);
-  };
+/// The selectors whose rightmost compound has the type, a class or the id of an element, or none of these.
+std::vector<size_t> CssStyleSheet::Candidates(const pugi::xml_node& element) const {
   std::vector<std::string> keys{"*", std::string(LocalName(element)),
-                                std::string("#") + element.attribute("id").value()};
+                                fmt::format("#{}", element.attribute("id").value())};
   ForEachWord(element.attribute("class").value(),
               [&](std::string_view word) { keys.push_back(fmt::format(".{}", word)); });
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  for (const auto& key : keys) add(key);
+  std::vector<size_t> candidates;
+  for (const auto& key : keys) {
+    const auto found = by_key_.find(key);
+    if (found != by_key_.end()) candidates.insert(candidates.end(), found->second.begin(), found->second.end());
+  }
+  return candidates;
+}
+
+std::vector<const CssDeclaration*> CssStyleSheet::Match(const pugi::xml_node& element) const {
+  std::vector<size_t> matching = Candidates(element);
+  std::erase_if(matching, [&](size_t selector) { return !selectors_[selector].Matches(element); });
   std::sort(matching.begin(), matching.end(), [&](size_t a, size_t b) {
     return std::tuple(selectors_[a].specificity, a) < std::tuple(selectors_[b].specificity, b);
   });

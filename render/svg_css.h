@@ -36,6 +36,9 @@ class CssStyleSheet {
   /// does not count here. Valid until the next Add.
   std::vector<const CssDeclaration*> Match(const pugi::xml_node& element) const;
 
+  /// How many selectors Match compares with an element.
+  size_t NumCandidates(const pugi::xml_node& element) const { return Candidates(element).size(); }
+
   /// Selectors and at-rules that are not understood; their rules are left out.
   const std::vector<std::string>& ignored() const { return ignored_; }
 
@@ -63,6 +66,7 @@ class CssStyleSheet {
     bool Matches(const pugi::xml_node& element) const;
   };
 
+  std::vector<size_t> Candidates(const pugi::xml_node& element) const;
   void AddRules(std::string_view css, int depth);
   void AddRule(std::string_view selectors, std::string_view block);
   static Selector ParseSelector(std::string_view text);

@@ -8,8 +8,8 @@
 namespace daumier::render {
 namespace {
 
-/// Gradients that take their stops from one another.
-constexpr int kMaxGradients = 16;
+/// Gradients that take their stops from one another, and stops of each that count.
+constexpr int kMaxGradients = 16, kMaxStops = 64;
 
 SvgColor ColorOf(const std::string& value, const SvgStyle& style) {
   if (Lowered(value) == "currentcolor") return ParseSvgColor(style.Get(SvgProperty::kColor)).value_or(SvgColor{});
@@ -23,7 +23,7 @@ std::optional<SvgColor> MeanOfGradient(const SvgDocument& document, pugi::xml_no
     SvgColor sum{Eigen::Vector3d::Zero(), 0.0};
     double num_stops = 0.0;
     for (const auto& child : gradient.children()) {
-      if (document.SvgName(child) != "stop") continue;
+      if (document.SvgName(child) != "stop" || num_stops >= kMaxStops) continue;
       const SvgStyle style = cascade.Compute(child, cascade.Compute(gradient, SvgStyle()));
       const SvgColor color = ColorOf(style.Get(SvgProperty::kStopColor), style);
       const double alpha = color.alpha * style.Share(SvgProperty::kStopOpacity);

@@ -18,8 +18,8 @@ using Eigen::Affine2d;
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
-/// What one element costs, in units of SvgWork.
-constexpr int64_t kWorkOfElement = 20000;
+/// What one element, and one selector that may match it, cost in units of SvgWork.
+constexpr int64_t kWorkOfElement = 20000, kWorkOfSelector = 50;
 /// Of all shapes together; memory is what they cost.
 constexpr int64_t kMaxPoints = 10'000'000;
 /// Clip paths that are clipped themselves.
@@ -79,6 +79,7 @@ class SceneReader {
   }
 
   SvgStyle StyleOf(const pugi::xml_node& node, const SvgStyle& parent) {
+    work_.Spend(kWorkOfSelector * static_cast<int64_t>(document_.sheet().NumCandidates(node)));
     return SvgCascade(document_.sheet(), [&](const std::string& message) { Report(node, message); })
         .Compute(node, parent);
   }
