@@ -9,7 +9,8 @@ namespace daumier::render {
 
 /// Strokes on the canvas of kSketchCanvas as an SVG, atomic: a <path> a stroke, its class the name of its kind, black,
 /// 1.5 wide, with round ends. ReadSvg with the same names gives the same strokes, every float exact; strokes without
-/// points are left out, and a stroke whose points all coincide comes back as one point.
+/// points are left out, a stroke whose points all coincide comes back as one point, and what ReadSvg takes for a frame,
+/// or leaves out far from the canvas, does not come back.
 /// @throws Error naming the file if it cannot be written, a kind has no name, a name holds white space, or a coordinate
 /// is not finite.
 void WriteSvg(const std::filesystem::path& path, const std::vector<Stroke>& strokes,
