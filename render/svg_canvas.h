@@ -8,12 +8,12 @@
 
 namespace daumier::render {
 
-/// A picture of a scene as it is painted, shape by shape: at each pixel the colour of the areas, and the last shape that
-/// hides what lies below. Strokes leave no colour, so that lines that cross do not hide each other.
+/// A picture of a scene as it is painted, shape by shape: at each pixel the colour of the areas, and the last shape
+/// that hides what lies below. Strokes leave no colour, so that lines that cross do not hide each other.
 class SvgCanvas {
  public:
-  /// `box` is what it shows, in pixels of the sheet; `paper` the colour before the first shape; `side` the pixels of its
-  /// longer side.
+  /// `box` is what it shows, in pixels of the sheet; `paper` the colour before the first shape; `side` the pixels of
+  /// its longer side.
   SvgCanvas(const Eigen::AlignedBox2d& box, const SvgColor& paper, double side);
   ~SvgCanvas();
   SvgCanvas(const SvgCanvas&) = delete;
