@@ -72,7 +72,20 @@ class PathParser {
  public:
   PathParser(std::string_view data, double tolerance) : numbers_(data), tolerance_(tolerance) {}
 
-  std::vector<SvgPolyline> Parse() {
+  SvgPath Parse() {
+    SvgPath path;
+    try {
+      ReadCommands();
+    } catch (const Error& error) {
+      path.error = error.what();
+    }
+    EndSubpath();
+    path.polylines = std::move(polylines_);
+    return path;
+  }
+
+ private:
+  void ReadCommands() {
     numbers_.SkipSeparators();
     while (!numbers_.AtEnd()) {
       const size_t position = numbers_.position();
@@ -84,11 +97,8 @@ class PathParser {
       DAUMIER_CHECK(upper == 'M' || begun_, "position {}: path data begin with '{}', expected M", position, command);
       Run(upper, relative);
     }
-    EndSubpath();
-    return std::move(polylines_);
   }
 
- private:
   void Run(char command, bool relative) {
     if (command == 'Z') {
       Close();
@@ -281,7 +291,7 @@ void SvgNumbers::Fail(std::string_view expected) const {
   throw Error(fmt::format("position {}: {}, expected {}", position_, found, expected));
 }
 
-std::vector<SvgPolyline> ParseSvgPath(std::string_view data, double tolerance) {
+SvgPath ParseSvgPath(std::string_view data, double tolerance) {
   DAUMIER_CHECK(tolerance > 0.0, "curves are to be flattened to {}, expected a positive tolerance", tolerance);
   return PathParser(data, tolerance).Parse();
 }

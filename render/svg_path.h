@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,11 +40,18 @@ class SvgNumbers {
   bool after_number_ = false;  ///< And no comma since.
 };
 
-/// The polylines of path data [SVG 1.1, 8.3], one a subpath: M L H V C S Q T A Z, absolute and relative. Curves are
-/// replaced by chords that leave them by `tolerance` at most. A closed subpath ends where it begins. A subpath of
-/// one point alone paints nothing and is left out, unless it is closed or has a segment: points that all coincide are
-/// one point.
-/// @throws Error with the position in the data if it does not follow the grammar or a number is not finite.
-std::vector<SvgPolyline> ParseSvgPath(std::string_view data, double tolerance);
+/// Path data as polylines, one a subpath.
+struct SvgPath {
+  std::vector<SvgPolyline> polylines;
+  std::optional<std::string> error;  ///< Position and cause, where the data end before their end.
+};
+
+/// The polylines of path data [SVG 1.1, 8.3]: M L H V C S Q T A Z, absolute and relative. Curves are replaced by chords
+/// that leave them by `tolerance` at most. A closed subpath ends where it begins. A subpath of one point alone paints
+/// nothing and is left out, unless it is closed or has a segment: points that all coincide are one point. Data that do
+/// not follow the grammar or hold a number that is not finite are read up to the segment of their first error
+/// [SVG 2, 9.5.4].
+/// @throws Error if the tolerance is not positive.
+SvgPath ParseSvgPath(std::string_view data, double tolerance);
 
 }  // namespace daumier::render

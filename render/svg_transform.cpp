@@ -27,6 +27,24 @@ Affine2d Matrix(double a, double b, double c, double d, double e, double f) {
   return transform;
 }
 
+/// Pixels or degrees of the unit after a number; 1 where there is none. @throws Error if it is unknown.
+double TakeUnit(SvgNumbers& numbers) {
+  const size_t position = numbers.position();
+  std::string unit;
+  while (!numbers.AtEnd() && (numbers.Peek() == '%' || std::isalpha(static_cast<unsigned char>(numbers.Peek())))) {
+    unit += numbers.Take();
+  }
+  for (const auto& [name, factor] : {std::pair{"", 1.0},
+                                     {"px", 1.0},
+                                     {"deg", 1.0},
+                                     {"rad", 180.0 / std::numbers::pi},
+                                     {"grad", 0.9},
+                                     {"turn", 360.0}}) {
+    if (unit == name) return factor;
+  }
+  throw Error(fmt::format("position {}: '{}', expected px, deg, rad, grad, turn or no unit", position, unit));
+}
+
 /// @throws Error if no function of that name takes this number of values.
 Affine2d TransformOf(std::string_view name, const std::vector<double>& values) {
   const size_t count = values.size();
@@ -39,6 +57,10 @@ Affine2d TransformOf(std::string_view name, const std::vector<double>& values) {
     Affine2d transform = Affine2d::Identity();
     return transform.translate(centre).rotate(Radians(values[0])).translate(-centre);
   }
+  if ((name == "translateX" || name == "scaleX") && count == 1)
+    return name == "scaleX" ? Matrix(values[0], 0, 0, 1, 0, 0) : Matrix(1, 0, 0, 1, values[0], 0);
+  if ((name == "translateY" || name == "scaleY") && count == 1)
+    return name == "scaleY" ? Matrix(1, 0, 0, values[0], 0, 0) : Matrix(1, 0, 0, 1, 0, values[0]);
   if (name == "skewX" && count == 1) return Matrix(1, 0, std::tan(Radians(values[0])), 1, 0, 0);
   if (name == "skewY" && count == 1) return Matrix(1, std::tan(Radians(values[0])), 0, 1, 0, 0);
   throw Error(fmt::format("there is no transform {} of {} numbers", name, count));
@@ -47,6 +69,7 @@ Affine2d TransformOf(std::string_view name, const std::vector<double>& values) {
 }  // namespace
 
 Affine2d ParseSvgTransform(std::string_view text) {
+  if (text == "none") return Affine2d::Identity();
   Affine2d product = Affine2d::Identity();
   SvgNumbers numbers(text);
   numbers.SkipSeparators();
@@ -59,7 +82,8 @@ Affine2d ParseSvgTransform(std::string_view text) {
     std::vector<double> values;
     numbers.SkipSeparators();
     while (!numbers.AtEnd() && numbers.AtNumber()) {
-      values.push_back(numbers.Number());
+      const double value = numbers.Number();
+      values.push_back(value * TakeUnit(numbers));
       numbers.SkipSeparators();
     }
     DAUMIER_CHECK(!numbers.AtEnd() && numbers.Take() == ')', "position {}: expected ')' after the numbers of '{}'",

@@ -5,8 +5,9 @@
 
 namespace daumier::render {
 
-/// The product of a list of transforms [SVG 1.1, 7.6]: matrix, translate, scale, rotate, skewX, skewY; angles in
-/// degrees. The last one is applied first. An empty list is the identity.
+/// The product of a list of transforms [SVG 1.1, 7.6; CSS Transforms 1]: matrix, translate, scale, rotate, skewX,
+/// skewY, translateX, translateY, scaleX, scaleY; lengths in pixels, angles in degrees or with a unit. The last one is
+/// applied first. An empty list and `none` are the identity.
 /// @throws Error with the position if the list is malformed, unknown or not finite.
 Eigen::Affine2d ParseSvgTransform(std::string_view text);
 

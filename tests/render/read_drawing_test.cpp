@@ -45,6 +45,7 @@ double MeanDistance(const std::vector<Stroke>& strokes, const std::vector<Stroke
 TEST(ReadDrawings, ReadsEachFormatByItsSuffix) {
   const testing::TempDir folder;
   WriteSvg(folder / "vector.SVG", kStrokes, {"a", "b"});
+  testing::WriteQuickly(folder / "packed.svgz", testing::Gzipped(ReadFile(folder / "vector.SVG")));
   testing::WriteQuickly(folder / "many.ndjson", "{\"drawing\":[[[0],[0]]]}\n{\"drawing\":[[[1],[1]]]}\n");
   WriteImage(folder / "picture.png", RasteriseStrokes(kStrokes, 300));
 
@@ -53,6 +54,7 @@ TEST(ReadDrawings, ReadsEachFormatByItsSuffix) {
   EXPECT_EQ(vector[0].strokes[0].points, kStrokes[0].points);
   EXPECT_EQ(vector[0].strokes[0].kind, 1);
   EXPECT_EQ(ReadDrawings(folder / "vector.SVG")[0].strokes[0].kind, 0);
+  EXPECT_EQ(ReadDrawings(folder / "packed.svgz")[0].strokes[1].points, kStrokes[1].points);
   EXPECT_EQ(ReadDrawings(folder / "many.ndjson").size(), 2U);
   const auto picture = ReadDrawings(folder / "picture.png");
   ASSERT_EQ(picture.size(), 1U);

@@ -35,7 +35,7 @@ double DistanceTo(const SvgPolyline& polyline, const Vector2d& point) {
 }
 
 SvgPolyline ParseOne(const std::string& data, double tolerance = kTolerance) {
-  const auto polylines = ParseSvgPath(data, tolerance);
+  const auto polylines = ParseSvgPath(data, tolerance).polylines;
   EXPECT_EQ(polylines.size(), 1U) << data;
   return polylines.empty() ? SvgPolyline{} : polylines[0];
 }
@@ -56,7 +56,7 @@ TEST(SvgPath, ReadsCompactNumbers) {
 }
 
 TEST(SvgPath, ClosedSubpathEndsWhereItBegins) {
-  const auto polylines = ParseSvgPath("M1 1 L 3 1 3 3 z l 1 0 M9 9 h1 v1 H9 V9 Z", kTolerance);
+  const auto polylines = ParseSvgPath("M1 1 L 3 1 3 3 z l 1 0 M9 9 h1 v1 H9 V9 Z", kTolerance).polylines;
   ASSERT_EQ(polylines.size(), 3U);
   ExpectPoints(polylines[0], {{1, 1}, {3, 1}, {3, 3}, {1, 1}});
   ExpectPoints(polylines[1], {{1, 1}, {2, 1}});
@@ -64,8 +64,8 @@ TEST(SvgPath, ClosedSubpathEndsWhereItBegins) {
 }
 
 TEST(SvgPath, LoneMovetoIsLeftOutAndClosedOneIsADot) {
-  EXPECT_TRUE(ParseSvgPath("M1 2", kTolerance).empty());
-  EXPECT_TRUE(ParseSvgPath("  ", kTolerance).empty());
+  EXPECT_TRUE(ParseSvgPath("M1 2", kTolerance).polylines.empty());
+  EXPECT_TRUE(ParseSvgPath("  ", kTolerance).polylines.empty());
   ExpectPoints(ParseOne("M1 2Z"), {{1, 2}});
   ExpectPoints(ParseOne("M1 2h0"), {{1, 2}});
 }
@@ -153,19 +153,32 @@ TEST(SvgPath, RotatedEllipseSatisfiesItsEquation) {
   }
 }
 
-TEST(SvgPath, RefusesMalformedDataWithThePosition) {
-  const auto parse = [](const std::string& data) { return [data] { ParseSvgPath(data, kTolerance); }; };
-  ExpectError(parse("L1 2"), "position 0: path data begin with 'L'");
-  ExpectError(parse("M1 2 X3"), "position 5: 'X' is not a command");
-  ExpectError(parse("M1 2 L3"), "position 7: the end, expected a number");
-  ExpectError(parse("M1 2 L3 x"), "position 8: 'x', expected a number");
-  ExpectError(parse("M1 2,,3"), "position 5");
-  ExpectError(parse("M1 2 A5 5 0 2 1 3 3"), "position 12: '2 1 3 3', expected a flag");
-  ExpectError(parse("M1 2 L1e999 0"), "position 6: '1e999 0', expected a finite number");
-  ExpectError(parse("M1 2 Lnan 0"), "position 6");
-  ExpectError(parse("M1 2 Linf 0"), "position 6");
-  ExpectError(parse("M1e308 0 l1e308 0"), "is not finite");
+TEST(SvgPath, ErrorsSayThePosition) {
+  const auto expect = [](const std::string& data, const std::string& part) {
+    const auto error = ParseSvgPath(data, kTolerance).error;
+    ASSERT_TRUE(error) << data;
+    EXPECT_NE(error->find(part), std::string::npos) << *error;
+  };
+  expect("L1 2", "position 0: path data begin with 'L'");
+  expect("M1 2 X3", "position 5: 'X' is not a command");
+  expect("M1 2 L3", "position 7: the end, expected a number");
+  expect("M1 2 L3 x", "position 8: 'x', expected a number");
+  expect("M1 2,,3", "position 5");
+  expect("M1 2 A5 5 0 2 1 3 3", "position 12: '2 1 3 3', expected a flag");
+  expect("M1 2 L1e999 0", "position 6: '1e999 0', expected a finite number");
+  expect("M1 2 Lnan 0", "position 6");
+  expect("M1 2 Linf 0", "position 6");
+  expect("M1e308 0 l1e308 0", "is not finite");
+  EXPECT_FALSE(ParseSvgPath("M1 2L3 4Z", kTolerance).error);
   ExpectError([] { ParseSvgPath("M1 2", 0.0); }, "tolerance");
+}
+
+TEST(SvgPath, IsReadUpToTheSegmentOfTheFirstError) {
+  ExpectPoints(ParseOne("M1 2L3 4 5 6 7"), {{1, 2}, {3, 4}, {5, 6}});
+  ExpectPoints(ParseOne("M1 2L3 4QNaN NaN 5 6L7 8Z"), {{1, 2}, {3, 4}});
+  ExpectPoints(ParseOne("M1 2L3 4C5 6 7 8"), {{1, 2}, {3, 4}});
+  ExpectPoints(ParseOne("M1 2h3M5 x"), {{1, 2}, {4, 2}});
+  EXPECT_TRUE(ParseSvgPath("MNaN 2L3 4", kTolerance).polylines.empty());
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #include "render/svg.h"
 
 #include "core/files.h"
+#include "core/log.h"
 #include "core/random.h"
+#include "tests/render/gzipped.h"
 #include "tests/support/corruption.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -143,9 +146,9 @@ TEST_F(Svg, LeavesOutWhatIsNotShown) {
   for (const std::string hidden :
        {"<g display='none'><path d='M0 0H9'/></g>", "<path style='opacity: 0; display:none' d='M0 0H9'/>",
         "<path opacity='0' d='M0 0H9'/>", "<g visibility='hidden'><path d='M0 0H9'/></g>",
-        "<path fill='none' d='M0 0H9'/>", "<defs><path d='M0 0H9'/></defs>", "<text>word</text>",
-        "<clipPath><path d='M0 0H9'/></clipPath>", "<path fill='#FFF' d='M0 0H9V9'/>",
-        "<path style='fill: white; stroke: none' d='M0 0H9V9'/>", "<rect width='256' height='256' fill='#eee'/>",
+        "<path fill='none' d='M0 0H9'/>", "<defs><path d='M0 0H9'/></defs>", "<clipPath><path d='M0 0H9'/></clipPath>",
+        "<path fill='#FFF' d='M0 0H9V9'/>", "<path style='fill: white; stroke: none' d='M0 0H9V9'/>",
+        "<rect width='256' height='256' fill='#eee'/>",
         "<path style='stroke:black;stroke-opacity:0;fill:none' d='M0 0H9'/>", "<!-- <path d='M0 0H9'/> -->"}) {
     EXPECT_EQ(ReadElements(hidden + shown).strokes.size(), 1U) << hidden;
   }
@@ -164,12 +167,15 @@ TEST_F(Svg, KindIsTheFirstKnownWordOfTheClass) {
 }
 
 TEST_F(Svg, ErrorsSayFileElementAndPosition) {
-  ExpectError([&] { ReadElements("<path d='M1 2 L3'/>"); }, "drawing.svg:2: <path>: position 7");
-  ExpectError([&] { ReadElements("<polygon points='1,2 3'/>"); }, "drawing.svg:2: <polygon>");
-  ExpectError([&] { ReadElements("<g>\n<g transform='spin(3)'/></g>"); }, "drawing.svg:3: <g>: there is no transform");
-  ExpectError([&] { ReadElements("<circle r='big'/>"); }, "<circle>: position 0");
+  ExpectError([&] { ReadElements("<path d='M1 L2 3'/>"); }, "drawing.svg: the drawing holds no strokes. ");
+  ExpectError([&] { ReadElements("<path d='M1 L2 3'/>"); }, "drawing.svg:2: <path>: position 3");
+  ExpectError([&] { ReadElements("<polygon points='1'/>"); }, "drawing.svg:2: <polygon>");
+  ExpectError([&] { ReadElements("<g>\n<g transform='spin(3)'/></g>"); },
+              "drawing.svg:3: <g>: it is left out: there is no transform");
+  ExpectError([&] { ReadElements("<circle r='big'/>"); }, "<circle>: it is left out: position 0");
   ExpectError([&] { ReadElements("<rect width='3 furlongs'/>"); }, "is not a length");
   ExpectError([&] { ReadElements("<path transform='scale(1e300)' d='M0 0L1 1'/>"); }, "a point lies at");
+  ExpectError([&] { ReadElements("<image href='a.png'/>"); }, "Export the picture itself as PNG");
   ExpectError([&] { ReadElements(""); }, "drawing.svg: the drawing holds no strokes");
   ExpectError([&] { Read("<html/>"); }, "the outermost element is <html>");
   ExpectError([&] { Read("<svg width='-3'/>"); }, "drawing.svg:1: <svg>: width and height must be positive");
@@ -182,6 +188,61 @@ TEST_F(Svg, ErrorsSayFileElementAndPosition) {
   ExpectError([&] { ReadElements(nested); }, "nested more than");
 }
 
+TEST_F(Svg, WarnsOfWhatItLeavesOut) {
+  testing::AllowWarnings();
+  const int before = log::NumWarnings();
+  EXPECT_EQ(ReadElements("<path stroke='red' d='M1 1H2 3QNaN NaN 4 4Z'/><text>word</text><circle r='NaN'/>")
+                .strokes[0]
+                .points,
+            (Points{{1, 1}, {2, 1}, {3, 1}}));
+  EXPECT_EQ(log::NumWarnings() - before, 3);
+  std::string many;
+  for (int i = 0; i < 30; ++i) many += fmt::format("<text{}/>", i);
+  ReadElements("<path d='M1 1H2'/>" + many);
+  EXPECT_EQ(log::NumWarnings() - before, 3 + 11);
+}
+
+TEST_F(Svg, CompressedFilesAreRead) {
+  const std::string text = "<svg width='9' height='9'><path d='M1 1H2'/></svg>";
+  EXPECT_EQ(Read(testing::Gzipped(text)).strokes[0].points, Read(text).strokes[0].points);
+}
+
+TEST_F(Svg, ExportersFormsOfOneDrawingAgree) {
+  const std::string ns = "xmlns='http://www.w3.org/2000/svg' ", size = "width='256' height='256' viewBox='0 0 256 256'";
+  const std::string paths = "<path d='M40 90C40 210 90 236 128 236'/><path d='M70 84Q90 74 108 84'/>";
+  const std::string plain = "<g fill='none' stroke='black'>" + paths + "</g>";
+  const Drawing expected = Read("<svg " + ns + size + ">" + plain + "</svg>");
+  ASSERT_EQ(expected.strokes.size(), 2U);
+  for (const std::string& svg :
+       {"<svg " + size +
+            "><style>.a{fill:none;stroke:#231F20}.b{display:none}</style><g class='b'><path class='a' "
+            "d='M-9 0L300 256'/></g><g class='a'>" +
+            paths + "</g></svg>",
+        "<svg viewBox='0 0 256 256'><symbol id='s' viewBox='0 0 256 256'>" + plain +
+            "</symbol><use href='#s' "
+            "width='256' height='256'/></svg>",
+        "<svg " + size + "><defs>" + plain.substr(0, 2) + " id='d'" + plain.substr(2) +
+            "</defs><use xlink:href='#d'/></svg>",
+        "<svg " + size + "><svg x='64' y='64' width='128' height='128' viewBox='64 64 128 128' overflow='visible'>" +
+            plain + "</svg></svg>",
+        "<svg " + ns + size + "><rect width='100%' height='100%' fill='white'/>" + plain +
+            "<path d='M0 0H256' stroke='#ffffff' stroke-width='30'/></svg>",
+        "<svg " + size + "><clipPath id='c'><rect width='256' height='256'/></clipPath><g clip-path='url(#c)'>" +
+            plain + "<path stroke='black' d='M300 0V256'/></g></svg>",
+        "<svg width='100%' height='100%' viewBox='0 0 256 256'><switch><foreignObject requiredExtensions='x'/>" +
+            plain + "</switch></svg>"}) {
+    const Drawing drawing = Read(svg);
+    EXPECT_EQ(drawing.width, 256.0) << svg;
+    ASSERT_EQ(drawing.strokes.size(), 2U) << svg;
+    for (size_t s = 0; s < 2; ++s) {
+      const auto &found = drawing.strokes[s].points, &wanted = expected.strokes[s].points;
+      ASSERT_EQ(found.size(), wanted.size()) << svg;
+      for (size_t p = 0; p < found.size(); ++p)
+        EXPECT_LT(std::hypot(found[p][0] - wanted[p][0], found[p][1] - wanted[p][1]), 1e-3) << svg;
+    }
+  }
+}
+
 TEST_F(Svg, RefusesTruncatedFiles) {
   WriteSvg(path_, {{0, {{1, 2}, {3, 4}}}, {1, {{5, 6}, {7, 8}}}}, kKinds);
   const std::string bytes = ReadFile(path_);
@@ -191,6 +252,7 @@ TEST_F(Svg, RefusesTruncatedFiles) {
 }
 
 TEST_F(Svg, SurvivesDamagedFiles) {
+  testing::AllowWarnings();
   WriteSvg(path_, {{0, {{1, 2}, {3, 4}}}, {1, {{5, 6}, {7, 8}}}}, kKinds);
   Rng rng(5);
   EXPECT_GT(testing::CountRefusedFlips(path_, ReadFile(path_), 500, rng, [&] { ReadSvg(path_, kKinds); }), 100);

@@ -36,6 +36,18 @@ TEST(SvgTransform, LastOfAListIsAppliedFirst) {
   ExpectMaps(" rotate(90)translate(1) ", {0, 0}, {0, 1});
 }
 
+TEST(SvgTransform, FunctionsOfCssHaveUnits) {
+  ExpectMaps("none", {3, 4}, {3, 4});
+  ExpectMaps("translate(5px, 6px)", {1, 2}, {6, 8});
+  ExpectMaps("translateX(5px) translateY(6)", {1, 2}, {6, 8});
+  ExpectMaps("scaleX(2) scaleY(3)", {1, 2}, {2, 6});
+  ExpectMaps("rotate(0.25turn)", {1, 0}, {0, 1});
+  ExpectMaps("rotate(90deg)", {1, 0}, {0, 1});
+  ExpectMaps("rotate(100grad)", {1, 0}, {0, 1});
+  ExpectMaps("rotate(1.5707963267948966rad)", {1, 0}, {0, 1});
+  ExpectError([] { ParseSvgTransform("translate(5%)"); }, "position 11: '%', expected px");
+}
+
 TEST(SvgTransform, RefusesMalformedLists) {
   ExpectError([] { ParseSvgTransform("rotate 90"); }, "expected '('");
   ExpectError([] { ParseSvgTransform("rotate(90"); }, "expected ')'");

@@ -1,0 +1,365 @@
+#include "render/svg_ink.h"
+
+#include "render/svg_canvas.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <set>
+
+namespace daumier::render {
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Difference of a channel from what lies below, in [0, 1], from which paint is ink: more than paper's tints have.
+constexpr double kInkContrast = 0.12;
+/// Shares of the sheet: what a filled rectangle covers that is the sheet's colour; how far beyond the sheet a line may
+/// lie as a whole.
+constexpr double kSheetCover = 0.98, kSheetMargin = 0.1;
+/// How far the canvas reaches beyond the sheet, in sides of the sheet.
+constexpr double kCanvasMargin = 0.5;
+/// Share of its box that a rectangle covers at least, its corners being rounded.
+constexpr double kRectangleShare = 0.94;
+/// Share of the sheet that a frame covers at least to be one without doubt.
+constexpr double kFrameShare = 0.6;
+/// Height of a straight line at most, as a share of its length; length of a frame's line at least, as a share of the
+/// side of what it frames.
+constexpr double kStraightness = 0.01, kFrameLine = 0.8;
+/// Share of a line that is seen from which the line is kept as a whole.
+constexpr double kWholeShare = 0.97;
+/// Steps of the canvas: the shortest piece that is kept of a line; how far from an outline its area is seen.
+constexpr double kShortestPiece = 4.0, kOutlineMargin = 1.5;
+constexpr int kMaxSamplesOfSegment = 4096;
+
+/// A line that may be ink: seen from the sheet until a later shape hides it.
+struct InkLine {
+  SvgPolyline polyline;
+  int shape = 0, kind = 0;
+  double half_width = 0.0;
+  std::optional<AlignedBox2d> rectangle;  ///< Of which it is a part: its box.
+};
+
+AlignedBox2d BoxOfLine(const SvgPolyline& polyline) {
+  AlignedBox2d box;
+  for (const auto& point : polyline.points) box.extend(point);
+  return box;
+}
+
+double TwiceAreaOf(const SvgPolyline& polyline) {
+  const auto& points = polyline.points;
+  double twice_area = 0.0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vector2d a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
+    twice_area += a.x() * b.y() - a.y() * b.x();
+  }
+  return std::abs(twice_area);
+}
+
+/// The box of a line that is a closed rectangle with sides along the axes, its corners rounded or not.
+std::optional<AlignedBox2d> RectangleOf(const SvgPolyline& polyline) {
+  const AlignedBox2d box = BoxOfLine(polyline);
+  const auto& points = polyline.points;
+  if (points.size() < 4 || box.sizes().minCoeff() <= 0.0) return std::nullopt;
+  if ((points.front() - points.back()).norm() > 0.01 * box.sizes().maxCoeff()) return std::nullopt;
+  if (0.5 * TwiceAreaOf(polyline) < kRectangleShare * box.volume()) return std::nullopt;
+  return box;
+}
+
+/// Calls `visit(point, normal)` along a line at steps of the canvas, normal being of length 1.
+template <class Visit>
+void Walk(const SvgPolyline& polyline, double step, Visit&& visit) {
+  const auto& points = polyline.points;
+  if (points.size() == 1) return visit(points[0], Vector2d(0, 1));
+  for (size_t i = 1; i < points.size(); ++i) {
+    const Vector2d along = points[i] - points[i - 1];
+    if (along.norm() == 0.0) continue;
+    const Vector2d normal = Vector2d(-along.y(), along.x()).normalized();
+    const int num_samples =
+        static_cast<int>(std::clamp(std::ceil(along.norm() / step), 1.0, double(kMaxSamplesOfSegment)));
+    for (int s = 0; s < num_samples; ++s) visit(points[i - 1] + (s + 0.5) / num_samples * along, normal);
+  }
+}
+
+/// The pieces of a line on which `is_seen(point, normal)` holds; the whole line if that is nearly everywhere.
+template <class IsSeen>
+std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, IsSeen&& is_seen) {
+  int64_t num_seen = 0, num_samples = 0;
+  Walk(polyline, step, [&](const Vector2d& point, const Vector2d& normal) {
+    num_seen += is_seen(point, normal) ? 1 : 0;
+    ++num_samples;
+  });
+  if (num_seen == 0) return {};
+  if (static_cast<double>(num_seen) >= kWholeShare * static_cast<double>(num_samples)) return {polyline};
+
+  std::vector<SvgPolyline> pieces;
+  const auto& points = polyline.points;
+  bool open = false;
+  const auto append = [&](const Vector2d& point) {
+    if (!open) pieces.emplace_back();
+    open = true;
+    if (pieces.back().points.empty() || pieces.back().points.back() != point) pieces.back().points.push_back(point);
+  };
+  for (size_t i = 1; i < points.size(); ++i) {
+    int sample = 0;
+    const Vector2d along = points[i] - points[i - 1];
+    const double count = std::clamp(std::ceil(along.norm() / step), 1.0, double(kMaxSamplesOfSegment));
+    Walk({{points[i - 1], points[i]}}, step, [&](const Vector2d& point, const Vector2d& normal) {
+      if (is_seen(point, normal)) {
+        append(sample == 0 ? points[i - 1] : Vector2d(points[i - 1] + sample / count * along));
+      } else if (open) {
+        if (sample > 0) append(points[i - 1] + sample / count * along);
+        open = false;
+      }
+      ++sample;
+    });
+    if (open) append(points[i]);
+  }
+  std::erase_if(pieces, [&](const SvgPolyline& piece) {
+    double length = 0.0;
+    for (size_t i = 1; i < piece.points.size(); ++i) length += (piece.points[i] - piece.points[i - 1]).norm();
+    return length < kShortestPiece * step;
+  });
+  return pieces;
+}
+
+class InkReader {
+ public:
+  InkReader(const SvgScene& scene, const SvgColor& paper)
+      : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {}
+
+  std::vector<InkLine> Read() {
+    for (int index = 0; index < std::ssize(scene_.shapes); ++index) {
+      const SvgShape& shape = scene_.shapes[index];
+      const auto lines = LinesOf(shape, index);
+      if (shape.fill) canvas_.PaintArea(shape, index);
+      if (shape.stroke && shape.stroke->alpha >= 0.5 && Erases(shape)) canvas_.Erase(shape, index, kInkContrast);
+      lines_.insert(lines_.end(), lines.begin(), lines.end());
+    }
+    return WithoutHidden();
+  }
+
+ private:
+  /// All that is drawn, but not much more than the sheet where there is one.
+  static AlignedBox2d CanvasBox(const SvgScene& scene) {
+    AlignedBox2d box;
+    for (const auto& shape : scene.shapes)
+      for (const auto& polyline : shape.polylines) box.extend(BoxOfLine(polyline));
+    const Vector2d size(scene.width, scene.height);
+    if (size.minCoeff() > 0.0) {
+      box = box.intersection(AlignedBox2d(-kCanvasMargin * size, (1.0 + kCanvasMargin) * size));
+    }
+    if (box.isEmpty()) box = AlignedBox2d(Vector2d(0, 0), Vector2d(1, 1));
+    const double margin = 0.01 * box.sizes().maxCoeff() + 1e-6;
+    return {box.min().array() - margin, box.max().array() + margin};
+  }
+
+  /// Strokes alone that differ from the paper need no picture of what lies below.
+  static double SideOfCanvas(const SvgScene& scene, const SvgColor& paper) {
+    const bool is_plain = std::all_of(scene.shapes.begin(), scene.shapes.end(), [&](const SvgShape& shape) {
+      return !shape.fill && PaintContrast(*shape.stroke, paper.rgb) >= kInkContrast;
+    });
+    return is_plain ? 1.0 : SvgCanvas::SideFor(CanvasBox(scene), scene.shapes);
+  }
+
+  /// The strokes of a shape, or else the lines of its area, where they differ from what lies below.
+  std::vector<InkLine> LinesOf(const SvgShape& shape, int index) {
+    const bool has_seen_stroke = shape.stroke && IsStrokeSeen(shape);
+    std::vector<InkLine> lines;
+    const auto add = [&](const SvgPolyline& whole, double half_width, const auto& is_ink) {
+      for (const auto& polyline : Clipped(whole, shape))
+        for (auto& piece : SeenPieces(polyline, canvas_.step(), is_ink))
+          lines.push_back({std::move(piece), index, shape.kind, half_width, RectangleOf(whole)});
+    };
+    if (has_seen_stroke) {
+      for (const auto& polyline : shape.polylines) {
+        const bool has_area = shape.fill && TwiceAreaOf(polyline) > 0.0;
+        add(polyline, 0.5 * shape.stroke_width, [&](const Vector2d& point, const Vector2d& normal) {
+          return PaintContrast(*shape.stroke, canvas_.ColorAt(point)) >= kInkContrast ||
+                 (has_area && IsAreaSeen(shape, point, normal));
+        });
+      }
+    } else if (shape.fill && !CoversSheet(shape)) {
+      for (const auto& line : LinesOfArea({shape.polylines, shape.fill_rule})) {
+        // Hand-written files leave out fill='none' and stroke; a line that has a stroke needs no area.
+        if (line.points.size() == 1 || (shape.stroke && TwiceAreaOf(line) == 0.0)) continue;
+        add(line, 0.0, [&](const Vector2d& point, const Vector2d& normal) { return IsAreaSeen(shape, point, normal); });
+      }
+    }
+    return lines;
+  }
+
+  bool IsStrokeSeen(const SvgShape& shape) const {
+    bool seen = false;
+    for (const auto& polyline : shape.polylines) {
+      Walk(polyline, canvas_.step(), [&](const Vector2d& point, const Vector2d&) {
+        seen = seen || PaintContrast(*shape.stroke, canvas_.ColorAt(point)) >= kInkContrast;
+      });
+    }
+    return seen;
+  }
+
+  bool Erases(const SvgShape& shape) const {
+    bool erases = false;
+    for (const auto& polyline : shape.polylines) {
+      Walk(polyline, canvas_.step(), [&](const Vector2d& point, const Vector2d&) {
+        erases = erases || PaintContrast(*shape.stroke, canvas_.ColorAt(point)) < kInkContrast;
+      });
+    }
+    return erases;
+  }
+
+  /// Whether the colour of an area differs from what lies below, on its border or on either side of it.
+  bool IsAreaSeen(const SvgShape& shape, const Vector2d& point, const Vector2d& normal) const {
+    const Vector2d offset = kOutlineMargin * canvas_.step() * normal;
+    for (const Vector2d& at : {point, Vector2d(point + offset), Vector2d(point - offset)})
+      if (PaintContrast(*shape.fill, canvas_.ColorAt(at)) >= kInkContrast) return true;
+    return false;
+  }
+
+  bool CoversSheet(const SvgShape& shape) const {
+    if (scene_.width <= 0.0 || scene_.height <= 0.0) return false;
+    const AlignedBox2d sheet(Vector2d(0, 0), Vector2d(scene_.width, scene_.height));
+    return std::any_of(shape.polylines.begin(), shape.polylines.end(), [&](const SvgPolyline& polyline) {
+      const auto covered = sheet.intersection(BoxOfLine(polyline));
+      return RectangleOf(polyline) && !covered.isEmpty() && covered.volume() >= kSheetCover * sheet.volume();
+    });
+  }
+
+  std::vector<SvgPolyline> Clipped(const SvgPolyline& polyline, const SvgShape& shape) {
+    std::vector<SvgPolyline> pieces{polyline};
+    for (const auto& clip : shape.clips) {
+      std::vector<SvgPolyline> inside;
+      for (const auto& piece : pieces) {
+        auto parts = clip->Clip(piece, work_);
+        std::move(parts.begin(), parts.end(), std::back_inserter(inside));
+      }
+      pieces = std::move(inside);
+    }
+    return pieces;
+  }
+
+  std::vector<InkLine> WithoutHidden() const {
+    std::vector<InkLine> seen;
+    for (const InkLine& line : lines_) {
+      const double offset = std::max(0.7 * line.half_width, kOutlineMargin * canvas_.step());
+      auto pieces = SeenPieces(line.polyline, canvas_.step(), [&](const Vector2d& point, const Vector2d& normal) {
+        return !canvas_.IsHidden(point, line.shape) || !canvas_.IsHidden(point + offset * normal, line.shape) ||
+               !canvas_.IsHidden(point - offset * normal, line.shape);
+      });
+      for (auto& piece : pieces)
+        seen.push_back({std::move(piece), line.shape, line.kind, line.half_width, line.rectangle});
+    }
+    return seen;
+  }
+
+  const SvgScene& scene_;
+  SvgCanvas canvas_;
+  SvgWork work_;
+  std::vector<InkLine> lines_;
+};
+
+/// Whether a line lies inside a rectangle, or is part of nearly the same one.
+bool LiesInside(const InkLine& line, const AlignedBox2d& rectangle) {
+  const double margin = 0.01 * rectangle.sizes().maxCoeff();
+  const AlignedBox2d grown(rectangle.min().array() - margin, rectangle.max().array() + margin);
+  if (grown.contains(BoxOfLine(line.polyline))) return true;
+  if (!line.rectangle) return false;
+  const AlignedBox2d both = line.rectangle->intersection(rectangle);
+  return !both.isEmpty() && both.volume() >= 0.8 * line.rectangle->merged(rectangle).volume();
+}
+
+/// Removes rectangles around all other lines, from outside to inside.
+void RemoveFrames(SvgScene& scene, std::vector<InkLine>& lines) {
+  const auto is_part = [](const InkLine& line) { return line.rectangle.has_value(); };
+  if (std::all_of(lines.begin(), lines.end(), is_part)) return;
+  for (size_t i = 0; i < lines.size();) {
+    const auto box = lines[i].rectangle;
+    const auto lies_inside = [&](const InkLine& line) { return LiesInside(line, *box); };
+    if (!box || !std::all_of(lines.begin(), lines.end(), lies_inside)) {
+      ++i;
+      continue;
+    }
+    if (scene.width * scene.height > 0.0 && box->volume() < kFrameShare * scene.width * scene.height) {
+      scene.problems.push_back(fmt::format("{}: a rectangle of {:.4g} x {:.4g} around all else is taken for a frame",
+                                           scene.file, box->sizes().x(), box->sizes().y()));
+    }
+    lines.erase(lines.begin() + static_cast<ptrdiff_t>(i));
+    i = 0;
+  }
+}
+
+/// Removes straight lines along the axes that together surround all others: a frame of single lines. Each lies beyond
+/// the others' box, and reaches along most of that side.
+void RemoveFrameOfLines(std::vector<InkLine>& lines) {
+  const auto is_straight = [](const InkLine& line) {
+    const Vector2d size = BoxOfLine(line.polyline).sizes();
+    return line.polyline.points.size() > 1 && size.minCoeff() <= kStraightness * size.maxCoeff();
+  };
+  AlignedBox2d inside;
+  for (const auto& line : lines)
+    if (!is_straight(line)) inside.extend(BoxOfLine(line.polyline));
+  if (inside.isEmpty()) return;
+  // -1 and +1: beyond the smaller and the larger coordinate of an axis.
+  const auto side_of = [&](const InkLine& line) -> std::optional<std::pair<int, int>> {
+    const AlignedBox2d box = BoxOfLine(line.polyline);
+    const int along = box.sizes().x() >= box.sizes().y() ? 0 : 1, across = 1 - along;
+    if (!is_straight(line) || box.sizes()[along] < kFrameLine * inside.sizes()[along]) return std::nullopt;
+    if (box.max()[across] <= inside.min()[across]) return std::pair(across, -1);
+    if (box.min()[across] >= inside.max()[across]) return std::pair(across, 1);
+    return std::nullopt;
+  };
+  std::set<std::pair<int, int>> sides;
+  for (const auto& line : lines)
+    if (const auto side = side_of(line)) sides.insert(*side);
+  if (sides.size() == 4) std::erase_if(lines, [&](const InkLine& line) { return side_of(line).has_value(); });
+}
+
+/// Removes lines that lie far from the sheet while others do not.
+void RemoveOutside(SvgScene& scene, std::vector<InkLine>& lines) {
+  const Vector2d size(scene.width, scene.height);
+  if (size.minCoeff() <= 0.0) return;
+  const AlignedBox2d sheet(-kSheetMargin * size, (1.0 + kSheetMargin) * size);
+  const auto is_outside = [&](const InkLine& line) { return !sheet.intersects(BoxOfLine(line.polyline)); };
+  const auto num_outside = std::count_if(lines.begin(), lines.end(), is_outside);
+  if (num_outside == 0 || num_outside == std::ssize(lines)) return;
+  std::erase_if(lines, is_outside);
+  scene.problems.push_back(fmt::format("{}: {} strokes outside the sheet are left out", scene.file, num_outside));
+}
+
+}  // namespace
+
+std::vector<SvgPolyline> LinesOfArea(const SvgArea& area) {
+  return area.rings;
+}
+
+std::vector<Stroke> InkOfScene(SvgScene& scene) {
+  if (scene.shapes.empty()) return {};
+  const SvgColor white{Vector3d::Ones(), 1.0};
+  SvgColor paper = scene.background.value_or(SvgColor{Vector3d::Ones(), 0.0});
+  paper.rgb = paper.alpha * paper.rgb + (1.0 - paper.alpha) * white.rgb;
+  std::vector<InkLine> lines = InkReader(scene, paper).Read();
+  if (lines.empty()) {
+    lines = InkReader(scene, SvgColor{Vector3d::Zero(), 1.0}).Read();
+    if (std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line.rectangle.has_value(); }))
+      lines.clear();
+    if (!lines.empty())
+      scene.problems.push_back(scene.file + ": all strokes are as light as paper; the sheet is taken as dark");
+  }
+  RemoveOutside(scene, lines);
+  RemoveFrames(scene, lines);
+  RemoveFrameOfLines(lines);
+  std::vector<Stroke> strokes;
+  for (const InkLine& line : lines) {
+    Stroke stroke{.kind = line.kind, .points = {}};
+    for (const Vector2d& point : line.polyline.points) stroke.points.push_back({float(point.x()), float(point.y())});
+    strokes.push_back(std::move(stroke));
+  }
+  return strokes;
+}
+
+}  // namespace daumier::render
