@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "train/precision.h"
 
 #include <set>
 
@@ -52,9 +53,11 @@ bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Js
   if (!fs::exists(directory / "manifest.json")) return false;  // Stopped while it was being set up.
 
   const Manifest manifest = ReadManifest(directory, "run");
-  Json there = manifest.config;
+  Json there = manifest.config, now = config;
   there.erase("product");  // Of earlier versions, in the place of `system`.
-  std::vector<std::string> lines = ConfigDifferences(there, config, defaults);
+  if (now.contains("precision"))
+    now["precision"] = PrecisionForRun(now["precision"], there.value("precision", std::string("float32")));
+  std::vector<std::string> lines = ConfigDifferences(there, now, defaults);
   for (const std::string& line :
        ConfigDifferences({{"data", manifest.details.value("data", Json())}}, {{"data", data}}))
     lines.push_back(line);
