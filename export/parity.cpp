@@ -42,18 +42,19 @@ std::vector<torch::Tensor> ReferenceOutputs(const ExportedFunction& function, co
   return function.forward(given);
 }
 
-/// The least number of output channels above 2 of a convolution, at most 64; 5 where there is none.
+/// The least number of output channels above 2 of a convolution, up to 128; 5 where there is none.
 int64_t ChannelCount(const std::filesystem::path& file) {
   onnx::ModelProto model;
   DAUMIER_CHECK(model.ParseFromString(ReadFile(file)), "{} is no ONNX file", file.string());
   std::set<std::string> weights;
   for (const auto& node : model.graph().node())
     if (node.op_type() == "Conv" && node.input_size() > 1) weights.insert(node.input(1));
-  int64_t count = 65;
+  constexpr int64_t kMost = 128;
+  int64_t count = kMost + 1;
   for (const auto& stored : model.graph().initializer())
     if (weights.count(stored.name()) == 1 && stored.dims_size() > 0 && stored.dims(0) > 2)
       count = std::min<int64_t>(count, stored.dims(0));
-  return count <= 64 ? count : 5;
+  return count <= kMost ? count : 5;
 }
 
 Json OrNull(const auto& optional) {
