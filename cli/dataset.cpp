@@ -68,7 +68,8 @@ std::function<void()> AddStats(CLI::App& parent) {
   return [arguments] {
     Json result = datasets::FaceStatistics(arguments->directory);
     if (!arguments->rebuild.empty()) {
-      const faces::FaceDatabase basis(arguments->directory, Checksums::kSkip), rebuilt(arguments->rebuild);  // Verified above.
+      const faces::FaceDatabase basis(arguments->directory, Checksums::kSkip),
+          rebuilt(arguments->rebuild);  // Verified above.
       const datasets::Coverage coverage = datasets::MeasureCoverage(basis, rebuilt);
       result["rebuilt"] = {{"num_basis_faces", coverage.num_basis_faces},
                            {"components", coverage.components},

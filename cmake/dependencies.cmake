@@ -26,7 +26,7 @@ add_library(mesh_libraries INTERFACE)
 target_link_libraries(mesh_libraries INTERFACE Eigen3::Eigen)
 target_include_directories(mesh_libraries SYSTEM INTERFACE ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR})
 
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs dnn)
 add_library(image_libraries INTERFACE)
 target_link_libraries(image_libraries INTERFACE opencv_core opencv_imgproc opencv_imgcodecs)
 
@@ -64,7 +64,7 @@ if(NOT DAUMIER_SANITIZE)
   endif()
 
   add_library(onnx_libraries INTERFACE)
-  target_link_libraries(onnx_libraries INTERFACE ONNX::onnx ONNX::onnx_proto)
+  target_link_libraries(onnx_libraries INTERFACE ONNX::onnx ONNX::onnx_proto opencv_dnn opencv_core)
   target_compile_definitions(onnx_libraries INTERFACE ONNX_NAMESPACE=onnx ONNX_ML=1)
   # Debian 13 has ONNX Runtime; elsewhere exported models are run by npm's package in a child process.
   find_path(ONNXRUNTIME_INCLUDE_DIR onnxruntime_cxx_api.h PATH_SUFFIXES onnxruntime)

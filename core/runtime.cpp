@@ -144,6 +144,13 @@ BlasInfo DescribeBlas() {
   return {LibraryOf(sgemm), sgemm == nullptr ? "none" : "chosen by the library", double_library};
 }
 
+bool HasBfloat16Instructions() {
+  auto* const isa_of = FindFunction<decltype(dnnl_get_effective_cpu_isa)>("dnnl_get_effective_cpu_isa");
+  if (isa_of == nullptr) return false;
+  const auto isa = static_cast<unsigned>(isa_of()), wanted = static_cast<unsigned>(dnnl_cpu_isa_avx512_core_bf16);
+  return (isa & wanted) == wanted;  // A set of instructions has the bits of those that it includes; AMX includes this.
+}
+
 double MeasureSgemm(int size, int repeats) {
   DAUMIER_CHECK(size > 0 && repeats > 0, "cannot measure {} products of size {}", repeats, size);
   Sgemm* const sgemm = FindSgemm();

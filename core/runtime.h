@@ -33,6 +33,10 @@ struct BlasInfo {
 };
 BlasInfo DescribeBlas();
 
+/// Whether oneDNN has the bfloat16 instructions of AVX-512 or AMX in use: those of the processor, less what
+/// ONEDNN_MAX_CPU_ISA forbids. False where no oneDNN is loaded.
+bool HasBfloat16Instructions();
+
 /// GFLOP/s of size^3 float products through the sgemm_ that LibTorch calls, best of `repeats` after a first one to warm
 /// up. 0 where the program has no sgemm_.
 double MeasureSgemm(int size = 1024, int repeats = 5);

@@ -50,9 +50,12 @@ struct TrainerOptions {
           "Samples of a batch; those left over at the end of an epoch are skipped in it.");
     visit("accumulate", accumulate, Range{1, 65536},
           "Batches a step, whose gradients are averaged: without batch norm equal to one batch of their total size.");
-    visit("precision", precision, Choices{{"float32", "bfloat16"}},
-          "Of the network's convolutions and matrix products in a step; bfloat16 is for processors with AMX and GPUs. "
-          "Weights, losses, validation and all that reads a run are float32.");
+    visit(
+        "precision", precision, Choices{{"float32", "bfloat16", "auto", "force-bfloat16"}},
+        "Of the network's convolutions and matrix products in a step. bfloat16 is for GPUs and for processors with AMX "
+        "or AVX-512 bfloat16; others are slow and inexact at it and refuse it unless it is forced. auto: bfloat16 on "
+        "such a processor, else float32; a run keeps what it began with. Weights, losses, validation and all that "
+        "reads a run are float32.");
     visit("validate_every", validate_every, Range{1, 1e6},
           "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
     visit("patience", patience, Range{0, 1e6},

@@ -36,16 +36,31 @@ std::string Errors(const std::optional<Json>& metrics) {
   return text + "\n";
 }
 
+std::string OtherRuntimes(const ParityReport& parity) {
+  std::string text;
+  for (const OtherRuntime& other : parity.others) {
+    text += fmt::format("{}, batch sizes {}: ", other.runtime, fmt::join(other.batch_sizes, ", "));
+    if (other.refusal.has_value()) {
+      text += fmt::format("does not run it. {}\n\n", *other.refusal);
+    } else {
+      text += fmt::format("outputs differ from LibTorch's by at most {:.2g} of the largest value{}.\n\n",
+                          *other.max_relative_diff, other.agrees() ? "" : ", which is too much: do not use it there");
+    }
+  }
+  return text;
+}
+
 std::string Exactness(const ParityReport& parity) {
   if (!parity.runtime.has_value()) {
     return "## Exactness of the export\n\nThe graph passed ONNX's checker and strict shape inference. It was not run "
            "in ONNX Runtime, "
-           "which was not installed.\n\n";
+           "which was not installed.\n\n" +
+           OtherRuntimes(parity);
   }
   return fmt::format(
       "## Exactness of the export\n\nOpset {}. The outputs of {} and of LibTorch differ by at most {:.2g} "
-      "(`parity.json`).\n\n",
-      kOpset, *parity.runtime, parity.max_abs_diff());
+      "(`parity.json`).\n\n{}",
+      kOpset, *parity.runtime, parity.max_abs_diff(), OtherRuntimes(parity));
 }
 
 }  // namespace

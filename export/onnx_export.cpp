@@ -10,6 +10,7 @@
 #include <torch/csrc/jit/frontend/tracer.h>
 #include <torch/csrc/jit/ir/ir.h>
 #include <torch/csrc/jit/passes/dead_code_elimination.h>
+#include <algorithm>
 
 namespace daumier::exporting {
 namespace {
@@ -64,6 +65,11 @@ onnx::ModelProto Lower(const Trace& trace, const ExportedFunction& function, con
     graph.AddInput(input.name, trace.inputs[next], input.batched);
     context.SetName(inputs[next++], input.name);
   }
+  // OpenCV 4.6 takes a named dimension of a matrix for a size of 0, and of images for a size of 1: they would not meet.
+  const auto is_image = [](const ExportedInput& input) { return input.batched && input.shape.size() > 1; };
+  if (std::any_of(function.inputs.begin(), function.inputs.end(), is_image))
+    for (const ExportedInput& input : function.inputs)
+      if (input.batched && !is_image(input)) graph.UnnameBatch(input.name);
   for (const auto& [name, weight] : weights) context.SetWeight(inputs[next++], name, weight);
   for (const jit::Node* node : trace.graph->nodes()) LowerNode(*node, context);
 
@@ -86,8 +92,7 @@ onnx::ModelProto ExportToOnnx(const torch::nn::Module& module, const ExportedFun
   const auto again = Lower(TraceAt(3, function, weights), function, weights);
   DAUMIER_CHECK(model.SerializeAsString() == again.SerializeAsString(),
                 "{} was traced at batch sizes 2 and 3 and gave two graphs: an operator has the batch size baked in (a "
-                "view, reshape or "
-                "expand with size(0); use flatten(1) or reshape({{-1, ...}}))",
+                "size computed from size(0), or a constant tensor of that size; size(0) itself may begin a view)",
                 function.name);
   CheckOnnx(model);
   return model;

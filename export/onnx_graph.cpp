@@ -38,6 +38,11 @@ void OnnxGraph::AddInput(const std::string& name, const torch::Tensor& example, 
   Describe(*model_.mutable_graph()->add_input(), name, example, batched);
 }
 
+void OnnxGraph::UnnameBatch(const std::string& input) {
+  for (auto& info : *model_.mutable_graph()->mutable_input())
+    if (info.name() == input) info.mutable_type()->mutable_tensor_type()->mutable_shape()->mutable_dim(0)->Clear();
+}
+
 void OnnxGraph::AddMetadata(const std::string& key, const std::string& text) {
   auto& entry = *model_.add_metadata_props();
   entry.set_key(key);
@@ -69,6 +74,10 @@ std::string OnnxGraph::AddIntegers(const std::vector<int64_t>& values) {
   return AddInitializer(NewName("integers"), torch::tensor(values, torch::kInt64));
 }
 
+std::string OnnxGraph::AddConstant(const torch::Tensor& tensor) {
+  return AddInitializer(NewName("tensor"), tensor);
+}
+
 std::string OnnxGraph::AddNode(const std::string& op, const std::vector<std::string>& inputs,
                                const std::vector<OnnxAttribute>& attributes) {
   auto& node = *model_.mutable_graph()->add_node();
@@ -84,6 +93,9 @@ std::string OnnxGraph::AddNode(const std::string& op, const std::vector<std::str
     } else if (const auto* real = std::get_if<float>(&value)) {
       attribute.set_type(onnx::AttributeProto::FLOAT);
       attribute.set_f(*real);
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+      attribute.set_type(onnx::AttributeProto::STRING);
+      attribute.set_s(*text);
     } else {
       attribute.set_type(onnx::AttributeProto::INTS);
       for (const int64_t item : std::get<std::vector<int64_t>>(value)) attribute.add_ints(item);

@@ -17,7 +17,7 @@ std::span<const Target> Targets();
 /// @throws UsageError listing the names if there is none of this name.
 const Target& FindTarget(std::string_view name);
 
-/// Writes the bytes to `folder / target.file` and reads them. daumier::Error is the answer to bad input and is caught;
+/// Writes the bytes to `folder / target.file` and reads them. daumier::Error is what bad input gives, and is caught;
 /// every other exception leaves.
 void ReadBytes(const Target& target, std::string_view bytes, const std::filesystem::path& folder);
 

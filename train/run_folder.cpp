@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/output_place.h"
+#include "train/precision.h"
 
 #include <optional>
 #include <set>
@@ -46,9 +47,11 @@ namespace {
 /// What differs between a run, by its manifest, and what is to be trained now.
 std::vector<std::string> RunDifferences(const Manifest& run, const Json& config, const Json& data,
                                         const Json& defaults) {
-  Json there = run.config;
+  Json there = run.config, now = config;
   there.erase("product");  // Of earlier versions, in the place of `system`.
-  std::vector<std::string> lines = ConfigDifferences(there, config, defaults);
+  if (now.contains("precision"))
+    now["precision"] = PrecisionForRun(now["precision"], there.value("precision", std::string("float32")));
+  std::vector<std::string> lines = ConfigDifferences(there, now, defaults);
   for (const std::string& line : ConfigDifferences({{"data", run.details.value("data", Json())}}, {{"data", data}}))
     lines.push_back(line);
   return lines;

@@ -17,9 +17,10 @@ std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, c
 
 /// Prepares `directory` for a run. Returns true when resuming, i.e. when manifest.json exists. The manifest must then
 /// hold `config` (without paths) as `config` and `data` (the hash of every database) as `details.data`; options that
-/// are newer than the run count as in `defaults`.
-/// @throws UsageError as CheckOutputFolder, if a run exists but `resume` is false, if `resume` is true but none exists, or if the run has
-/// another config or other data; the message lists the differences and, if they are the epochs, what to do.
+/// are newer than the run count as in `defaults`, and a precision "auto" as that of the run.
+/// @throws UsageError as CheckOutputFolder, if a run exists but `resume` is false, if `resume` is true but none exists,
+/// or if the run has another config or other data; the message lists the differences and, if they are the epochs, what
+/// to do.
 bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data,
                    const Json& defaults = Json::object());
 

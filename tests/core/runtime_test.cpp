@@ -1,6 +1,7 @@
 #include "core/runtime.h"
 
 #include "core/error.h"
+#include "tests/support/process.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 
 namespace daumier {
 namespace {
@@ -53,6 +56,25 @@ TEST(Runtime, SetUpSetsTheThreadsOfOpenMp) {
   EXPECT_EQ(max_threads(), 3);
   SetUpRuntime(0);
   EXPECT_EQ(max_threads(), NumCores());
+}
+
+TEST(Runtime, Bfloat16InstructionsAreThoseInUse) {
+  const char* const limit = std::getenv("ONEDNN_MAX_CPU_ISA");
+  if (limit != nullptr) {
+    if (limit == std::string("AVX2")) {
+      EXPECT_FALSE(HasBfloat16Instructions());
+    }
+    return;
+  }
+  const std::string kernel = DescribeBlas().kernel;
+  if (kernel.starts_with("AVX")) {
+    EXPECT_EQ(HasBfloat16Instructions(), kernel.find("bfloat16") != std::string::npos) << kernel;
+  }
+  // oneDNN reads the variable once a process.
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const testing::ProcessResult limited = testing::RunProcess(
+      {"/usr/bin/env", "ONEDNN_MAX_CPU_ISA=AVX2", self, "--gtest_filter=Runtime.Bfloat16InstructionsAreThoseInUse"});
+  EXPECT_EQ(limited.exit_code, 0) << limited.out;
 }
 
 TEST(Runtime, MallocKeepsTheMemoryOfLargeArraysOnRequest) {

@@ -31,5 +31,18 @@ TEST(ModelCard, HoldsTheTextLicencesErrorsAndExactness) {
   expect(unmeasured, "It was not run in ONNX Runtime");
 }
 
+TEST(ModelCard, ListsEveryRuntimeThatWasTried) {
+  const auto card = [](const OtherRuntime& other) {
+    return ModelCard({}, {}, {"onnxruntime 9", {1}, {"u"}, {2e-6}, {other}}, std::nullopt);
+  };
+  const OtherRuntime same{"OpenCV 4", {1, 2, 7}, 3e-7, std::nullopt}, wrong{"OpenCV 4", {1}, 0.3, std::nullopt},
+      refused{"OpenCV 4", {1}, std::nullopt, "no Sin here"};
+  EXPECT_NE(card(same).find("OpenCV 4, batch sizes 1, 2, 7: outputs differ from LibTorch's by at most 3e-07 of"),
+            std::string::npos);
+  EXPECT_EQ(card(same).find("do not use it"), std::string::npos);
+  EXPECT_NE(card(wrong).find("too much: do not use it there"), std::string::npos);
+  EXPECT_NE(card(refused).find("does not run it. no Sin here"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace daumier::exporting

@@ -68,7 +68,7 @@ TEST(OnnxExport, ExportTwiceGivesEqualBytes) {
 }
 
 TEST(OnnxExport, BatchSizeThatIsBakedInIsAnError) {
-  const auto baked = TestFunction({6}, [](const torch::Tensor& x) { return x.reshape({x.size(0), 2, 3}); });
+  const auto baked = TestFunction({6}, [](const torch::Tensor& x) { return x.reshape({x.size(0) * 2, 3}); });
   ExpectError([&] { ExportToOnnx(Weights(), baked); }, "has the batch size baked in");
 }
 

@@ -26,6 +26,16 @@ TEST(OnnxGraph, HoldsVersionsAndFreesTheBatchDimension) {
   EXPECT_EQ(model.graph().node(1).output(0), "y");
 }
 
+TEST(OnnxGraph, AFreeDimensionCanBeUnnamed) {
+  OnnxGraph graph("test");
+  graph.AddInput("x", torch::zeros({2, 5}));
+  graph.UnnameBatch("x");
+  const auto& shape = graph.model().graph().input(0).type().tensor_type().shape();
+  EXPECT_FALSE(shape.dim(0).has_dim_param());
+  EXPECT_FALSE(shape.dim(0).has_dim_value());
+  EXPECT_EQ(shape.dim(1).dim_value(), 5);
+}
+
 TEST(OnnxGraph, NamesOfNodesAreNew) {
   OnnxGraph graph("test");
   EXPECT_NE(graph.AddNode("Relu", {"x"}), graph.AddNode("Relu", {"x"}));
@@ -51,6 +61,13 @@ TEST(OnnxGraph, StoresAnInitializerOnceRowMajor) {
   EXPECT_EQ(stored.dims(1), 2);
   const auto* values = reinterpret_cast<const float*>(stored.raw_data().data());
   EXPECT_EQ(std::vector<float>(values, values + 6), (std::vector<float>{0, 3, 1, 4, 2, 5}));
+}
+
+TEST(OnnxGraph, ConstantsHaveNamesOfTheirOwn) {
+  OnnxGraph graph("test");
+  const auto first = graph.AddConstant(torch::ones({2})), second = graph.AddConstant(torch::zeros({2}));
+  EXPECT_NE(first, second);
+  EXPECT_EQ(graph.model().graph().initializer_size(), 2);
 }
 
 TEST(OnnxGraph, RefusesOtherElementTypes) {

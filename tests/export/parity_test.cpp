@@ -43,6 +43,34 @@ TEST(Parity, JsonHoldsTheWorstDifferenceAndTheRuntime) {
   EXPECT_EQ(json["outputs"]["u"], 1e-6);
 }
 
+TEST(Parity, OpenCvIsComparedAtTheNumberOfChannels) {
+  const TempDir folder;
+  const auto weight = torch::randn({7, 2, 3, 3});
+  const auto function = TestFunction({2, 6, 6}, [weight](const torch::Tensor& x) { return torch::conv2d(x, weight); });
+  const auto model = WriteModel(folder, function, {{"w", weight}});
+  const OtherRuntime same = CompareWithOpenCv(model, function, 1);
+  EXPECT_EQ(same.batch_sizes, (std::vector<int64_t>{1, 2, 7}));
+  EXPECT_TRUE(same.agrees());
+  EXPECT_EQ(same.runtime.rfind("OpenCV ", 0), 0u);
+  const auto doubled =
+      TestFunction({2, 6, 6}, [weight](const torch::Tensor& x) { return 2 * torch::conv2d(x, weight); });
+  const OtherRuntime other = CompareWithOpenCv(model, doubled, 1);
+  EXPECT_FALSE(other.agrees());
+  EXPECT_NEAR(other.max_relative_diff.value(), 0.5, 1e-4);
+}
+
+TEST(Parity, WhatOpenCvRefusesIsAFinding) {
+  const TempDir folder;
+  const auto function = TestFunction({3}, [](const torch::Tensor& x) { return x.clamp(-100, 100); });
+  const auto model = WriteModel(folder, function, {});
+  const OtherRuntime refused = CompareWithOpenCv(model, function, 1);
+  EXPECT_FALSE(refused.agrees());
+  EXPECT_NE(refused.refusal.value().find("OpenCV cannot run"), std::string::npos);
+  const Json json = ParityToJson({std::nullopt, {1}, {"y"}, {}, {refused}});
+  EXPECT_EQ(json["other_runtimes"][0]["refusal"], *refused.refusal);
+  EXPECT_TRUE(json["other_runtimes"][0]["max_relative_diff"].is_null());
+}
+
 TEST(Parity, WithoutARuntimeNothingIsClaimed) {
   if (HasNativeOnnxRuntime()) GTEST_SKIP() << "this build has ONNX Runtime itself";
   const TempDir folder;

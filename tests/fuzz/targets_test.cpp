@@ -15,7 +15,9 @@
 
 namespace daumier::fuzz {
 
-void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
+void PrintTo(const Target& target, std::ostream* out) {
+  *out << target.name;
+}
 
 namespace {
 

@@ -70,6 +70,22 @@ TEST(OpenRunFolder, ResumesARunThatIsOlderThanAnOption) {
                        "precision is \"float32\" there and \"bfloat16\" now");
 }
 
+TEST(OpenRunFolder, APrecisionThatTheMachineChoosesIsThatOfTheRun) {
+  const testing::TempDir folder;
+  WriteRun(folder.path());
+  Json config = kConfig;
+  config["precision"] = "auto";
+  const Json defaults = {{"precision", "float32"}};
+  EXPECT_TRUE(OpenRunFolder(folder.path(), true, config, kData, defaults));
+  Manifest manifest = ReadManifest(folder.path(), "run");
+  manifest.config["precision"] = "bfloat16";
+  WriteManifest(folder.path(), manifest);
+  for (const char* precision : {"auto", "bfloat16", "force-bfloat16"}) {
+    config["precision"] = precision;
+    EXPECT_TRUE(OpenRunFolder(folder.path(), true, config, kData, defaults)) << precision;
+  }
+}
+
 TEST(OpenRunFolder, StartsANewOne) {
   const testing::TempDir folder;
   EXPECT_FALSE(OpenRunFolder(folder / "runs" / "new", false, kConfig, kData));

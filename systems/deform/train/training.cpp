@@ -71,7 +71,8 @@ TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& o
 TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, FolderCache& databases,
                             const Task& task) {
   const fs::path& run_directory = place.directory;
-  const DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
+  DeformTrainingOptions options = ParseTraining<DeformTrainingOptions>(config, "training config");
+  if (options.trainer.precision == "auto") options.trainer.precision = "float32";  // There is no other one here.
   const torch::Device torch_device = tensor::TorchDevice(place.device);
   const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
   const auto& points = databases.Open<datasets::PointDatabase>(options.data.points);

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/runtime.h"
 #include "datasets/read/run_data.h"
 #include "datasets/read/training_fit.h"
 #include "render/camera_json.h"
@@ -11,6 +12,7 @@
 #include "systems/sketch/train/recipe.h"
 #include "systems/sketch/train/run.h"
 #include "tensor/runtime.h"
+#include "train/precision.h"
 #include "train/run_folder.h"
 #include "train/trainer.h"
 
@@ -70,9 +72,11 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, FolderCache& databases,
                             const Task& task) {
   const fs::path& run_directory = place.directory;
-  const SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
+  SketchTrainingOptions options = ParseTraining<SketchTrainingOptions>(config, "training config");
   RequireWholeBlocks(options.network);
   const torch::Device torch_device = tensor::TorchDevice(place.device);
+  options.trainer.precision =
+      train::ResolvePrecision(options.trainer.precision, run_directory, torch_device, HasBfloat16Instructions());
   const auto& faces = databases.Open<faces::FaceDatabase>(options.data.faces);
   const auto& sketches = databases.Open<datasets::SketchDatabase>(options.data.sketches);
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);

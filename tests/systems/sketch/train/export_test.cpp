@@ -100,7 +100,7 @@ TEST(SketchExport, HasTheOutputsOfLibTorchInOnnxRuntime) {
   EXPECT_EQ(report["opset"], 13);
 }
 
-TEST(SketchExport, EveryKindOfNetworkHasTheOutputsOfLibTorchInOnnxRuntime) {
+TEST(SketchExport, EveryKindOfNetworkHasTheOutputsOfLibTorchInOnnxRuntimeAndOpenCv) {
   testing::AllowWarnings();  // There may be no runtime.
   for (const auto& [name, options] : testing::SmallSketchNetworks()) {
     SCOPED_TRACE(name);
@@ -111,6 +111,12 @@ TEST(SketchExport, EveryKindOfNetworkHasTheOutputsOfLibTorchInOnnxRuntime) {
     EXPECT_EQ(model.graph().input_size(),
               int(options.reads_image()) + int(options.reads_points()) + int(options.reads_shape()));
     EXPECT_EQ(model.graph().output_size(), options.residual > 0 ? 4 : 3);
+    ASSERT_EQ(report["other_runtimes"].size(), 1u);
+    const Json& opencv = report["other_runtimes"][0];
+    EXPECT_TRUE(opencv["refusal"].is_null()) << opencv["refusal"];
+    if (opencv["max_relative_diff"].is_number()) {
+      EXPECT_LT(opencv["max_relative_diff"].get<double>(), 1e-4);
+    }
     if (!report["runtime"].is_null()) {
       EXPECT_LT(report["max_abs_diff"].get<double>(), 1e-4);
     }
