@@ -11,10 +11,10 @@ namespace {
 
 using namespace std::string_literals;
 
-std::string Box(const std::string& brands) {
+std::string FileOfBoxes(const std::string& brands) {
   return testing::BigEndian(uint32_t(8 + brands.size()), 4) + "ftyp" + brands;
 }
-std::string Archive(const std::string& entry) {
+std::string ZipWith(const std::string& entry) {
   return "PK\3\4\x14\0\0\0\0\0"s + std::string(20, '\0') + entry;
 }
 
@@ -23,12 +23,12 @@ TEST(RefuseForeignFormat, NamesTheFormatAndTheWayOut) {
     std::string bytes, what, way_out;
   };
   const std::vector<Case> cases = {
-      {Box("heic\0\0\0\0mif1heic"s), "a HEIC picture", "heif-convert"},
-      {Box("mif1\0\0\0\0mif1heic"s), "a HEIC picture", "PNG"},
-      {Box("avif\0\0\0\0avifmif1"s), "an AVIF picture", "avifdec"},
-      {Box("mif1\0\0\0\0mif1avif"s), "an AVIF picture", "avifdec"},
-      {Box("isom\0\0\2\0isommp41"s), "a movie", "ffmpeg"},
-      {Box("qt  \0\0\0\0qt  "s), "a movie", "ffmpeg"},
+      {FileOfBoxes("heic\0\0\0\0mif1heic"s), "a HEIC picture", "heif-convert"},
+      {FileOfBoxes("mif1\0\0\0\0mif1heic"s), "a HEIC picture", "PNG"},
+      {FileOfBoxes("avif\0\0\0\0avifmif1"s), "an AVIF picture", "avifdec"},
+      {FileOfBoxes("mif1\0\0\0\0mif1avif"s), "an AVIF picture", "avifdec"},
+      {FileOfBoxes("isom\0\0\2\0isommp41"s), "a movie", "ffmpeg"},
+      {FileOfBoxes("qt  \0\0\0\0qt  "s), "a movie", "ffmpeg"},
       {"%PDF-1.7\n%....", "a PDF", "pdftocairo -svg"},
       {"%PDF-1.6\n<< /AIPrivateData1 7 0 R >>", "an Illustrator drawing", "SVG"},
       {"%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: Adobe Illustrator", "PostScript", "inkscape"},
@@ -42,14 +42,14 @@ TEST(RefuseForeignFormat, NamesTheFormatAndTheWayOut) {
       {"\xEF\xBB\xBF{\"tldrawFileFormatVersion\":1}", "a tldraw drawing", "SVG"},
       {"<mxfile host=\"app.diagrams.net\">", "a draw.io diagram", "SVG"},
       {"fig-kiwi\x0F"s, "a Figma document", "Export"},
-      {Archive("canvas.fig"), "a Figma document", "SVG"},
-      {Archive("document.json...pages/7A.json"), "a document of Sketch", "SVG"},
-      {Archive("Document.archive"), "a Procreate drawing", "PNG"},
-      {Archive("mimetypeapplication/x-krita"), "a Krita picture", "PNG"},
-      {Archive("word/document.xml"), "an office document", "pdftocairo"},
-      {Archive("mimetypeapplication/vnd.oasis.opendocument.graphics"), "an office document", "SVG"},
+      {ZipWith("canvas.fig"), "a Figma document", "SVG"},
+      {ZipWith("document.json...pages/7A.json"), "a document of Sketch", "SVG"},
+      {ZipWith("Document.archive"), "a Procreate drawing", "PNG"},
+      {ZipWith("mimetypeapplication/x-krita"), "a Krita picture", "PNG"},
+      {ZipWith("word/document.xml"), "an office document", "pdftocairo"},
+      {ZipWith("mimetypeapplication/vnd.oasis.opendocument.graphics"), "an office document", "SVG"},
       {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1 ", "an office document", "SVG"},
-      {Archive("face.svg"), "a ZIP archive", "Unpack"},
+      {ZipWith("face.svg"), "a ZIP archive", "Unpack"},
       {"<!DOCTYPE html><html><body>", "a web page", "Download"},
       {"\0\x05\x16\x07\0\2\0\0Mac OS X"s, "a companion file of macOS", "._"},
       {"\xD7\xCD\xC6\x9A\0\0"s, "a Windows metafile", "inkscape"},
@@ -71,7 +71,7 @@ TEST(RefuseForeignFormat, AcceptsWhatIsReadAndWhatIsUnknown) {
 TEST(RefuseForeignFormat, TakesAnyBytes) {
   Rng rng(2);
   for (int i = 0; i < 3000; ++i) {
-    std::string bytes = i % 3 == 0 ? Box("heic") : i % 3 == 1 ? "RIFF\x20\0\0\0WEBPVP8X\x0A"s : Archive("a");
+    std::string bytes = i % 3 == 0 ? FileOfBoxes("heic") : i % 3 == 1 ? "RIFF\x20\0\0\0WEBPVP8X\x0A"s : ZipWith("a");
     bytes.resize(rng.Below(bytes.size() + 1));
     if (!bytes.empty()) bytes[rng.Below(bytes.size())] = char(rng.Below(256));
     try {
