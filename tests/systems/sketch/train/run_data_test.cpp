@@ -24,7 +24,7 @@ TEST_F(SketchRunDataTest, ReadsDataThatHaveMoved) {
   const fs::path run = *folder_ / "moved_run", moved = *folder_ / "elsewhere";
   WriteRun(run);
   Json config = LoadConfig(run / "resolved.toml");
-  config["data"] = {{"faces", "/absent/of/faces"}, {"sketches", "/absent/of/sketches"}};
+  config["data"] = {{"faces", "/absent/of/f"}, {"sketches", "/absent/of/s"}};
   WriteFileAtomically(run / "resolved.toml", ToToml(config));
   FolderCache databases;
   testing::ExpectError([&] { OpenSketchRunData(run, databases); }, "If they have moved, add data.faces=FOLDER");
