@@ -46,8 +46,7 @@ Similarity AlignRobustly(const Points& source, const Points& target, const Eigen
   Similarity similarity = AlignSimilarity(source, target, weights);
   const Eigen::VectorXd w = weights.size() ? weights : Eigen::VectorXd::Ones(source.rows());
   const Eigen::RowVector3d centre = w.transpose() * target / w.sum();
-  const double floor =
-      kLeastShare * std::sqrt(w.dot((target.rowwise() - centre).rowwise().squaredNorm()) / w.sum());
+  const double floor = kLeastShare * std::sqrt(w.dot((target.rowwise() - centre).rowwise().squaredNorm()) / w.sum());
   for (int i = 0; i < kIterations; ++i) {
     const Eigen::ArrayXd distances = (similarity.Apply(source) - target).rowwise().norm();
     similarity = AlignSimilarity(source, target, (w.array() / distances.max(floor)).matrix());

@@ -24,7 +24,7 @@ constexpr double kFarBetter = 0.85;
 constexpr double kFarCloser = 0.25, kNearMesh = 0.02;
 /// A landmark at 0 0 0 that is farther from the mesh, as a share of the landmarks' spread, is absent.
 constexpr double kFarOffMesh = 0.2;
-/// So many landmarks in one place are none; two are, at closed lips.
+/// Three landmarks in one place are absent ones; two may be there, at closed lips.
 constexpr size_t kFewestZeros = 3;
 /// Fewer landmarks may fit in another order, too.
 constexpr size_t kFewestShifted = 20;
