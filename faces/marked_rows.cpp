@@ -13,7 +13,7 @@
 namespace daumier::faces {
 namespace {
 
-using Row = TextTable::Row;
+using TextRow = TextTable::Row;
 
 std::string LowerCase(std::string_view text) {
   std::string lower(text);
@@ -41,7 +41,7 @@ bool IsText(const std::string& cell) {
 }
 
 /// Which columns are what.
-struct Columns {
+struct PointColumns {
   std::vector<int> coordinates;
   std::optional<int> label;
   bool is_numbered = false;  ///< The labels are numbers of the points.
@@ -68,7 +68,7 @@ std::string CoreOfName(const std::string& name) {
 }
 
 /// The columns that a header names; nothing where it names no coordinates.
-std::optional<Columns> ColumnsOfHeader(const std::vector<std::string>& names) {
+std::optional<PointColumns> ColumnsOfHeader(const std::vector<std::string>& names) {
   static const std::set<std::string> kVertex = {"vertex",   "vertex_index", "vertex_id",
                                                 "vertexid", "vertexindex",  "vid"};
   static const std::set<std::string> kName = {"label", "name"};
@@ -84,7 +84,7 @@ std::optional<Columns> ColumnsOfHeader(const std::vector<std::string>& names) {
     if (kName.count(core) && !name) name = c;
     if (kNumber.count(core) && !number) number = c;
   }
-  Columns columns;
+  PointColumns columns;
   columns.label = name ? name : number;
   if (axes[0] && axes[1]) {
     for (const auto& axis : axes) {
@@ -101,12 +101,12 @@ std::optional<Columns> ColumnsOfHeader(const std::vector<std::string>& names) {
 }
 
 /// Whether a column counts its rows: integers that ascend by one from 0 or 1, or with gaps within 0 .. 68.
-bool Counts(const std::vector<Row>& rows, size_t column) {
+bool Counts(const std::vector<TextRow>& rows, size_t column) {
   constexpr double kMostLandmarks = 68;
   constexpr size_t kFewestWithGaps = 6;
   std::optional<double> first, last;
   bool is_dense = true;
-  for (const Row& row : rows) {
+  for (const TextRow& row : rows) {
     const auto number = column < row.cells.size() ? NumberIn(row.cells[column]) : std::nullopt;
     if (!number || *number < 0 || *number != std::floor(*number) || (last && *number <= *last)) return false;
     is_dense = is_dense && (last ? *number == *last + 1 : *number <= 1);
@@ -117,27 +117,27 @@ bool Counts(const std::vector<Row>& rows, size_t column) {
 }
 
 /// Rows of the most frequent number of cells.
-std::vector<Row> UsualRows(const std::vector<Row>& rows) {
+std::vector<TextRow> UsualRows(const std::vector<TextRow>& rows) {
   std::map<size_t, size_t> num_rows;
-  for (const Row& row : rows) ++num_rows[row.cells.size()];
+  for (const TextRow& row : rows) ++num_rows[row.cells.size()];
   size_t usual = 0;
   for (const auto& [size, count] : num_rows) {
     if (usual == 0 || count >= num_rows[usual]) usual = size;
   }
-  std::vector<Row> result;
+  std::vector<TextRow> result;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(result),
-               [&](const Row& row) { return row.cells.size() == usual; });
+               [&](const TextRow& row) { return row.cells.size() == usual; });
   return result;
 }
 
 /// The columns of rows without a header; nothing where the numbers are no points.
-std::optional<Columns> ColumnsOfRows(const std::vector<Row>& rows) {
-  const std::vector<Row> usual = UsualRows(rows);
-  Columns columns;
+std::optional<PointColumns> ColumnsOfRows(const std::vector<TextRow>& rows) {
+  const std::vector<TextRow> usual = UsualRows(rows);
+  PointColumns columns;
   std::vector<int> numeric;
   for (int c = 0; c < static_cast<int>(usual.front().cells.size()); ++c) {
     const auto in_column = [&](auto is_so) {
-      return std::count_if(usual.begin(), usual.end(), [&](const Row& row) { return is_so(row.cells[size_t(c)]); });
+      return std::count_if(usual.begin(), usual.end(), [&](const TextRow& row) { return is_so(row.cells[size_t(c)]); });
     };
     const auto num_texts = in_column(IsText), num_absent = in_column(IsAbsentCell);
     const auto num_numbers = static_cast<std::ptrdiff_t>(usual.size()) - num_texts - num_absent;
@@ -154,16 +154,16 @@ std::optional<Columns> ColumnsOfRows(const std::vector<Row>& rows) {
   return columns;
 }
 
-bool HasNumber(const Row& row) {
+bool HasNumber(const TextRow& row) {
   return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return NumberIn(cell); });
 }
-bool HasText(const Row& row) {
+bool HasText(const TextRow& row) {
   return std::any_of(row.cells.begin(), row.cells.end(), IsText);
 }
 
 /// Removes a first row that is the number of points, alone or with that of coordinates. @throws Error if another
 /// number of rows follows.
-void RemoveCount(std::vector<Row>& rows, const std::string& name) {
+void RemoveCount(std::vector<TextRow>& rows, const std::string& name) {
   if (rows.size() < 3 || Counts(rows, 0)) return;
   const auto num_points = double(rows.size() - 1);
   const size_t width = rows.front().cells.size(), next = rows[1].cells.size();
@@ -182,9 +182,9 @@ void RemoveCount(std::vector<Row>& rows, const std::string& name) {
 }
 
 /// All numbers, in order. @throws Error naming the first cell that is none.
-MarkedPoints AllNumbers(const std::vector<Row>& rows, const std::string& name) {
+MarkedPoints AllNumbers(const std::vector<TextRow>& rows, const std::string& name) {
   MarkedPoints marked{.dimension = 1};
-  for (const Row& row : rows) {
+  for (const TextRow& row : rows) {
     for (const std::string& cell : row.cells) {
       if (const auto number = NumberIn(cell)) {
         marked.points.emplace_back(geometry::Vector3(*number, 0, 0));
@@ -197,9 +197,9 @@ MarkedPoints AllNumbers(const std::vector<Row>& rows, const std::string& name) {
   return marked;
 }
 
-MarkedPoints PointsIn(const std::vector<Row>& rows, const Columns& columns, const std::string& name) {
+MarkedPoints PointsIn(const std::vector<TextRow>& rows, const PointColumns& columns, const std::string& name) {
   MarkedPoints marked{.dimension = static_cast<int>(columns.coordinates.size())};
-  for (const Row& row : rows) {
+  for (const TextRow& row : rows) {
     geometry::Vector3 place = geometry::Vector3::Zero();
     bool is_there = true;
     for (int axis = 0; axis < marked.dimension; ++axis) {
@@ -230,8 +230,8 @@ std::optional<std::string> RemarkOf(const TextTable& table, std::string_view key
   return std::nullopt;
 }
 
-/// Columns of Slicer's .fcsv, which stand in a comment.
-std::optional<Columns> ColumnsOfRemark(const TextTable& table) {
+/// PointColumns of Slicer's .fcsv, in a comment.
+std::optional<PointColumns> ColumnsOfRemark(const TextTable& table) {
   const auto names = RemarkOf(table, "columns");
   if (!names) return std::nullopt;
   std::vector<std::string> cells;
@@ -256,12 +256,13 @@ std::optional<PatientFrame> FrameOfRemark(const TextTable& table) {
 MarkedPoints ParseMarkedRows(std::string_view text, const std::filesystem::path& path) {
   const std::string name = path.string();
   TextTable table = ReadTextTable(text, name);
-  std::vector<Row>& rows = table.rows;
+  std::vector<TextRow>& rows = table.rows;
   DAUMIER_CHECK(!rows.empty(), "{}: holds no point", name);
-  std::optional<Columns> columns = ColumnsOfRemark(table);
+  std::optional<PointColumns> columns = ColumnsOfRemark(table);
   const auto frame = FrameOfRemark(table);
   // Slicer 4.11 and later write no names of columns.
-  if (!columns && frame && table.is_delimited) columns = Columns{{1, 2, 3}, rows.front().cells.size() > 11 ? 11 : 0};
+  if (!columns && frame && table.is_delimited)
+    columns = PointColumns{{1, 2, 3}, rows.front().cells.size() > 11 ? 11 : 0};
   if (rows.size() > 1 && !HasNumber(rows[0]) && HasText(rows[0]) && HasNumber(rows[1])) {
     if (!columns) columns = ColumnsOfHeader(rows[0].cells);
     rows.erase(rows.begin());
@@ -271,7 +272,7 @@ MarkedPoints ParseMarkedRows(std::string_view text, const std::filesystem::path&
     const bool is_one_row = rows.size() == 1 && rows[0].cells.size() > 4;
     columns = is_one_row ? std::nullopt : ColumnsOfRows(rows);
     const size_t width = UsualRows(rows).front().cells.size();
-    const auto is_ragged = [&](const Row& row) {
+    const auto is_ragged = [&](const TextRow& row) {
       if (table.is_delimited || row.cells.size() == width) return false;
       const bool is_absent = row.cells.size() == 1 && IsAbsentCell(row.cells[0]);
       return !is_absent && !(columns && columns->is_numbered && row.cells.size() == 1);

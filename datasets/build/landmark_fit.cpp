@@ -24,8 +24,10 @@ constexpr double kFarBetter = 0.85;
 constexpr double kFarCloser = 0.25, kNearMesh = 0.02;
 /// A landmark at 0 0 0 that is farther from the mesh, as a share of the landmarks' spread, is absent.
 constexpr double kFarOffMesh = 0.2;
-/// So many landmarks in one place are none; two are, at closed lips.
+/// Three landmarks in one place are absent ones; two may be there, at closed lips.
 constexpr size_t kFewestZeros = 3;
+/// Fewer landmarks may fit in another order, too.
+constexpr size_t kFewestShifted = 20;
 
 using SourceLandmark = std::function<int(int)>;
 
@@ -72,6 +74,17 @@ double MisfitOf(const LandmarkPairs& pairs) {
 
 int SameLandmark(int landmark) {
   return landmark;
+}
+
+/// Whether three or more landmarks are there with their partners on the other side: a part of one side fits the other
+/// side, too, turned over.
+bool HasBothSides(const MeshLandmarks& landmarks) {
+  int num_sided = 0;
+  for (int l = 0; l < faces::kNumLandmarks; ++l) {
+    const int other = faces::MirroredLandmark(l);
+    num_sided += l < other && landmarks[size_t(l)] && landmarks[size_t(other)];
+  }
+  return num_sided >= 3;
 }
 
 /// The mean cosine between the normals of mesh and template at the landmarks.
@@ -204,7 +217,7 @@ std::string MirrorFault(const LandmarkFit& fit, const geometry::TriangleTree& tr
                          is_down ? ", y points down" : "", change->name);
     }
   }
-  if (fit.mirrored_normals < 0)
+  if (fit.mirrored->normals < 0)
     return "the mesh is mirrored and inside out, as if a coordinate had been negated: the landmarks fit its mirror "
            "image. "
            "Negate x of the mesh (and of the landmarks, where they are places)";
@@ -212,18 +225,22 @@ std::string MirrorFault(const LandmarkFit& fit, const geometry::TriangleTree& tr
       "left and right of the landmarks are exchanged, or the mesh is a mirror image: with 0 and 16, 36 and 45, "
       "48 and 54 and so on exchanged, the misfit falls from {:.2f} to {:.2f}. iBUG order begins at the "
       "person's right ear. Exchange them, or mirror the mesh",
-      fit.misfit, fit.mirrored);
+      fit.misfit, fit.mirrored->misfit);
 }
 
 }  // namespace
 
 LandmarkFit MeasureLandmarkFit(const FitInput& input) {
-  const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark),
-                      mirrored = PairsOf(input, input.landmarks, faces::MirroredLandmark);
+  const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark);
   const geometry::TriangleTree tree(input.mesh);
   const geometry::Points normals = geometry::VertexNormals(input.mesh);
-  return {MisfitOf(pairs), MisfitOf(mirrored), OffMesh(tree, pairs.places, Eigen::Matrix3d::Identity()),
-          NormalAgreement(input, tree, normals, pairs), NormalAgreement(input, tree, normals, mirrored)};
+  LandmarkFit fit{MisfitOf(pairs), OffMesh(tree, pairs.places, Eigen::Matrix3d::Identity()),
+                  NormalAgreement(input, tree, normals, pairs)};
+  if (HasBothSides(input.landmarks)) {
+    const LandmarkPairs mirrored = PairsOf(input, input.landmarks, faces::MirroredLandmark);
+    fit.mirrored = {MisfitOf(mirrored), NormalAgreement(input, tree, normals, mirrored)};
+  }
+  return fit;
 }
 
 std::optional<std::string> FaultOfLandmarks(const FitInput& input, const LandmarkFit& fit,
@@ -236,12 +253,13 @@ std::optional<std::string> FaultOfLandmarks(const FitInput& input, const Landmar
         ListOf(zeros));
   }
   const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark);
-  if (fit.mirrored < kFarBetter * fit.misfit) return MirrorFault(fit, tree, pairs.places);
+  if (fit.mirrored && fit.mirrored->misfit < kFarBetter * fit.misfit) return MirrorFault(fit, tree, pairs.places);
   if (input.one_based && MisfitOf(PairsOf(input, *input.one_based, SameLandmark)) < kFarBetter * fit.misfit)
     return "the numbers of the vertices are 1-based: one less each fits a face far better. Subtract 1 from each";
   for (const int shift : {1, faces::kNumLandmarks - 1}) {
     const auto shifted = [&](int l) { return (l + shift) % faces::kNumLandmarks; };
-    if (MisfitOf(PairsOf(input, input.landmarks, shifted)) < kFarBetter * fit.misfit)
+    const LandmarkPairs others = PairsOf(input, input.landmarks, shifted);
+    if (others.landmarks.size() >= kFewestShifted && MisfitOf(others) < kFarBetter * fit.misfit)
       return fmt::format(
           "the landmarks are shifted by one: the {} fits a face far better. Expected 68 in iBUG order, the "
           "first at the person's right ear",

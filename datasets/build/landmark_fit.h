@@ -15,7 +15,8 @@ struct RegistrationLimits {
   double max_landmarks_off_mesh = 0.15;
   double min_normal_agreement = 0.3;
   double min_coverage = 0.1;
-  double max_flipped = 0.1;
+  double max_flipped = 0.04;
+  double max_landmarks_mm = 8;
 
   template <class V>
   void Visit(V&& visit) {
@@ -27,6 +28,8 @@ struct RegistrationLimits {
           "Mean cosine between the normals of mesh and template at the landmarks.");
     visit("min_coverage", min_coverage, Range{0.0, 1.0}, "Share of the face's area that has a match on the mesh.");
     visit("max_flipped", max_flipped, Range{0.0, 1.0}, "Share of the face's triangles that are flipped.");
+    visit("max_landmarks_mm", max_landmarks_mm, Range{0.0, 1e3},
+          "Mean distance between the landmarks of the mesh and of the registered template, mm.");
   }
 };
 
@@ -34,10 +37,13 @@ struct RegistrationLimits {
 /// their mean squared distance from their mean; the contour weighs `contour_weight`.
 struct LandmarkFit {
   double misfit = 0;    ///< Mean distance after geometry::AlignRobustly, over the spread of the template's landmarks.
-  double mirrored = 0;  ///< The same with left and right of the landmarks exchanged.
   double off_mesh = 0;  ///< Median distance to the mesh, over the spread of the landmarks themselves.
   double normals = 0;   ///< Mean cosine between the normals of mesh and template at the landmarks.
-  double mirrored_normals = 0;  ///< The same with left and right of the landmarks exchanged.
+  /// With left and right of the landmarks exchanged; nothing with fewer than three on either side.
+  struct Mirrored {
+    double misfit, normals;
+  };
+  std::optional<Mirrored> mirrored = {};
 };
 
 /// A mesh with its landmarks, for MeasureLandmarkFit.

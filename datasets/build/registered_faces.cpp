@@ -61,7 +61,8 @@ Json QualityJson(const std::string& name, const geometry::Registration& result,
 }
 
 /// Why a registration has failed; nothing where it has not.
-std::optional<std::string> FaultOf(const geometry::RegistrationQuality& quality, const RegistrationLimits& limits) {
+std::optional<std::string> FaultOf(const geometry::RegistrationQuality& quality, double landmarks_mm,
+                                   const RegistrationLimits& limits) {
   if (quality.coverage < limits.min_coverage || !quality.template_to_target)
     return fmt::format(
         "the registered template hardly lies on the mesh: {:.1f} % of the face has a match, expected {:.1f} % or "
@@ -73,6 +74,12 @@ std::optional<std::string> FaultOf(const geometry::RegistrationQuality& quality,
         "the registration folds the face: {:.1f} % of its triangles are flipped, expected {:.1f} % or less. "
         "Check the order of the landmarks",
         100 * flipped, 100 * limits.max_flipped);
+  if (landmarks_mm > limits.max_landmarks_mm)
+    return fmt::format(
+        "the registration does not reach the landmarks: their mean distance is {:.1f} mm, expected {} mm or less. "
+        "Check "
+        "the order of the landmarks",
+        landmarks_mm, limits.max_landmarks_mm);
   return std::nullopt;
 }
 
@@ -114,13 +121,14 @@ SafetensorsWriter RegisteredShard(const geometry::NonRigidRegistration& registra
       geometry::MeasureRegistration(registration.source().mesh, result.vertices,
                                     faces::RegionFor(face.annotation, "face", "the quality of a registration"), matcher,
                                     {options.max_distance_end, options.max_angle});
-  if (const auto fault = FaultOf(quality, limits)) throw Error(*fault);
   const double landmark_error =
       (result.vertices(registration.source().landmarks, Eigen::all) - result.template_from_target.Apply(landmarks))
           .rowwise()
           .norm()
           .mean();
-  Json row = QualityJson(mesh.name, result, quality, landmark_error, faces::MillimetresPerCm(face));
+  const double mm_per_cm = faces::MillimetresPerCm(face);
+  if (const auto fault = FaultOf(quality, landmark_error * mm_per_cm, limits)) throw Error(*fault);
+  Json row = QualityJson(mesh.name, result, quality, landmark_error, mm_per_cm);
   if (target.winding == Winding::kTurned) row["turned_inside_out"] = true;
   using Floats = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Floats vertices = result.vertices.cast<float>();

@@ -46,7 +46,7 @@ TEST_F(LandmarkFitTest, OfTheTemplateItselfIsExact) {
   EXPECT_NEAR(fit.misfit, 0, 1e-9);
   EXPECT_NEAR(fit.off_mesh, 0, 1e-12);
   EXPECT_NEAR(fit.normals, 1, 1e-9);
-  EXPECT_GT(fit.mirrored, 0.2);
+  EXPECT_GT(fit.mirrored.value().misfit, 0.2);
 }
 
 TEST_F(LandmarkFitTest, AnotherPersonAndNoiseHaveNoFault) {
@@ -56,6 +56,14 @@ TEST_F(LandmarkFitTest, AnotherPersonAndNoiseHaveNoFault) {
   for (auto& place : landmarks_) *place += 0.5 * Vector3(rng.Normal(), rng.Normal(), rng.Normal());
   EXPECT_EQ(Fault(), "");
   for (int l = 0; l < 17; ++l) landmarks_[size_t(l)].reset();
+  EXPECT_EQ(Fault(), "");
+}
+
+TEST_F(LandmarkFitTest, OneSideAloneIsNotTakenForTheOther) {
+  for (int l = 0; l < 68; ++l) {
+    if (l > faces::MirroredLandmark(l)) landmarks_[size_t(l)].reset();
+  }
+  EXPECT_FALSE(Fit().mirrored);
   EXPECT_EQ(Fault(), "");
 }
 
