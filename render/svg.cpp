@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "render/pen_areas.h"
 #include "render/svg_path.h"
 #include "render/svg_transform.h"
 
@@ -80,6 +81,7 @@ struct Inherited {
   Affine2d sheet_from_local = Affine2d::Identity();
   bool visible = true;
   bool fills = true, fill_is_white = false, strokes = false;
+  FillRule fill_rule = FillRule::kNonzero;
   int kind = 0;
 };
 
@@ -204,6 +206,7 @@ class SvgReader {
     Inherited inherited;
     inherited.sheet_from_local = sheet_.from_user;
     Visit(root, inherited, 0);
+    AddStrokesOfAreas();
     DAUMIER_CHECK(!strokes_.empty(), "{}: the drawing holds no strokes", name_);
     return {sheet_.width > 0 ? sheet_.width : reach_.x(), sheet_.height > 0 ? sheet_.height : reach_.y(),
             std::move(strokes_)};
@@ -220,7 +223,9 @@ class SvgReader {
       DAUMIER_CHECK(depth < kMaxDepth, "elements are nested more than {} deep", kMaxDepth);
       if (IsLeftOut(node)) return;
       inherited = Inherit(node, from_parent);
-      if (const auto data = PathDataOf(node)) AddShape(*data, inherited);
+      if (const auto data = PathDataOf(node)) {
+        AddShape(*data, node.attribute("inkscape:original-d").value(), inherited);
+      }
     } catch (const Error& error) {
       throw Error(fmt::format("{}:{}: <{}>: {}", name_, LineOf(node.offset_debug()), node.name(), error.what()));
     }
@@ -237,6 +242,9 @@ class SvgReader {
       inherited.fill_is_white = IsWhite(paint);
     }
     if (const auto paint = Property(node, "stroke"); !paint.empty()) inherited.strokes = !IsUnpainted(paint);
+    if (const auto rule = Property(node, "fill-rule"); !rule.empty()) {
+      inherited.fill_rule = rule == "evenodd" ? FillRule::kEvenOdd : FillRule::kNonzero;
+    }
     if (IsZero(Property(node, "fill-opacity"))) inherited.fills = false;
     if (IsZero(Property(node, "stroke-opacity"))) inherited.strokes = false;
     inherited.kind = KindOf(node.attribute("class").value()).value_or(inherited.kind);
@@ -253,32 +261,73 @@ class SvgReader {
     return std::nullopt;
   }
 
-  void AddShape(const std::string& data, const Inherited& inherited) {
-    const Affine2d& transform = inherited.sheet_from_local;
+  void AddShape(const std::string& data, const std::string& original_data, const Inherited& inherited) {
+    const auto polylines = PolylinesOnSheet(data, inherited.sheet_from_local);
+    if (!inherited.visible || (!inherited.strokes && !inherited.fills)) return;
+    if (inherited.strokes) {
+      for (const auto& polyline : polylines) Extend(polyline);
+      for (Stroke& stroke : StrokesThrough(polylines)) {
+        stroke.kind = inherited.kind;
+        strokes_.push_back(std::move(stroke));
+      }
+      return;
+    }
+    PaintedArea area{.shape = {{}, inherited.fill_rule},
+                     .paint = inherited.fill_is_white ? Paint::kPaper : Paint::kInk,
+                     .kind = inherited.kind,
+                     .drawn_lines = PolylinesOnSheet(original_data, inherited.sheet_from_local)};
+    for (const auto& polyline : polylines) {
+      if (area.paint == Paint::kInk && IsBackground(polyline)) continue;
+      if (area.paint == Paint::kInk) Extend(polyline);
+      area.shape.outlines.push_back(polyline);
+    }
+    areas_.push_back({std::move(area), strokes_.size()});
+  }
+
+  /// @throws Error if a point is not finite as a float.
+  std::vector<std::vector<Vector2d>> PolylinesOnSheet(const std::string& data, const Affine2d& transform) const {
     const double scale = 2.0 * transform.linear().cwiseAbs().maxCoeff();  // Of the linear part no vector grows more.
     const double side = std::max({sheet_.width, sheet_.height, 1.0});
-    const auto polylines = ParseSvgPath(data, kTolerance * side / std::max(scale, 1e-12));
-    const bool inked = inherited.strokes || (inherited.fills && !inherited.fill_is_white);
-    if (!inherited.visible || !inked) return;
-    for (const auto& polyline : polylines) {
-      Stroke stroke{.kind = inherited.kind, .points = {}};
-      Eigen::AlignedBox2d box;
+    std::vector<std::vector<Vector2d>> polylines;
+    for (const auto& polyline : ParseSvgPath(data, kTolerance * side / std::max(scale, 1e-12))) {
+      polylines.emplace_back();
       for (const Vector2d& local : polyline.points) {
         const Vector2d point = transform * local;
-        const Eigen::Vector2f rounded = point.cast<float>();
-        DAUMIER_CHECK(rounded.allFinite(), "a point lies at ({}, {})", point.x(), point.y());
-        stroke.points.push_back({rounded.x(), rounded.y()});
-        box.extend(point);
+        DAUMIER_CHECK(point.cast<float>().allFinite(), "a point lies at ({}, {})", point.x(), point.y());
+        polylines.back().push_back(point);
       }
-      if (!inherited.strokes && IsBackground(box, polyline)) continue;
-      reach_ = reach_.cwiseMax(box.max());
-      strokes_.push_back(std::move(stroke));
     }
+    return polylines;
+  }
+
+  void Extend(const std::vector<Vector2d>& polyline) {
+    for (const Vector2d& point : polyline) reach_ = reach_.cwiseMax(point);
+  }
+
+  /// Places the strokes of each area before the strokes that are painted after it.
+  void AddStrokesOfAreas() {
+    std::vector<PaintedArea> areas;
+    for (const auto& [area, num_before] : areas_) areas.push_back(area);
+    const double side = std::max({sheet_.width, sheet_.height, reach_.maxCoeff(), 1e-30});
+    const auto strokes_of_areas = StrokesOfAreas(areas, side);
+    std::vector<Stroke> strokes;
+    size_t num_placed = 0;
+    const auto place_until = [&](size_t end) {
+      for (; num_placed < end; ++num_placed) strokes.push_back(std::move(strokes_[num_placed]));
+    };
+    for (size_t i = 0; i < areas_.size(); ++i) {
+      place_until(areas_[i].num_strokes_before);
+      strokes.insert(strokes.end(), strokes_of_areas[i].begin(), strokes_of_areas[i].end());
+    }
+    place_until(strokes_.size());
+    strokes_ = std::move(strokes);
   }
 
   /// Whether an area is a rectangle that covers the whole sheet.
-  bool IsBackground(const Eigen::AlignedBox2d& box, const SvgPolyline& outline) const {
-    if (sheet_.width == 0.0 || sheet_.height == 0.0 || outline.points.size() != 5) return false;
+  bool IsBackground(const std::vector<Vector2d>& outline) const {
+    if (sheet_.width == 0.0 || sheet_.height == 0.0 || outline.size() != 5) return false;
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& point : outline) box.extend(point);
     const Eigen::AlignedBox2d sheet(Vector2d(0, 0), Vector2d(sheet_.width, sheet_.height));
     const auto covered = sheet.intersection(box);
     return !covered.isEmpty() && covered.volume() >= kBackgroundShare * sheet.volume();
@@ -290,6 +339,11 @@ class SvgReader {
   Sheet sheet_;
   Vector2d reach_ = Vector2d::Zero();
   std::vector<Stroke> strokes_;
+  struct PlacedArea {
+    PaintedArea area;
+    size_t num_strokes_before;
+  };
+  std::vector<PlacedArea> areas_;
 };
 
 }  // namespace
