@@ -30,6 +30,8 @@ constexpr int kNumScales = 3;
 constexpr double kMinLineArea = 4.0;
 /// Length of lines that hang on a thicker part, in widths of the pen, and the half thickness of that part.
 constexpr double kMinLooseLength = 12.0, kThickHalfWidths = 1.2;
+/// How far a spur may protrude from its junction, in half widths. The edges of areas are smooth, so that more is drawn.
+constexpr double kMaxProtrusion = 0.45;
 /// A piece with more edges is no drawing, but noise.
 constexpr size_t kMaxEdges = 20'000;
 /// Points of an outline by which it is assigned to a piece.
@@ -113,7 +115,7 @@ std::vector<double> HalfWidthsAlong(const Image& skeleton, const Image& ink) {
 std::vector<Stroke> MiddleLines(const Image& ink, const Image& skeleton, double width) {
   SkeletonGraph graph = GraphOfSkeleton(skeleton, ink);
   if (graph.edges.size() > kMaxEdges) return {};
-  graph = WithoutThinningArtefacts(std::move(graph));
+  graph = WithoutThinningArtefacts(std::move(graph), kMaxProtrusion);
   return WithFullEnds(TraceSkeleton(graph), graph, ink, width);
 }
 

@@ -149,11 +149,9 @@ LinePoints WithFullFront(const LinePoints& line, const InkAt& ink, double pen_wi
 
   LinePoints middle = FollowToTip(ink, start, along.normalized(), half_width, cut + 2.0 * half_width + 2.0);
   if (middle.empty()) return line;  // The ink goes on: no end of a line, but a corner.
-  if (getenv("DBG")) for (auto& p : middle) fprintf(stderr,"(%.2f %.2f) ",p.x(),p.y());
   std::reverse(middle.begin(), middle.end());
   const Vector2d ahead = (middle.front() - PointAt(middle, half_width)).normalized();
   const double share = ShareAtTip(ink, middle.front(), ahead, half_width);
-  if (getenv("DBG")) fprintf(stderr,"hw %.2f cut %.2f share %.2f tip %.1f %.1f ahead %.2f %.2f\n",half_width,cut,share,middle.front().x(),middle.front().y(),ahead.x(),ahead.y());
   const bool is_round = share > kRoundShare && share <= kStraightShare;
   if (is_round) middle = CutAtFront(middle, std::min(half_width, LengthOf(middle)));
 
