@@ -141,7 +141,7 @@ class GraphBuilder {
 };
 
 /// Removes the shortest spur, if there is one.
-bool RemoveShortestSpur(SkeletonGraph& graph) {
+bool RemoveShortestSpur(SkeletonGraph& graph, double max_protrusion) {
   const auto degrees = graph.Degrees();
   size_t shortest = graph.edges.size();
   double shortest_length = 0.0;
@@ -149,9 +149,12 @@ bool RemoveShortestSpur(SkeletonGraph& graph) {
     const auto& edge = graph.edges[e];
     for (int side = 0; side < 2; ++side) {
       if (degrees[edge.nodes[side]] != 1 || degrees[edge.nodes[1 - side]] < 3) continue;
-      const double limit = kSpurWidths * 2.0 * graph.nodes[edge.nodes[1 - side]].radius + kRaggedPixels;
+      const double junction_radius = graph.nodes[edge.nodes[1 - side]].radius;
+      const double limit = kSpurWidths * 2.0 * junction_radius + kRaggedPixels;
       const double length = edge.Length();
-      if (length <= limit && (shortest == graph.edges.size() || length < shortest_length)) {
+      const double protrusion = length + graph.nodes[edge.nodes[side]].radius - junction_radius;
+      if (length <= limit && protrusion <= max_protrusion * junction_radius + kRaggedPixels &&
+          (shortest == graph.edges.size() || length < shortest_length)) {
         shortest = e;
         shortest_length = length;
       }
@@ -225,8 +228,8 @@ SkeletonGraph GraphOfSkeleton(const Image& skeleton, const Image& ink) {
   return GraphBuilder(skeleton, ink).Build();
 }
 
-SkeletonGraph WithoutThinningArtefacts(SkeletonGraph graph) {
-  while (RemoveShortestSpur(graph)) {
+SkeletonGraph WithoutThinningArtefacts(SkeletonGraph graph, double max_protrusion) {
+  while (RemoveShortestSpur(graph, max_protrusion)) {
   }
   MergeBridges(graph);
   std::erase_if(graph.edges, [&](const SkeletonEdge& edge) {

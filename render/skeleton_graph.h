@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace daumier::render {
@@ -38,7 +39,10 @@ SkeletonGraph GraphOfSkeleton(const Image& skeleton, const Image& ink);
 
 /// Without what thinning adds to the lines of a pen: spurs (loose ends shorter than the line that they come from is
 /// wide) and bridges (junctions nearer to each other than the lines are wide, where lines cross at a small angle), each
-/// of which becomes one junction. Closed lines shorter than twice that width go too.
-SkeletonGraph WithoutThinningArtefacts(SkeletonGraph graph);
+/// of which becomes one junction. Closed lines shorter than twice that width go too. Spurs stay whose ink protrudes from
+/// the disc of their junction by more than max_protrusion of its radii, where two lines of a wide pen make a sharp
+/// corner: at the corner of a line that is cut straight it is 0.42.
+SkeletonGraph WithoutThinningArtefacts(SkeletonGraph graph,
+                                       double max_protrusion = std::numeric_limits<double>::infinity());
 
 }  // namespace daumier::render
