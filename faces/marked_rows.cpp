@@ -116,6 +116,17 @@ bool Counts(const std::vector<TextRow>& rows, size_t column) {
   return rows.size() > 1 && (is_dense || (rows.size() >= kFewestWithGaps && *last <= kMostLandmarks));
 }
 
+/// Whether a column in front of x y z can be numbers of the points in any order.
+bool AreDistinctIntegers(const std::vector<TextRow>& rows, size_t column) {
+  std::set<double> numbers;
+  for (const TextRow& row : rows) {
+    const auto number = NumberIn(row.cells[column]);
+    if (!number || *number < 0 || *number != std::floor(*number)) return false;
+    numbers.insert(*number);
+  }
+  return numbers.size() == rows.size();
+}
+
 /// Rows of the most frequent number of cells.
 std::vector<TextRow> UsualRows(const std::vector<TextRow>& rows) {
   std::map<size_t, size_t> num_rows;
@@ -144,7 +155,8 @@ std::optional<PointColumns> ColumnsOfRows(const std::vector<TextRow>& rows) {
     if (num_texts > num_numbers && !columns.label) columns.label = c;
     if (num_numbers > 0 && num_numbers >= num_texts) numeric.push_back(c);
   }
-  if (numeric.size() > 1 && Counts(rows, size_t(numeric[0]))) {
+  const bool is_full = numeric.size() == 4 && AreDistinctIntegers(usual, size_t(numeric[0]));
+  if (is_full || (numeric.size() > 1 && Counts(rows, size_t(numeric[0])))) {
     if (!columns.label) columns.label = numeric[0];
     columns.is_numbered = columns.label == numeric[0];
     numeric.erase(numeric.begin());

@@ -54,6 +54,9 @@ TEST(MarkedRows, PointsOfAPictureAndVertices) {
   EXPECT_EQ(numbered.dimension, 1);
   EXPECT_EQ(numbered.points[2], Vector3(900, 0, 0));
   EXPECT_EQ(numbered.labels[2], "3");
+  const MarkedPoints shuffled = Rows("2 7 8 9\n0 1 2 3\n1 4 5 6\n");  // OrderLandmarks puts them in order.
+  EXPECT_EQ(shuffled.points[0], Vector3(7, 8, 9));
+  EXPECT_EQ(shuffled.labels[0], "2");
   EXPECT_EQ(Rows("landmark,vertex_id\nnose,3\nchin,8\n").points[1], Vector3(8, 0, 0));
 }
 
