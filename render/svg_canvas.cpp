@@ -72,7 +72,7 @@ struct SvgCanvas::Pixels {
   }
 
   /// 255 inside an area, within a rectangle.
-  cv::Mat MaskOfArea(const std::vector<SvgPolyline>& rings, SvgFillRule rule, const cv::Rect& rectangle) const {
+  cv::Mat MaskOfArea(const std::vector<SvgPolyline>& rings, FillRule rule, const cv::Rect& rectangle) const {
     cv::Mat mask = cv::Mat::zeros(rectangle.size(), CV_8U);
     const cv::Point offset(-rectangle.x * (1 << kCanvasShift), -rectangle.y * (1 << kCanvasShift));
     std::vector<std::vector<cv::Point>> contours;
@@ -81,7 +81,7 @@ struct SvgCanvas::Pixels {
       contours.push_back(PixelsOf(ring));
       for (cv::Point& pixel : contours.back()) pixel += offset;
     }
-    if (rule == SvgFillRule::kEvenOdd || contours.size() == 1) {
+    if (rule == FillRule::kEvenOdd || contours.size() == 1) {
       if (!contours.empty()) cv::fillPoly(mask, contours, cv::Scalar(255), cv::LINE_8, kCanvasShift);
       return mask;
     }

@@ -62,7 +62,7 @@ bool SvgClip::Contains(const Vector2d& point) const {
     ++crossings[edge.area];
   }
   for (size_t a = 0; a < areas_.size(); ++a) {
-    if (areas_[a].rule == SvgFillRule::kEvenOdd ? crossings[a] % 2 != 0 : winding[a] != 0) return true;
+    if (areas_[a].rule == FillRule::kEvenOdd ? crossings[a] % 2 != 0 : winding[a] != 0) return true;
   }
   return false;
 }

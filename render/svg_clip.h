@@ -1,4 +1,5 @@
 #pragma once
+#include "render/filled_area.h"
 #include "render/svg_path.h"
 
 #include <Eigen/Geometry>
@@ -23,12 +24,10 @@ class SvgWork {
   int64_t spent_ = 0;
 };
 
-enum class SvgFillRule { kNonzero, kEvenOdd };
-
 /// An area in sheet coordinates: what lies inside its rings, each of which is closed by its first point, by the rule.
 struct SvgArea {
   std::vector<SvgPolyline> rings;
-  SvgFillRule rule = SvgFillRule::kNonzero;
+  FillRule rule = FillRule::kNonzero;
 };
 
 /// The union of areas as a clip [CSS Masking 1, 5].

@@ -1,5 +1,6 @@
 #include "render/svg_ink.h"
 
+#include "render/svg_areas.h"
 #include "render/svg_canvas.h"
 
 #include <fmt/format.h>
@@ -32,6 +33,8 @@ constexpr double kFrameShare = 0.6;
 constexpr double kStraightness = 0.01, kFrameLine = 0.8;
 /// Share of a line that is seen from which the line is kept as a whole.
 constexpr double kWholeShare = 0.97;
+/// Share of a middle line that is seen from which it is kept; on the rest it crosses other areas of its colour.
+constexpr double kMiddleLineShare = 0.3;
 /// Steps of the canvas: the shortest piece that is kept of a line; how far from an outline its area is seen.
 constexpr double kShortestPiece = 4.0, kOutlineMargin = 1.5;
 constexpr int kMaxSamplesOfSegment = 4096;
@@ -85,16 +88,22 @@ void Walk(const SvgPolyline& polyline, double step, Visit&& visit) {
   }
 }
 
-/// The pieces of a line on which `is_seen(point, normal)` holds; the whole line if that is nearly everywhere.
 template <class IsSeen>
-std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, IsSeen&& is_seen) {
+double SeenShare(const SvgPolyline& polyline, double step, IsSeen&& is_seen) {
   int64_t num_seen = 0, num_samples = 0;
   Walk(polyline, step, [&](const Vector2d& point, const Vector2d& normal) {
     num_seen += is_seen(point, normal) ? 1 : 0;
     ++num_samples;
   });
-  if (num_seen == 0) return {};
-  if (static_cast<double>(num_seen) >= kWholeShare * static_cast<double>(num_samples)) return {polyline};
+  return num_samples > 0 ? static_cast<double>(num_seen) / static_cast<double>(num_samples) : 0.0;
+}
+
+/// The pieces of a line on which `is_seen(point, normal)` holds; the whole line if that is nearly everywhere.
+template <class IsSeen>
+std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, IsSeen&& is_seen) {
+  const double share = SeenShare(polyline, step, is_seen);
+  if (share == 0.0) return {};
+  if (share >= kWholeShare) return {polyline};
 
   std::vector<SvgPolyline> pieces;
   const auto& points = polyline.points;
@@ -130,7 +139,11 @@ std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, Is
 class InkReader {
  public:
   InkReader(const SvgScene& scene, const SvgColor& paper)
-      : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {}
+      : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {
+    std::vector<bool> is_area;
+    for (const SvgShape& shape : scene.shapes) is_area.push_back(!shape.stroke && shape.fill && !CoversSheet(shape));
+    area_lines_ = LinesOfAreas(scene, is_area, CanvasBox(scene).sizes().maxCoeff());
+  }
 
   std::vector<InkLine> Read() {
     for (int index = 0; index < std::ssize(scene_.shapes); ++index) {
@@ -184,10 +197,18 @@ class InkReader {
         });
       }
     } else if (shape.fill && !CoversSheet(shape)) {
-      for (const auto& line : LinesOfArea({shape.polylines, shape.fill_rule})) {
+      for (const auto& [line, last_of_colour] : area_lines_[size_t(index)]) {
+        const auto is_seen = [&](const Vector2d& point, const Vector2d& normal) {
+          return IsAreaSeen(shape, point, normal);
+        };
         // Hand-written files leave out fill='none' and stroke; a line that has a stroke needs no area.
         if (line.points.size() == 1 || (shape.stroke && TwiceAreaOf(line) == 0.0)) continue;
-        add(line, 0.0, [&](const Vector2d& point, const Vector2d& normal) { return IsAreaSeen(shape, point, normal); });
+        if (!last_of_colour) {
+          add(line, 0.0, is_seen);
+        } else if (SeenShare(line, canvas_.step(), is_seen) >= kMiddleLineShare) {
+          for (auto& piece : Clipped(line, shape))
+            lines.push_back({std::move(piece), *last_of_colour, shape.kind, 0.0, RectangleOf(line)});
+        }
       }
     }
     return lines;
@@ -260,6 +281,7 @@ class InkReader {
   const SvgScene& scene_;
   SvgCanvas canvas_;
   SvgWork work_;
+  std::vector<std::vector<SvgAreaLine>> area_lines_;  ///< Of each shape.
   std::vector<InkLine> lines_;
 };
 
@@ -332,10 +354,6 @@ void RemoveOutside(SvgScene& scene, std::vector<InkLine>& lines) {
 }
 
 }  // namespace
-
-std::vector<SvgPolyline> LinesOfArea(const SvgArea& area) {
-  return area.rings;
-}
 
 std::vector<Stroke> InkOfScene(SvgScene& scene) {
   if (scene.shapes.empty()) return {};

@@ -6,9 +6,6 @@
 
 namespace daumier::render {
 
-/// The lines of one painted area without a stroke of its own colour: the outlines of its rings.
-std::vector<SvgPolyline> LinesOfArea(const SvgArea& area);
-
 /// The lines that a viewer of a scene sees, in its order, in pixels of the sheet: strokes, and the lines of areas, of
 /// another colour than what lies below them, where no later shape hides them. What hides is an area, or a stroke of the
 /// colour of the area below it (an eraser). The sheet is white, or has the scene's background; where nothing but light

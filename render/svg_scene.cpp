@@ -301,6 +301,9 @@ class SceneReader {
                    .fill_rule = RuleOf(style, SvgProperty::kFillRule),
                    .kind = context.kind,
                    .clips = context.clips};
+    if (const std::string_view original = node.attribute("inkscape:original-d").value(); !original.empty())
+      for (SvgPolyline& line : PolylinesOf(node, std::string(original), context.sheet_from_local))
+        shape.drawn_lines.push_back(std::move(line.points));
     for (const SvgProperty marker : {SvgProperty::kMarkerStart, SvgProperty::kMarkerMid, SvgProperty::kMarkerEnd})
       if (style.Get(marker) != "none") Report(node, "its markers are not drawn");
     if (shape.stroke) {
@@ -318,8 +321,8 @@ class SceneReader {
     scene_.shapes.push_back(std::move(shape));
   }
 
-  static SvgFillRule RuleOf(const SvgStyle& style, SvgProperty property) {
-    return style.Get(property) == "evenodd" ? SvgFillRule::kEvenOdd : SvgFillRule::kNonzero;
+  static FillRule RuleOf(const SvgStyle& style, SvgProperty property) {
+    return style.Get(property) == "evenodd" ? FillRule::kEvenOdd : FillRule::kNonzero;
   }
 
   void AddClip(const pugi::xml_node& node, const std::string& value, SceneContext& context, int depth = 0) {

@@ -14,9 +14,11 @@ namespace daumier::render {
 struct SvgShape {
   std::vector<SvgPolyline> polylines;  ///< A closed subpath ends where it begins.
   std::optional<SvgColor> fill, stroke;
-  SvgFillRule fill_rule = SvgFillRule::kNonzero;
+  FillRule fill_rule = FillRule::kNonzero;
   double stroke_width = 0.0;
   int kind = 0;
+  /// The lines from which the program that wrote the file made the area; empty where it does not say.
+  std::vector<std::vector<Eigen::Vector2d>> drawn_lines;
   std::vector<std::shared_ptr<const SvgClip>> clips;  ///< Only what lies in all of them is painted.
 };
 

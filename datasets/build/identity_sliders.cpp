@@ -7,17 +7,17 @@
 namespace daumier::datasets {
 namespace {
 
-using Kind = faces::IdentityControl::Kind;
+using SliderKind = faces::IdentityControl::Kind;
 /// Weights of shapes and what they are multiplied by.
 using Terms = std::vector<std::pair<int, float>>;
 
-constexpr const char* NameOf(Kind kind) {
+constexpr const char* SliderKindName(SliderKind kind) {
   switch (kind) {
-    case Kind::kGaussian:
+    case SliderKind::kGaussian:
       return "gaussian";
-    case Kind::kBipolar:
+    case SliderKind::kBipolar:
       return "bipolar";
-    case Kind::kSimplex:
+    case SliderKind::kSimplex:
       return "simplex";
   }
   return "";
@@ -38,13 +38,14 @@ class SliderList {
   void AddControl(const Json& control) {
     const auto name = control.at("name").get<std::string>(), kind = control.at("kind").get<std::string>();
     const auto shapes = control.at("shapes").get<std::vector<int>>();
-    if (kind == NameOf(Kind::kSimplex)) {
+    if (kind == SliderKindName(SliderKind::kSimplex)) {
       for (size_t part = 0; part < shapes.size(); ++part)
         Add(fmt::format("{} {}", name, part + 1), {{shapes[part], 1.0f}});
-    } else if (kind == NameOf(Kind::kBipolar)) {
+    } else if (kind == SliderKindName(SliderKind::kBipolar)) {
       Add(name, {{shapes.at(0), -1.0f}, {shapes.at(1), 1.0f}});
     } else {
-      DAUMIER_CHECK(kind == NameOf(Kind::kGaussian), "the control '{}' is of unknown kind '{}'", name, kind);
+      DAUMIER_CHECK(kind == SliderKindName(SliderKind::kGaussian), "the control '{}' is of unknown kind '{}'", name,
+                    kind);
       Add(name, {{shapes.at(0), 1.0f}});
     }
   }

@@ -223,7 +223,7 @@ Json MeanOf(const std::vector<double>& values) {
 }
 
 void WriteQuality(const fs::path& directory) {
-  const faces::FaceDatabase database(directory, false);
+  const faces::FaceDatabase database(directory, Checksums::kSkip);
   Json rows = Json::array();
   std::vector<double> there, back, coverage;
   int flipped = 0, flipped_matched = 0;

@@ -43,16 +43,16 @@ TEST(SvgCanvas, TransparentAreasAreBlendedAndHideNothing) {
 TEST(SvgCanvas, RulesDecideAboutHoles) {
   SvgPolyline reversed = SquareRing(40, 60);
   std::reverse(reversed.points.begin(), reversed.points.end());
-  const auto color_inside = [&](const SvgPolyline& hole, SvgFillRule rule) {
+  const auto color_inside = [&](const SvgPolyline& hole, FillRule rule) {
     SvgShape area{.polylines = {SquareRing(20, 80), hole}, .fill = kRedPaint, .fill_rule = rule};
     SvgCanvas canvas(kCanvasBox, kPaperPaint, 500);
     canvas.PaintArea(area, 0);
     EXPECT_EQ(canvas.ColorAt({30, 30}), kRedPaint.rgb);
     return canvas.ColorAt({50, 50});
   };
-  EXPECT_EQ(color_inside(SquareRing(40, 60), SvgFillRule::kEvenOdd), kPaperPaint.rgb);
-  EXPECT_EQ(color_inside(SquareRing(40, 60), SvgFillRule::kNonzero), kRedPaint.rgb);
-  EXPECT_EQ(color_inside(reversed, SvgFillRule::kNonzero), kPaperPaint.rgb);
+  EXPECT_EQ(color_inside(SquareRing(40, 60), FillRule::kEvenOdd), kPaperPaint.rgb);
+  EXPECT_EQ(color_inside(SquareRing(40, 60), FillRule::kNonzero), kRedPaint.rgb);
+  EXPECT_EQ(color_inside(reversed, FillRule::kNonzero), kPaperPaint.rgb);
 }
 
 TEST(SvgCanvas, ClipsLimitAreas) {

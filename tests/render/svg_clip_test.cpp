@@ -42,9 +42,9 @@ TEST(SvgClip, WhatLiesInsideIsUnchangedAndOutsideIsGone) {
 
 TEST(SvgClip, RulesDecideAboutHoles) {
   const std::vector<SvgPolyline> rings{ClipSquare(0, 10), ClipSquare(3, 7)};
-  EXPECT_TRUE(SvgClip({{rings, SvgFillRule::kNonzero}}).Contains({5, 5}));
-  EXPECT_FALSE(SvgClip({{rings, SvgFillRule::kEvenOdd}}).Contains({5, 5}));
-  EXPECT_TRUE(SvgClip({{{rings[0]}, SvgFillRule::kEvenOdd}, {{rings[1]}, SvgFillRule::kEvenOdd}}).Contains({5, 5}))
+  EXPECT_TRUE(SvgClip({{rings, FillRule::kNonzero}}).Contains({5, 5}));
+  EXPECT_FALSE(SvgClip({{rings, FillRule::kEvenOdd}}).Contains({5, 5}));
+  EXPECT_TRUE(SvgClip({{{rings[0]}, FillRule::kEvenOdd}, {{rings[1]}, FillRule::kEvenOdd}}).Contains({5, 5}))
       << "areas are united";
 }
 

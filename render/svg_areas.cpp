@@ -1,0 +1,101 @@
+#include "render/svg_areas.h"
+
+#include "render/pen_areas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace daumier::render {
+namespace {
+
+/// Steps of a colour's channels: paints that differ by less are one ink. Colours that are read as ink.
+constexpr double kColourSteps = 15.0;
+constexpr size_t kMaxInks = 8;
+
+using InkColour = std::array<int, 3>;
+
+/// On white.
+InkColour ColourOf(const SvgColor& paint) {
+  InkColour colour;
+  for (int k = 0; k < 3; ++k)
+    colour[size_t(k)] = static_cast<int>(std::lround(kColourSteps * (1.0 - paint.alpha * (1.0 - paint.rgb[k]))));
+  return colour;
+}
+
+std::vector<std::vector<Eigen::Vector2d>> PointsOf(const std::vector<SvgPolyline>& polylines) {
+  std::vector<std::vector<Eigen::Vector2d>> points;
+  for (const SvgPolyline& polyline : polylines) points.push_back(polyline.points);
+  return points;
+}
+
+SvgPolyline PolylineOf(const Stroke& stroke) {
+  SvgPolyline polyline;
+  for (const auto& [x, y] : stroke.points) polyline.points.emplace_back(x, y);
+  return polyline;
+}
+
+/// The ring that the stroke goes round, with its exact points; nothing if it is a middle line.
+const SvgPolyline* OutlineOf(const SvgShape& shape, const Stroke& stroke) {
+  for (const SvgPolyline& ring : shape.polylines) {
+    const auto is_same = [](const std::array<float, 2>& point, const Eigen::Vector2d& of_ring) {
+      return point[0] == float(of_ring.x()) && point[1] == float(of_ring.y());
+    };
+    if (std::ranges::equal(stroke.points, ring.points, is_same)) return &ring;
+  }
+  return nullptr;
+}
+
+/// The colours of areas by their number of shapes, the most first.
+std::vector<InkColour> InksOf(const std::map<InkColour, std::vector<int>>& shapes_of) {
+  std::vector<InkColour> inks;
+  for (const auto& [colour, shapes] : shapes_of) inks.push_back(colour);
+  std::ranges::stable_sort(
+      inks, [&](const InkColour& a, const InkColour& b) { return shapes_of.at(a).size() > shapes_of.at(b).size(); });
+  inks.resize(std::min(inks.size(), kMaxInks));
+  return inks;
+}
+
+}  // namespace
+
+std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<bool>& is_area,
+                                                   double side) {
+  std::vector<std::vector<SvgAreaLine>> lines(scene.shapes.size());
+  std::vector<PaintedArea> areas;
+  std::vector<int> shape_of;  // Of each area.
+  std::map<InkColour, std::vector<int>> shapes_of;
+  for (size_t i = 0; i < scene.shapes.size(); ++i) {
+    const SvgShape& shape = scene.shapes[i];
+    if (!shape.fill) continue;
+    areas.push_back({{PointsOf(shape.polylines), shape.fill_rule}, Paint::kPaper, shape.kind, shape.drawn_lines});
+    shape_of.push_back(static_cast<int>(i));
+    if (!is_area[i]) continue;
+    shapes_of[ColourOf(*shape.fill)].push_back(static_cast<int>(i));
+    for (const SvgPolyline& ring : shape.polylines) lines[i].push_back({ring, std::nullopt});
+  }
+  for (const InkColour& ink : InksOf(shapes_of)) {
+    for (size_t a = 0; a < areas.size(); ++a) {
+      const auto shape = static_cast<size_t>(shape_of[a]);
+      const bool is_ink = is_area[shape] && ColourOf(*scene.shapes[shape].fill) == ink;
+      areas[a].paint = is_ink ? Paint::kInk : Paint::kPaper;
+    }
+    const std::vector<std::vector<Stroke>> strokes = StrokesOfAreas(areas, side);
+    for (size_t a = 0; a < areas.size(); ++a) {
+      if (areas[a].paint == Paint::kPaper) continue;
+      const auto index = static_cast<size_t>(shape_of[a]);
+      lines[index].clear();
+      for (const Stroke& stroke : strokes[a]) {
+        const SvgPolyline* const outline = OutlineOf(scene.shapes[index], stroke);
+        if (outline != nullptr) {
+          lines[index].push_back({*outline, std::nullopt});
+        } else {
+          lines[index].push_back({PolylineOf(stroke), shapes_of.at(ink).back()});
+        }
+      }
+    }
+  }
+  return lines;
+}
+
+}  // namespace daumier::render

@@ -1,0 +1,67 @@
+#include "render/svg_areas.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::render {
+namespace {
+
+const SvgColor kBlackArea{Eigen::Vector3d::Zero(), 1.0}, kSkinArea{{0.9, 0.7, 0.6}, 1.0};
+
+SvgShape BoxShape(double left, double top, double right, double bottom, const SvgColor& fill) {
+  SvgShape shape;
+  shape.polylines = {{{{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}}};
+  shape.fill = fill;
+  return shape;
+}
+
+std::vector<std::vector<SvgAreaLine>> Lines(std::vector<SvgShape> shapes) {
+  SvgScene scene;
+  scene.width = scene.height = 100;
+  scene.shapes = std::move(shapes);
+  return LinesOfAreas(scene, std::vector<bool>(scene.shapes.size(), true), 100);
+}
+
+TEST(LinesOfAreas, OfALongThinBoxIsItsMiddle) {
+  const auto lines = Lines({BoxShape(20, 49, 80, 51, kBlackArea)});
+  ASSERT_EQ(lines[0].size(), 1U);
+  EXPECT_EQ(lines[0][0].last_of_colour, 0);
+  double left = 100, right = 0;
+  for (const auto& point : lines[0][0].polyline.points) {
+    EXPECT_NEAR(point.y(), 50, 0.3);
+    left = std::min(left, point.x());
+    right = std::max(right, point.x());
+  }
+  EXPECT_NEAR(left, 20, 0.6);
+  EXPECT_NEAR(right, 80, 0.6);
+}
+
+TEST(LinesOfAreas, OfAThickBoxIsItsExactOutline) {
+  const SvgShape box = BoxShape(20, 20, 80, 81.7, kBlackArea);
+  const auto lines = Lines({box});
+  ASSERT_EQ(lines[0].size(), 1U);
+  EXPECT_FALSE(lines[0][0].last_of_colour.has_value());
+  EXPECT_EQ(lines[0][0].polyline.points, box.polylines[0].points);
+}
+
+TEST(LinesOfAreas, APenOnAColouredFaceIsStillALine) {
+  const auto lines = Lines({BoxShape(10, 10, 90, 90, kSkinArea), BoxShape(20, 49, 80, 51, kBlackArea)});
+  ASSERT_EQ(lines[1].size(), 1U);
+  EXPECT_EQ(lines[1][0].last_of_colour, 1);
+  ASSERT_EQ(lines[0].size(), 1U);
+  EXPECT_FALSE(lines[0][0].last_of_colour.has_value());
+}
+
+TEST(LinesOfAreas, AColourThatIsPaintedLaterCutsALine) {
+  const auto lines = Lines({BoxShape(20, 49, 80, 51, kBlackArea), BoxShape(40, 30, 60, 70, kSkinArea)});
+  EXPECT_EQ(lines[0].size(), 2U);
+}
+
+TEST(LinesOfAreas, ShapesThatAreNoAreasHaveNone) {
+  SvgScene scene;
+  scene.width = scene.height = 100;
+  scene.shapes = {BoxShape(20, 49, 80, 51, kBlackArea)};
+  EXPECT_TRUE(LinesOfAreas(scene, {false}, 100)[0].empty());
+}
+
+}  // namespace
+}  // namespace daumier::render
