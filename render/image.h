@@ -28,7 +28,8 @@ struct Image {
 
 using Rgb = std::array<uint8_t, 3>;
 
-/// PNG or JPEG as 8-bit grey or RGB: transparency is laid over white, 16 bits are rounded to 8, a JPEG is turned as its
+/// PNG or JPEG as 8-bit grey or RGB: transparency is laid over white, or over
+/// black where all that is opaque is too light for white, 16 bits are rounded to 8, a JPEG is turned as its
 /// EXIF says.
 /// @throws Error naming file and cause: missing, not a picture, truncated.
 Image ReadImage(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 #include "render/ink.h"
 #include "render/paper.h"
 #include "render/photo_sheet.h"
+#include "render/ruling.h"
 #include "render/skeleton_graph.h"
 #include "render/skeleton_tracing.h"
 #include "render/thinning.h"
@@ -24,7 +25,7 @@ std::optional<LineDrawing> Traced(const Image& picture) {
   const int width = std::max(1, static_cast<int>(std::lround(scale * picture.width)));
 
   LineDrawing result;
-  result.flattened = NormaliseBackground(Resize(picture, height, width));
+  result.flattened = NormaliseBackground(WithoutRuling(Resize(picture, height, width)));
   result.ink = InkMask(result.flattened);
   const double pen_width = PenWidth(result.ink);
   if (pen_width <= 0.0) return {};
