@@ -34,7 +34,6 @@ constexpr double kBandReach = 4.0, kProfileStep = 0.5;
 /// Stretches of a line, each of which has its own offset, and how far that may be from the line's.
 constexpr int kNumStretches = 12;
 constexpr double kMaxBend = 2.0;
-constexpr int kBendReach = 3;
 /// A pixel whose brightness is this share below that of the line alone is wholly the drawing's.
 constexpr double kDrawingShare = 0.35;
 /// Brightness against the paper's below which a profile belongs to the line.
@@ -243,13 +242,16 @@ std::array<double, kNumStretches> BendsOf(const cv::Mat& is_dark, const RuledLin
     }
     if (3 * std::ssize(offsets) > to - from) bends[stretch] = Median(offsets);
   }
-  // Strokes along the line have offsets of their own: the median of neighbours leaves them out.
-  std::array<double, kNumStretches> smooth{};
-  for (int stretch = 0; stretch < kNumStretches; ++stretch) {
-    const int from = std::max(0, stretch - kBendReach), to = std::min(kNumStretches, stretch + kBendReach + 1);
-    smooth[stretch] = Median(std::vector<double>(bends.begin() + from, bends.begin() + to));
+  // Strokes along the line have offsets of their own: a line through medians leaves them out [Theil 1950].
+  std::vector<double> slopes, levels;
+  for (int i = 0; i < kNumStretches; ++i) {
+    for (int j = i + 1; j < kNumStretches; ++j) slopes.push_back((bends[j] - bends[i]) / (j - i));
   }
-  return smooth;
+  const double slope = Median(slopes);
+  for (int i = 0; i < kNumStretches; ++i) levels.push_back(bends[i] - slope * i);
+  const double level = Median(levels);
+  for (int i = 0; i < kNumStretches; ++i) bends[i] = level + slope * i;
+  return bends;
 }
 
 /// Replaces a line by the paper.
@@ -271,19 +273,17 @@ class LineRemover {
       const double centre = RowAt(column);
       const int first = std::max(0, static_cast<int>(std::ceil(centre - kBandReach - 0.5)));
       for (int row = first; row < picture.rows && row + 0.5 <= centre + kBandReach; ++row) {
-        const Colour alone = Profile(row + 0.5 - centre);
+        const Colour alone = DarkestNear(row + 0.5 - centre);
         const Colour paper = ColourAt(page_.paper, row, column), pixel = ColourAt(page_.picture, row, column);
         double drawing = 0.0;
         for (int channel = 0; channel < picture.channels(); ++channel) {
           const double ratio = pixel[channel] / std::max(1.0, paper[channel]);
           drawing = std::max(drawing, (alone[channel] - ratio) / (kDrawingShare * alone[channel]));
         }
-        const double share = std::min(1.0, drawing);
+        const double share = std::clamp(drawing, 0.0, 1.0);
         const Colour bridge = hides_ink ? Bridge(row, column, centre, half_width) : Colour::all(255.0);
         for (int channel = 0; channel < picture.channels(); ++channel) {
-          // What the line takes is given back; ink is left as it is.
-          const double given = std::min(paper[channel], pixel[channel] / alone[channel]);
-          const double value = std::min((1.0 - share) * given + share * pixel[channel], bridge[channel]);
+          const double value = std::min((1.0 - share) * paper[channel] + share * pixel[channel], bridge[channel]);
           uint8_t& target = picture.ptr<uint8_t>(row)[column * picture.channels() + channel];
           target = static_cast<uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
         }
@@ -337,6 +337,16 @@ class LineRemover {
     const double place = std::clamp((distance + kBandReach) / kProfileStep, 0.0, kNumSamples - 1.0);
     const int left = std::min(static_cast<int>(place), kNumSamples - 2);
     return (1.0 - (place - left)) * profile_[left] + (place - left) * profile_[left + 1];
+  }
+
+  /// The profile's least value within half a pixel: the place of the line is not exact.
+  Colour DarkestNear(double distance) const {
+    Colour darkest = Profile(distance);
+    for (const double offset : {-0.5, 0.5}) {
+      const Colour other = Profile(distance + offset);
+      for (int channel = 0; channel < 3; ++channel) darkest[channel] = std::min(darkest[channel], other[channel]);
+    }
+    return darkest;
   }
 
   /// Half the distance between the outermost samples that belong to the line, connected with its middle.

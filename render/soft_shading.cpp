@@ -19,29 +19,36 @@ constexpr double kBorderDarkness = 18.0;
 constexpr int kMinShadedArea = 400;
 /// The share of an area's pixels that are darker than its typical darkness, and that at least: no ink is fainter.
 constexpr double kTypicalDarkness = 0.2, kLeastTypical = 28.0;
-/// A border is an edge where this share of the typical darkness is reached within a distance, in pixels; and the share
-/// of a border that edges may have.
+/// A border is an edge where this share of the darkness further inside, or of the typical one, is reached within a
+/// distance, in pixels, and this many of 255; and the share of a border that edges may have.
 constexpr double kEdgeDarkness = 0.55, kMaxEdgeShare = 0.4;
-constexpr int kEdgeReach = 5;
+constexpr double kLeastEdge = 28.0;
+constexpr int kEdgeReach = 5, kInsideReach = 20;
 
 cv::Mat Disc(int diameter) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {diameter, diameter});
 }
 
+/// The darkest pixels within both reaches of a pixel of a border.
+struct BorderPixel {
+  uint8_t near, inside;
+};
+
 /// What is measured of one connected dark area.
 struct DarkArea {
-  std::vector<uint8_t> darkness;   ///< Of all its pixels.
-  std::vector<uint8_t> at_border;  ///< The darkest within reach of each pixel of its border.
+  std::vector<uint8_t> darkness;  ///< Of all its pixels.
+  std::vector<BorderPixel> border;
 
   bool IsSoft() {
-    if (std::ssize(darkness) < kMinShadedArea || at_border.empty()) return false;
+    if (std::ssize(darkness) < kMinShadedArea || border.empty()) return false;
     const auto rank = static_cast<int64_t>((1.0 - kTypicalDarkness) * static_cast<double>(darkness.size() - 1));
     std::nth_element(darkness.begin(), darkness.begin() + rank, darkness.end());
     if (darkness[rank] < kLeastTypical) return false;
-    const double edge = std::max(kEdgeDarkness * darkness[rank], 1.3 * kBorderDarkness);
-    const auto num_edges =
-        std::count_if(at_border.begin(), at_border.end(), [&](uint8_t dark) { return dark >= edge; });
-    return static_cast<double>(num_edges) <= kMaxEdgeShare * static_cast<double>(at_border.size());
+    const double typical = darkness[rank];
+    const auto num_edges = std::count_if(border.begin(), border.end(), [&](const BorderPixel& pixel) {
+      return pixel.near >= std::max(kLeastEdge, kEdgeDarkness * std::min<double>(pixel.inside, typical));
+    });
+    return static_cast<double>(num_edges) <= kMaxEdgeShare * static_cast<double>(border.size());
   }
 };
 
@@ -54,10 +61,11 @@ std::optional<Image> SoftShading(const Image& even) {
   cv::GaussianBlur(ground, ground, {0, 0}, kGrainBlur);
   cv::bitwise_not(ground, darkness);
   const cv::Mat is_dark = darkness > kBorderDarkness;
-  cv::Mat labels, darkest, inner;
+  cv::Mat labels, near, inside, inner;
   const int num_labels = cv::connectedComponents(is_dark, labels, 8, CV_32S);
   if (num_labels < 2) return {};
-  cv::dilate(darkness, darkest, Disc(2 * kEdgeReach + 1));
+  cv::dilate(darkness, near, Disc(2 * kEdgeReach + 1));
+  cv::dilate(darkness, inside, Disc(2 * kInsideReach + 1));
   // Beyond the picture an area goes on: it has no border there.
   cv::erode(is_dark, inner, Disc(3));
   std::vector<DarkArea> areas(num_labels);
@@ -66,7 +74,9 @@ std::optional<Image> SoftShading(const Image& even) {
       DarkArea& area = areas[labels.at<int>(row, column)];
       if (is_dark.at<uint8_t>(row, column) == 0) continue;
       area.darkness.push_back(darkness.at<uint8_t>(row, column));
-      if (inner.at<uint8_t>(row, column) == 0) area.at_border.push_back(darkest.at<uint8_t>(row, column));
+      if (inner.at<uint8_t>(row, column) == 0) {
+        area.border.push_back({near.at<uint8_t>(row, column), inside.at<uint8_t>(row, column)});
+      }
     }
   }
   cv::Mat is_soft(labels.size(), CV_8U, cv::Scalar(0));

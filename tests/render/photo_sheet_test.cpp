@@ -1,0 +1,141 @@
+#include "render/photo_sheet.h"
+
+#include "core/error.h"
+#include "render/draw.h"
+#include "render/strokes.h"
+#include "tests/support/desk_photo.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace daumier::render {
+namespace {
+
+using Eigen::Vector2d;
+using testing::CameraOverDesk;
+using testing::Desk;
+using testing::DeskPhotoOptions;
+
+/// A face of a few strokes on a sheet.
+Image FaceOnSheet(int side) {
+  return RasteriseStrokes({{0, {{60, 90}, {70, 170}, {128, 220}, {186, 170}, {196, 90}}},
+                           {0, {{90, 110}, {110, 105}}},
+                           {0, {{146, 105}, {166, 110}}},
+                           {0, {{105, 180}, {128, 185}, {151, 180}}}},
+                          side, {.width = 2.5});
+}
+
+/// The largest distance of a corner from where the camera has it.
+double CornerError(const PhotoSheet& sheet, const Image& drawing, const DeskPhotoOptions& options) {
+  const auto camera = CameraOverDesk(drawing.height, drawing.width, options);
+  const double w = drawing.width, h = drawing.height;
+  const std::array<Vector2d, 4> expected = {camera.Project(0, 0), camera.Project(w, 0), camera.Project(w, h),
+                                            camera.Project(0, h)};
+  double largest = 0.0;
+  for (int i = 0; i < 4; ++i) largest = std::max(largest, (sheet.corners[i] - expected[i]).norm());
+  return largest;
+}
+
+TEST(FindSheets, FindsTheCornersOnAnyDeskAtAnyTilt) {
+  const Image drawing = FaceOnSheet(256);
+  for (const Desk desk : {Desk::kDark, Desk::kGrey, Desk::kWood}) {
+    for (const double tilt : {0.0, 3.0, 10.0, 25.0}) {
+      for (const double border : {0.05, 0.3}) {
+        if (border == 0.3 && tilt != 10.0) continue;
+        const DeskPhotoOptions options{.desk = desk, .border = border, .tilt = tilt};
+        const auto sheets = FindSheets(testing::DeskPhoto(drawing, options));
+        ASSERT_FALSE(sheets.empty()) << int(desk) << " " << tilt << " " << border;
+        EXPECT_LE(CornerError(sheets[0], drawing, options), 0.5) << int(desk) << " " << tilt << " " << border;
+      }
+    }
+  }
+}
+
+TEST(FindSheets, WhatLiesOverASideOrACornerDoesNotMatter) {
+  const Image drawing = FaceOnSheet(256);
+  const DeskPhotoOptions options{.border = 0.12, .tilt = 5.0};
+  Image photo = testing::DeskPhoto(drawing, options);
+  FillRectangle(photo, photo.height / 2, 0, 14, photo.width / 5, {30, 60, 160});
+  const auto corner = CameraOverDesk(256, 256, options).Project(256, 256);
+  FillRectangle(photo, int(corner.y()) - 25, int(corner.x()) - 25, 60, 60, {150, 110, 90});
+  const auto sheets = FindSheets(photo);
+  ASSERT_FALSE(sheets.empty());
+  EXPECT_LE(CornerError(sheets[0], drawing, options), 1.0);
+}
+
+TEST(FindSheets, DarkSheetOnALightDesk) {
+  Image drawing = FaceOnSheet(256);
+  for (uint8_t& value : drawing.pixels) value = static_cast<uint8_t>(255 - value);
+  const DeskPhotoOptions options{.desk = Desk::kGrey, .border = 0.15, .tilt = 6.0};
+  const auto sheets = FindSheets(testing::DeskPhoto(drawing, options));
+  ASSERT_FALSE(sheets.empty());
+  EXPECT_LE(CornerError(sheets[0], drawing, options), 0.6);
+}
+
+TEST(FindSheets, ScansHaveNone) {
+  EXPECT_TRUE(FindSheets(Image()).empty());
+  EXPECT_TRUE(FindSheets(Image(1, 1, 1, 0)).empty());
+  EXPECT_TRUE(FindSheets(Image(200, 300, 3, 90)).empty());
+  Image scan = FaceOnSheet(300);
+  EXPECT_TRUE(FindSheets(scan).empty());
+  // A frame round the drawing is a line: there is no desk beyond it.
+  for (const auto& [top, left, height, width] :
+       {std::array{20, 20, 4, 260}, {276, 20, 4, 260}, {20, 20, 260, 4}, {20, 276, 260, 4}}) {
+    FillRectangle(scan, top, left, height, width, {0, 0, 0});
+  }
+  EXPECT_TRUE(FindSheets(scan).empty());
+}
+
+/// Corners of a rectangle of width x 1 under the photographs' camera.
+PhotoSheet Seen(const testing::DeskCamera& camera, double width, double height) {
+  return {{camera.Project(0, 0), camera.Project(width, 0), camera.Project(width, height), camera.Project(0, height)}};
+}
+
+TEST(SheetAspect, UndoesThePerspective) {
+  // 1.18 is far from all formats; the estimate itself is exact, as the camera looks at the middle.
+  for (const double tilt : {5.0, 20.0}) {
+    const auto camera = CameraOverDesk(500, 590, {.border = 0.1, .tilt = tilt});
+    EXPECT_NEAR(SheetAspect(Seen(camera, 590, 500), camera.height, camera.width), 1.18, 0.012) << tilt;
+  }
+  EXPECT_NEAR(SheetAspect({{Vector2d(10, 10), Vector2d(128, 10), Vector2d(128, 110), Vector2d(10, 110)}}, 120, 140),
+              1.18, 1e-9);
+}
+
+TEST(SheetAspect, IsThatOfTheNearestFormat) {
+  const auto upright = [](double width, double height) {
+    const PhotoSheet sheet{{Vector2d(0, 0), Vector2d(width, 0), Vector2d(width, height), Vector2d(0, height)}};
+    return SheetAspect(sheet, int(height), int(width));
+  };
+  EXPECT_EQ(upright(300, 306), 1.0);
+  EXPECT_NEAR(upright(210, 299), 210.0 / 297.0, 1e-4) << "A4";
+  EXPECT_NEAR(upright(298, 210), std::sqrt(2.0), 1e-4);
+}
+
+TEST(RectifySheet, IsTheDrawingAgain) {
+  const Image drawing = FaceOnSheet(256);
+  const DeskPhotoOptions options{.border = 0.1, .tilt = 12.0, .noise = 0.0};
+  const Image photo = testing::DeskPhoto(drawing, options);
+  const auto camera = CameraOverDesk(256, 256, options);
+  const Image flat = RectifySheet(photo, Seen(camera, 256, 256));
+  EXPECT_EQ(flat.channels, 3);
+  EXPECT_EQ(flat.height, flat.width);
+  // Without its edge strip, at its own size, ink is where the drawing has it.
+  int num_ink = 0, num_agreeing = 0;
+  const double cut = 0.012, scale = 256.0 * (1.0 - 2.0 * cut) / flat.width;
+  for (int row = 0; row < flat.height; ++row) {
+    for (int column = 0; column < flat.width; ++column) {
+      const double value =
+          testing::SampleDrawing(drawing, 256 * cut + scale * (column + 0.5), 256 * cut + scale * (row + 0.5));
+      if (value > 30) continue;
+      ++num_ink;
+      num_agreeing += flat.at(row, column) < 130;
+    }
+  }
+  EXPECT_GT(num_ink, 500);
+  EXPECT_GT(num_agreeing, 0.98 * num_ink);
+  EXPECT_THROW(RectifySheet(Image(), Seen(camera, 256, 256)), Error);
+}
+
+}  // namespace
+}  // namespace daumier::render
