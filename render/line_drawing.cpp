@@ -6,6 +6,7 @@
 #include "render/paper.h"
 #include "render/photo_sheet.h"
 #include "render/ruling.h"
+#include "render/sheet_perspective.h"
 #include "render/skeleton_graph.h"
 #include "render/skeleton_tracing.h"
 #include "render/thinning.h"

@@ -66,7 +66,7 @@ std::optional<Image> SoftShading(const Image& even) {
   if (num_labels < 2) return {};
   cv::dilate(darkness, near, Disc(2 * kEdgeReach + 1));
   cv::dilate(darkness, inside, Disc(2 * kInsideReach + 1));
-  // Beyond the picture an area goes on: it has no border there.
+  // The border of the picture is no border of an area.
   cv::erode(is_dark, inner, Disc(3));
   std::vector<DarkArea> areas(num_labels);
   for (int row = 0; row < labels.rows; ++row) {
@@ -88,7 +88,7 @@ std::optional<Image> SoftShading(const Image& even) {
       if (soft_labels[labels.at<int>(row, column)]) is_soft.at<uint8_t>(row, column) = 255;
     }
   }
-  // Beyond its border the ramp goes on, except into other areas.
+  // The ramp continues beyond its border, except into other areas.
   cv::Mat others = is_dark & ~is_soft;
   cv::dilate(is_soft, is_soft, Disc(kWiderThanLines));
   is_soft.setTo(0, others);
