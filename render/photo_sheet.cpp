@@ -43,13 +43,13 @@ constexpr double kSideTolerance = 1.5, kMinSideShare = 0.55;
 constexpr double kDeskFrom = 1.0, kDeskTo = 1.8, kMinDeskShare = 0.6;
 using Quad = std::array<Vector2d, 4>;
 
-double Cross(const Vector2d& a, const Vector2d& b) {
+double CrossProduct(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
 double AreaOf(const Quad& quad) {
   double area = 0.0;
-  for (int i = 0; i < 4; ++i) area += 0.5 * Cross(quad[i], quad[(i + 1) % 4]);
+  for (int i = 0; i < 4; ++i) area += 0.5 * CrossProduct(quad[i], quad[(i + 1) % 4]);
   return area;
 }
 
@@ -63,13 +63,13 @@ std::optional<Quad> QuadOf(const std::array<SideLine, 4>& lines) {
   Quad quad;
   for (int i = 0; i < 4; ++i) {
     const SideLine &a = lines[(i + 3) % 4], &b = lines[i];
-    const double cross = Cross(a.direction, b.direction);
+    const double cross = CrossProduct(a.direction, b.direction);
     if (std::abs(cross) < 0.2) return {};
-    quad[i] = a.point + Cross(b.point - a.point, b.direction) / cross * a.direction;
+    quad[i] = a.point + CrossProduct(b.point - a.point, b.direction) / cross * a.direction;
   }
   for (int i = 0; i < 4; ++i) {
     const Vector2d side = quad[(i + 1) % 4] - quad[i], next = quad[(i + 2) % 4] - quad[(i + 1) % 4];
-    if (Cross(side, next) <= 0.2 * side.norm() * next.norm()) return {};
+    if (CrossProduct(side, next) <= 0.2 * side.norm() * next.norm()) return {};
   }
   return quad;
 }
@@ -155,7 +155,7 @@ std::vector<Quad> RoughQuads(const cv::Mat& grey) {
 }
 
 /// Brightness between pixel centres; nothing outside the picture.
-std::optional<double> Sample(const cv::Mat& grey, const Vector2d& point) {
+std::optional<double> BrightnessAt(const cv::Mat& grey, const Vector2d& point) {
   const double x = point.x() - 0.5, y = point.y() - 0.5;
   const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
   if (column < 0 || row < 0 || column + 1 >= grey.cols || row + 1 >= grey.rows) return {};
@@ -169,7 +169,7 @@ std::optional<double> MedianAlong(const cv::Mat& grey, const Vector2d& point, co
                                   double to) {
   std::vector<double> values;
   for (double distance = from; distance <= to; distance += 1.0) {
-    if (const auto value = Sample(grey, point + distance * direction)) values.push_back(*value);
+    if (const auto value = BrightnessAt(grey, point + distance * direction)) values.push_back(*value);
   }
   if (values.empty()) return {};
   return Median(values);
@@ -185,8 +185,8 @@ std::optional<double> StepAlong(const cv::Mat& grey, const Vector2d& middle, con
     double inside = 0.0, outside = 0.0;
     bool is_complete = true;
     for (const double offset : {0.5, 1.0, 1.5, kHalfStep}) {
-      const auto before = Sample(grey, middle + (distance - offset) * outwards);
-      const auto after = Sample(grey, middle + (distance + offset) * outwards);
+      const auto before = BrightnessAt(grey, middle + (distance - offset) * outwards);
+      const auto after = BrightnessAt(grey, middle + (distance + offset) * outwards);
       is_complete = is_complete && before && after;
       if (!is_complete) break;
       inside += 0.25 * *before;
@@ -213,7 +213,7 @@ struct FittedSide {
 FittedSide FitSide(const std::vector<Vector2d>& points, int num_profiles) {
   FittedSide best;
   const auto agrees = [&](const SideLine& line, const Vector2d& point) {
-    return std::abs(Cross(line.direction, point - line.point)) <= kSideTolerance;
+    return std::abs(CrossProduct(line.direction, point - line.point)) <= kSideTolerance;
   };
   const auto count = [&](const SideLine& line) {
     return std::count_if(points.begin(), points.end(), [&](const Vector2d& point) { return agrees(line, point); });
@@ -263,7 +263,7 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough) {
     for (int k = 0; k < kNumProfiles; ++k) {
       const double share = kCornerShare + (1.0 - 2.0 * kCornerShare) * (k + 0.5) / kNumProfiles;
       const Vector2d middle = from + share * along;
-      if (!Sample(grey, middle)) continue;
+      if (!BrightnessAt(grey, middle)) continue;
       ++num_inside;
       const auto step = StepAlong(grey, middle, outwards, reach);
       if (!step) continue;

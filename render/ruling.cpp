@@ -58,14 +58,14 @@ cv::Mat DarkerThanNoise(const cv::Mat& darkness) {
   return darkness > std::max(kLeastDarkness, median + kNumDeviations * 1.4826 * Median(values));
 }
 
-using Colour = cv::Vec3d;
+using PageColour = cv::Vec3d;
 
-Colour ColourAt(const cv::Mat& picture, int row, int column) {
-  if (picture.channels() == 1) return Colour::all(picture.at<uint8_t>(row, column));
+PageColour ColourAt(const cv::Mat& picture, int row, int column) {
+  if (picture.channels() == 1) return PageColour::all(picture.at<uint8_t>(row, column));
   return picture.at<cv::Vec3b>(row, column);
 }
 
-double CosineBetween(const Colour& a, const Colour& b) {
+double CosineBetween(const PageColour& a, const PageColour& b) {
   const double norms = cv::norm(a) * cv::norm(b);
   return norms > 0.0 ? a.dot(b) / norms : 1.0;
 }
@@ -73,13 +73,13 @@ double CosineBetween(const Colour& a, const Colour& b) {
 /// The picture and its paper, and the drawing's colour as what it takes from the paper's.
 struct Page {
   cv::Mat picture, paper;
-  Colour ink;
+  PageColour ink;
 
-  Colour Taken(int row, int column) const { return ColourAt(paper, row, column) - ColourAt(picture, row, column); }
+  PageColour Taken(int row, int column) const { return ColourAt(paper, row, column) - ColourAt(picture, row, column); }
 };
 
 Page PageOf(const cv::Mat& picture, const cv::Mat& darkness) {
-  Page page{picture, {}, Colour::all(0)};
+  Page page{picture, {}, PageColour::all(0)};
   cv::morphologyEx(picture, page.paper, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_RECT, {2 * kPaperWindow + 1, 2 * kPaperWindow + 1}));
   double darkest = 0.0;
@@ -141,15 +141,15 @@ class LineRemover {
       const double centre = RowAt(column);
       const int first = std::max(0, static_cast<int>(std::ceil(centre - kBandReach - 0.5)));
       for (int row = first; row < picture.rows && row + 0.5 <= centre + kBandReach; ++row) {
-        const Colour alone = DarkestNear(row + 0.5 - centre);
-        const Colour paper = ColourAt(page_.paper, row, column), pixel = ColourAt(page_.picture, row, column);
+        const PageColour alone = DarkestNear(row + 0.5 - centre);
+        const PageColour paper = ColourAt(page_.paper, row, column), pixel = ColourAt(page_.picture, row, column);
         double drawing = 0.0;
         for (int channel = 0; channel < picture.channels(); ++channel) {
           const double ratio = pixel[channel] / std::max(1.0, paper[channel]);
           drawing = std::max(drawing, (alone[channel] - ratio) / (kDrawingShare * alone[channel]));
         }
         const double share = std::clamp(drawing, 0.0, 1.0);
-        const Colour bridge = hides_ink ? Bridge(row, column, centre, half_width) : Colour::all(255.0);
+        const PageColour bridge = hides_ink ? DarkAcross(row, column, centre, half_width) : PageColour::all(255.0);
         for (int channel = 0; channel < picture.channels(); ++channel) {
           const double value = std::min((1.0 - share) * paper[channel] + share * pixel[channel], bridge[channel]);
           uint8_t& target = picture.ptr<uint8_t>(row)[column * picture.channels() + channel];
@@ -180,38 +180,38 @@ class LineRemover {
       const int first = std::max(0, static_cast<int>(std::ceil(centre - kBandReach - 0.5)));
       for (int row = first; row < page_.picture.rows && row + 0.5 <= centre + kBandReach; ++row) {
         const auto sample = std::lround((row + 0.5 - centre + kBandReach) / kProfileStep);
-        const Colour paper = ColourAt(page_.paper, row, column), pixel = ColourAt(page_.picture, row, column);
+        const PageColour paper = ColourAt(page_.paper, row, column), pixel = ColourAt(page_.picture, row, column);
         for (int channel = 0; channel < channels; ++channel) {
           values[sample][channel].push_back(pixel[channel] / std::max(1.0, paper[channel]));
         }
       }
     }
     for (int sample = 0; sample < kNumSamples; ++sample) {
-      profile_[sample] = Colour::all(1.0);
+      profile_[sample] = PageColour::all(1.0);
       for (int channel = 0; channel < channels; ++channel) {
         auto& ratios = values[sample][channel];
         if (!ratios.empty()) profile_[sample][channel] = std::clamp(Median(ratios), 0.02, 1.0);
       }
-      if (channels == 1) profile_[sample] = Colour::all(profile_[sample][0]);
+      if (channels == 1) profile_[sample] = PageColour::all(profile_[sample][0]);
     }
     // A sample without pixels, as where the line is along a row, is between its neighbours.
     for (int sample = 1; sample + 1 < kNumSamples; ++sample) {
       if (values[sample][0].empty()) profile_[sample] = 0.5 * (profile_[sample - 1] + profile_[sample + 1]);
     }
-    for (const Colour& ratio : profile_) taken_ += Colour::all(1.0) - ratio;
+    for (const PageColour& ratio : profile_) taken_ += PageColour::all(1.0) - ratio;
   }
 
-  Colour Profile(double distance) const {
+  PageColour Profile(double distance) const {
     const double place = std::clamp((distance + kBandReach) / kProfileStep, 0.0, kNumSamples - 1.0);
     const int left = std::min(static_cast<int>(place), kNumSamples - 2);
     return (1.0 - (place - left)) * profile_[left] + (place - left) * profile_[left + 1];
   }
 
   /// The profile's least value within half a pixel: the place of the line is not exact.
-  Colour DarkestNear(double distance) const {
-    Colour darkest = Profile(distance);
+  PageColour DarkestNear(double distance) const {
+    PageColour darkest = Profile(distance);
     for (const double offset : {-0.5, 0.5}) {
-      const Colour other = Profile(distance + offset);
+      const PageColour other = Profile(distance + offset);
       for (int channel = 0; channel < 3; ++channel) darkest[channel] = std::min(darkest[channel], other[channel]);
     }
     return darkest;
@@ -235,13 +235,13 @@ class LineRemover {
   /// Whether the line is nearly as dark as ink.
   bool HidesInk() const {
     double darkest = 1.0;
-    for (const Colour& ratio : profile_) darkest = std::min(darkest, std::max({ratio[0], ratio[1], ratio[2]}));
+    for (const PageColour& ratio : profile_) darkest = std::min(darkest, std::max({ratio[0], ratio[1], ratio[2]}));
     return darkest < kHidesInk;
   }
 
   /// The lightest of what is on both sides of the line where one straight stroke can cross it: dark if one does.
-  Colour Bridge(int row, int column, double centre, double half_width) const {
-    Colour darkest = Colour::all(255.0);
+  PageColour DarkAcross(int row, int column, double centre, double half_width) const {
+    PageColour darkest = PageColour::all(255.0);
     const double above = row + 0.5 - (centre - half_width - 0.5), below = centre + half_width + 0.5 - (row + 0.5);
     if (above <= 0.0 || below <= 0.0) return darkest;
     const int row_above = static_cast<int>(std::floor(centre - half_width - 0.5));
@@ -253,8 +253,8 @@ class LineRemover {
       const int column_below = static_cast<int>(std::lround(column + shift * below / (above + below)));
       if (std::min(column_above, column_below) < 0) continue;
       if (std::max(column_above, column_below) >= page_.picture.cols) continue;
-      const Colour a = ColourAt(page_.picture, row_above, column_above),
-                   b = ColourAt(page_.picture, row_below, column_below);
+      const PageColour a = ColourAt(page_.picture, row_above, column_above),
+                       b = ColourAt(page_.picture, row_below, column_below);
       for (int channel = 0; channel < 3; ++channel) {
         darkest[channel] = std::min(darkest[channel], std::max(a[channel], b[channel]));
       }
@@ -265,8 +265,8 @@ class LineRemover {
   const Page& page_;
   RuledLine line_;
   std::array<double, kNumStretches> bends_;
-  std::array<Colour, kNumSamples> profile_;
-  Colour taken_ = Colour::all(0.0);
+  std::array<PageColour, kNumSamples> profile_;
+  PageColour taken_ = PageColour::all(0.0);
 };
 
 /// Replaces those of the lines near the rows that are the page by the paper.

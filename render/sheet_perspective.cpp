@@ -22,14 +22,13 @@ constexpr double kMinFocal = 0.6, kMaxFocal = 3.0, kUsualFocal = 1.2;
 constexpr std::array<double, 5> kFormats = {1.0, 11.0 / 8.5, 4.0 / 3.0, 1.41421356237, 1.5};
 constexpr double kFormatTolerance = 0.03;
 
-double CrossOf(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Columns are the images of the unit square's two sides and of its corner (0, 0).
 Eigen::Matrix3d HomographyOfUnitSquare(const std::array<Vector2d, 4>& quad) {
   const Vector2d d1 = quad[1] - quad[2], d2 = quad[3] - quad[2], sum = quad[0] - quad[1] + quad[2] - quad[3];
-  const double g = CrossOf(sum, d2) / CrossOf(d1, d2), h = CrossOf(d1, sum) / CrossOf(d1, d2);
+  const auto determinant = [](const Vector2d& a, const Vector2d& b) {
+    return (Eigen::Matrix2d() << a, b).finished().determinant();
+  };
+  const double g = determinant(sum, d2) / determinant(d1, d2), h = determinant(d1, sum) / determinant(d1, d2);
   Eigen::Matrix3d homography;
   homography.col(0) << quad[1] - quad[0] + g * quad[1], g;
   homography.col(1) << quad[3] - quad[0] + h * quad[3], h;

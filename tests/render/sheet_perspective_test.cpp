@@ -25,7 +25,7 @@ Image StrokesOnSheet(int side) {
 }
 
 /// The corners of a rectangle under a camera.
-PhotoSheet Seen(const testing::DeskCamera& camera, double width, double height) {
+PhotoSheet RectangleUnder(const testing::DeskCamera& camera, double width, double height) {
   return {{camera.Project(0, 0), camera.Project(width, 0), camera.Project(width, height), camera.Project(0, height)}};
 }
 
@@ -33,7 +33,7 @@ TEST(SheetAspect, UndoesThePerspective) {
   // 1.18 is far from all formats; the estimate itself is exact, as the camera looks at the middle.
   for (const double tilt : {5.0, 20.0}) {
     const auto camera = CameraOverDesk(500, 590, {.border = 0.1, .tilt = tilt});
-    EXPECT_NEAR(SheetAspect(Seen(camera, 590, 500), camera.height, camera.width), 1.18, 0.012) << tilt;
+    EXPECT_NEAR(SheetAspect(RectangleUnder(camera, 590, 500), camera.height, camera.width), 1.18, 0.012) << tilt;
   }
   EXPECT_NEAR(SheetAspect({{Vector2d(10, 10), Vector2d(128, 10), Vector2d(128, 110), Vector2d(10, 110)}}, 120, 140),
               1.18, 1e-9);
@@ -54,7 +54,7 @@ TEST(RectifySheet, IsTheDrawingAgain) {
   const DeskPhotoOptions options{.border = 0.1, .tilt = 12.0, .noise = 0.0};
   const Image photo = testing::DeskPhoto(drawing, options);
   const auto camera = CameraOverDesk(256, 256, options);
-  const Image flat = RectifySheet(photo, Seen(camera, 256, 256));
+  const Image flat = RectifySheet(photo, RectangleUnder(camera, 256, 256));
   EXPECT_EQ(flat.channels, 3);
   EXPECT_EQ(flat.height, flat.width);
   // Without its edge strip, at its own size, ink is where the drawing has it.
@@ -71,7 +71,7 @@ TEST(RectifySheet, IsTheDrawingAgain) {
   }
   EXPECT_GT(num_ink, 500);
   EXPECT_GT(num_agreeing, 0.98 * num_ink);
-  EXPECT_THROW(RectifySheet(Image(), Seen(camera, 256, 256)), Error);
+  EXPECT_THROW(RectifySheet(Image(), RectangleUnder(camera, 256, 256)), Error);
 }
 
 }  // namespace
