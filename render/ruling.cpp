@@ -26,7 +26,7 @@ constexpr double kBandReach = 4.0, kProfileStep = 0.5;
 constexpr int kNumStretches = 12;
 constexpr double kMaxBend = 2.0;
 /// A pixel whose brightness is this share below that of the line alone is wholly the drawing's.
-constexpr double kDrawingShare = 0.35;
+constexpr double kDrawingShare = 0.2;
 /// Brightness against the paper's below which a profile belongs to the line.
 constexpr double kLineEdge = 0.97;
 /// Cosine between colours, as what they take from the paper's, above which they are the same.
