@@ -10,14 +10,39 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <array>
 #include <limits>
 #include <string>
 
 namespace daumier::render {
 namespace {
 
-/// 8-bit RGB over white.
-cv::Mat LayOverWhite(const cv::Mat& bgra) {
+/// Brightness of the darkest share of what is opaque, in [0, 255], above which it cannot be seen on white.
+constexpr double kDarkestOpaque = 0.02;
+constexpr int kInvisibleOnWhite = 170;
+
+/// The brightness that a share of the opaque pixels, counted by their opacity, stay below; 0 if all is transparent.
+int OpaqueQuantile(const cv::Mat& bgra, double share) {
+  std::array<int64_t, 256> opacity_at{};
+  int64_t total = 0;
+  for (int row = 0; row < bgra.rows; ++row) {
+    for (int column = 0; column < bgra.cols; ++column) {
+      const auto& pixel = bgra.at<cv::Vec4b>(row, column);
+      const int brightness = (114 * pixel[0] + 587 * pixel[1] + 299 * pixel[2] + 500) / 1000;
+      opacity_at[brightness] += pixel[3];
+      total += pixel[3];
+    }
+  }
+  int brightness = 0;
+  for (int64_t below = opacity_at[0]; brightness < 255 && static_cast<double>(below) < share * total;) {
+    below += opacity_at[++brightness];
+  }
+  return brightness;
+}
+
+/// 8-bit RGB over white; over black what could not be seen there: light lines without a ground.
+cv::Mat LayOverPaper(const cv::Mat& bgra) {
+  const int paper = OpaqueQuantile(bgra, kDarkestOpaque) > kInvisibleOnWhite ? 0 : 255;
   cv::Mat rgb(bgra.size(), CV_8UC3);
   for (int row = 0; row < bgra.rows; ++row) {
     for (int column = 0; column < bgra.cols; ++column) {
@@ -25,7 +50,7 @@ cv::Mat LayOverWhite(const cv::Mat& bgra) {
       auto& to = rgb.at<cv::Vec3b>(row, column);
       const int alpha = from[3];
       for (int channel = 0; channel < 3; ++channel) {
-        to[channel] = static_cast<uint8_t>((from[2 - channel] * alpha + 255 * (255 - alpha) + 127) / 255);
+        to[channel] = static_cast<uint8_t>((from[2 - channel] * alpha + paper * (255 - alpha) + 127) / 255);
       }
     }
   }
@@ -103,7 +128,7 @@ Image DecodeImage(std::string_view bytes, std::string_view name) {
 
   cv::Mat result;
   if (decoded.channels() == 4) {
-    result = LayOverWhite(decoded);
+    result = LayOverPaper(decoded);
   } else if (decoded.channels() == 3) {
     cv::cvtColor(decoded, result, cv::COLOR_BGR2RGB);
   } else {

@@ -28,9 +28,10 @@ struct Image {
 
 using Rgb = std::array<uint8_t, 3>;
 
-/// PNG, JPEG, WebP, BMP or TIFF as 8-bit grey or RGB: transparency is laid over white, 16 bits are rounded to 8, and the
-/// picture is turned as its Exif data say (ExifOrientation). Of a JPEG file the first picture is read, whatever follows
-/// it; one that lacks nothing but its end marker is read with a warning.
+/// PNG, JPEG, WebP, BMP or TIFF as 8-bit grey or RGB: transparency is laid over white, or over black where all that is
+/// opaque is too light for white, 16 bits are rounded to 8, and the picture is turned as its Exif data say
+/// (ExifOrientation). Of a JPEG file the first picture is read, whatever follows it; one that lacks nothing but its end
+/// marker is read with a warning.
 /// @throws Error naming file and cause: missing, empty, not a picture, truncated.
 Image ReadImage(const std::filesystem::path& path);
 /// The same for a picture that is in memory; `name` is what errors call it.

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "render/opencv_bridge.h"
+#include "render/soft_shading.h"
 
 #include <Eigen/Dense>
 
@@ -28,8 +29,16 @@ constexpr double kPaperSpread = 0.15;
 constexpr double kDarkestPaper = 0.2;
 /// Side of the closing's window as a share of the longer side: wider than any line, narrower than most shadows.
 constexpr double kShadowWindow = 0.12;
-/// Brightness against the surface below which something dark is no shadow.
+/// Brightness against the surface below which something dark may be ink instead of a shadow. It is if it is that near
+/// to the brightness of lines, as a share of what they take from the paper.
 constexpr float kDarkestShadow = 0.6f;
+constexpr double kNearLines = 0.3;
+/// What is brighter than this and has this share of its pixels in lines is a shadow in any case.
+constexpr double kDarkestWithLines = 0.3, kShareOfLines = 0.01;
+/// Half the side of a window wider than lines, in pixels; the step of brightness of a line, at least; and its
+/// brightness against what lies under it, at most.
+constexpr int kLineReach = 7;
+constexpr double kLeastLineStep = 0.06, kLineRatio = 0.8;
 /// Against noise, in pixels; little enough to keep lines of one pixel.
 constexpr double kBlur = 0.7;
 
@@ -115,16 +124,91 @@ cv::Mat DivideBySurface(const cv::Mat& grey, const Eigen::VectorXd& coefficients
   return even;
 }
 
+cv::Mat ClosedBy(const cv::Mat& even, int reach) {
+  cv::Mat closed;
+  cv::morphologyEx(even, closed, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_RECT, {2 * reach + 1, 2 * reach + 1}));
+  return closed;
+}
+
+/// Brightness of lines against what lies under them, where it is clearly below 1; 1 elsewhere.
+cv::Mat LinesOn(const cv::Mat& even) {
+  const cv::Mat ground = ClosedBy(even, kLineReach);
+  cv::Mat ratio;
+  cv::divide(even, cv::max(ground, 1e-3), ratio);
+  ratio.setTo(1.0, ground - even < kLeastLineStep);
+  return ratio;
+}
+
+/// The brightness that a quarter of the pixels of lines stay below; 0 if there are none.
+double TypicalLine(const cv::Mat& lines) {
+  std::vector<float> values;
+  for (auto value = lines.begin<float>(); value != lines.end<float>(); ++value) {
+    if (*value < kLineRatio) values.push_back(*value);
+  }
+  if (values.empty()) return 0.0;
+  const auto rank = values.begin() + std::ssize(values) / 4;
+  std::nth_element(values.begin(), rank, values.end());
+  return *rank;
+}
+
+/// Where something dark and wide is ink: about as dark as lines, and without lines in it.
+cv::Mat WideInk(const cv::Mat& even, const cv::Mat& shadows) {
+  cv::Mat labels;
+  const cv::Mat is_dark = shadows < kDarkestShadow;
+  const int num_labels = cv::connectedComponents(is_dark, labels, 8, CV_32S);
+  if (num_labels == 1) return is_dark;
+  const cv::Mat lines = LinesOn(even);
+  const double typical = TypicalLine(lines);
+  struct Sums {
+    double brightness = 0.0, num_pixels = 0.0, num_lines = 0.0;
+  };
+  std::vector<Sums> sums(num_labels);
+  for (int row = 0; row < labels.rows; ++row) {
+    for (int column = 0; column < labels.cols; ++column) {
+      Sums& area = sums[labels.at<int>(row, column)];
+      area.brightness += shadows.at<float>(row, column);
+      area.num_pixels += 1.0;
+      area.num_lines += lines.at<float>(row, column) < kDarkestShadow;
+    }
+  }
+  cv::Mat ink(labels.size(), CV_8U, cv::Scalar(0));
+  for (int row = 0; row < labels.rows; ++row) {
+    for (int column = 0; column < labels.cols; ++column) {
+      const int label = labels.at<int>(row, column);
+      const Sums& area = sums[label];
+      const double brightness = area.brightness / area.num_pixels;
+      const bool holds_lines = brightness > kDarkestWithLines && area.num_lines > kShareOfLines * area.num_pixels;
+      const bool is_like_lines = brightness < typical + kNearLines * (1.0 - typical);
+      if (label != 0 && is_like_lines && !holds_lines) ink.at<uint8_t>(row, column) = 255;
+    }
+  }
+  return ink;
+}
+
 /// Brightness of shadows and stains: what remains when all that is narrower than the window is filled.
 cv::Mat Shadows(const cv::Mat& even) {
   const int reach = std::max(1, static_cast<int>(0.5 * kShadowWindow * std::max(even.rows, even.cols)));
-  const cv::Size window(2 * reach + 1, 2 * reach + 1);
-  cv::Mat shadows;
-  cv::morphologyEx(even, shadows, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, window));
-  // Below the darkest shadow it is ink, whose paper is unknown: that of the surface is taken.
-  shadows.setTo(1.0, shadows < kDarkestShadow);
+  cv::Mat shadows = ClosedBy(even, reach);
+  // A dark shadow continues beyond the border of the picture.
+  cv::Mat continued;
+  cv::copyMakeBorder(even, continued, reach, reach, reach, reach, cv::BORDER_REPLICATE);
+  continued = ClosedBy(continued, reach)(cv::Rect(reach, reach, even.cols, even.rows)).clone();
+  const cv::Mat ink = WideInk(even, continued);
+  continued.copyTo(shadows, (continued < kDarkestShadow) & ~ink);
+  // The paper under ink is unknown: that of the surface is taken.
+  shadows.setTo(1.0, ink & (shadows < kDarkestShadow));
   cv::GaussianBlur(shadows, shadows, {0, 0}, kBlur);
   return shadows;
+}
+
+/// Divides by soft shading, if there is any.
+void RemoveSoftShading(cv::Mat& even) {
+  Image picture(even.rows, even.cols, 1);
+  cv::Mat view = MatView(picture);
+  even.convertTo(view, CV_8U, 255.0);
+  const auto shading = SoftShading(picture);
+  if (shading) cv::divide(even, MatView(*shading), even, 255.0, CV_32F);
 }
 
 }  // namespace
@@ -139,7 +223,8 @@ Image NormaliseBackground(const Image& picture) {
   }
   if (IsLightOnDark(grey)) cv::bitwise_not(grey, grey);
   cv::GaussianBlur(grey, grey, {0, 0}, kBlur);
-  const cv::Mat even = DivideBySurface(grey, FitPaperSurface(grey));
+  cv::Mat even = DivideBySurface(grey, FitPaperSurface(grey));
+  RemoveSoftShading(even);
   cv::Mat flat;
   cv::divide(even, Shadows(even), flat, 255.0);
 

@@ -78,7 +78,7 @@ class SliderList {
 Json IdentityControlsToJson(const std::vector<faces::IdentityControl>& controls) {
   Json list = Json::array();
   for (const faces::IdentityControl& control : controls)
-    list.push_back({{"name", control.name}, {"kind", NameOf(control.kind)}, {"shapes", control.shapes}});
+    list.push_back({{"name", control.name}, {"kind", SliderKindName(control.kind)}, {"shapes", control.shapes}});
   return list;
 }
 

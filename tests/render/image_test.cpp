@@ -108,6 +108,22 @@ TEST(DecodeImage, RefusesTruncatedPictures) {
   }
 }
 
+TEST(DecodeImage, LaysLightLinesOnNothingOverBlack) {
+  // Opaque at one row; half opaque at another.
+  cv::Mat bgra(6, 8, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+  bgra.row(2).setTo(cv::Scalar(240, 250, 255, 255));
+  bgra.row(4).setTo(cv::Scalar(255, 255, 255, 128));
+  const Image light = DecodeImage(Encode(".png", bgra), "light");
+  EXPECT_EQ(light.at(0, 0), 0);
+  EXPECT_EQ(light.at(2, 3), 255);
+  EXPECT_EQ(light.at(4, 3), 128);
+  // A dark line on an opaque light shape is seen on white.
+  bgra.row(3).setTo(cv::Scalar(0, 0, 0, 255));
+  EXPECT_EQ(DecodeImage(Encode(".png", bgra), "sticker").at(0, 0), 255);
+  bgra.setTo(cv::Scalar(255, 255, 255, 0));
+  EXPECT_EQ(DecodeImage(Encode(".png", bgra), "nothing").at(0, 0), 255);
+}
+
 TEST(DecodeImage, LaysTransparencyOverWhite) {
   cv::Mat bgra(1, 3, CV_8UC4);
   bgra.at<cv::Vec4b>(0, 0) = {10, 20, 30, 255};

@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "render/draw.h"
+#include "tests/support/desk_photo.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 
@@ -171,6 +172,39 @@ TEST(TraceLineDrawing, LargeAreaIsReadAsItsOutline) {
   const std::vector<Stroke> expected = {{0, {{75, 100}, {175, 100}, {175, 180}, {75, 180}, {75, 100}}}};
   const auto found = Dense(OnCanvas(TraceLineDrawing(picture).drawing));
   EXPECT_LE(Distance(Dense(expected), found), 2.5);
+}
+
+TEST(TraceLineDrawing, SheetOnADeskIsReadAlone) {
+  // Without what is cut off along its sides, which the sheet alone loses.
+  constexpr double kCut = 0.012;
+  for (const testing::Desk desk : {testing::Desk::kGrey, testing::Desk::kWood}) {
+    const Image photo = testing::DeskPhoto(RasteriseStrokes(Curves(), 400), {.desk = desk, .border = 0.2, .tilt = 10});
+    auto strokes = OnCanvas(TraceLineDrawing(photo).drawing);
+    for (Stroke& stroke : strokes) {
+      for (auto& [x, y] : stroke.points) {
+        x = static_cast<float>(x * (1 - 2 * kCut) + kCut * kSketchCanvas);
+        y = static_cast<float>(y * (1 - 2 * kCut) + kCut * kSketchCanvas);
+      }
+    }
+    EXPECT_LE(Distance(Dense(strokes), Dense(Curves())), 1.5);
+    EXPECT_LE(Distance(Dense(Curves()), Dense(strokes)), 1.5);
+  }
+}
+
+TEST(TraceLineDrawing, SmallDrawingKeepsItsResolution) {
+  Image sheet(3000, 2400, 1, 255);
+  Paste(sheet, RasteriseStrokes(Curves(), 512), 1900, 700);
+  auto drawing = TraceLineDrawing(sheet).drawing;
+  EXPECT_EQ(drawing.width, 2400.0);
+  EXPECT_EQ(drawing.height, 3000.0);
+  for (Stroke& stroke : drawing.strokes) {
+    for (auto& [x, y] : stroke.points) {
+      x = 0.5F * (x - 700);
+      y = 0.5F * (y - 1900);
+    }
+  }
+  EXPECT_LE(Distance(Dense(drawing.strokes), Dense(Curves())), kTolerancePx);
+  EXPECT_LE(Distance(Dense(Curves()), Dense(drawing.strokes)), kTolerancePx);
 }
 
 TEST(TraceLineDrawing, StagesHaveOneSize) {

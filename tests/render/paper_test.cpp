@@ -67,6 +67,41 @@ TEST(NormaliseBackground, ShadowWithAHardEdgeIsPaper) {
   }
 }
 
+/// Six lines on white; nothing of them is wide.
+Image LinesAlone() {
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < 6; ++i) strokes.push_back({0, {{20, 30.0F + 35 * i}, {230, 40.0F + 35 * i}}});
+  return RasteriseStrokes(strokes, 256, {.width = 3.0});
+}
+
+void ExpectOnlyLines(const Image& flat) {
+  const Image lines = LinesAlone();
+  for (int row = 3; row < 253; ++row) {
+    for (int column = 3; column < 253; ++column) {
+      const int value = flat.at(row, column);
+      if (lines.at(row, column) == 0) {
+        ASSERT_LE(value, 120) << row << " " << column;
+      }
+      const bool is_paper = lines.at(row - 3, column) == 255 && lines.at(row + 3, column) == 255;
+      if (is_paper && lines.at(row, column) == 255) {
+        ASSERT_GE(value, 190) << row << " " << column;
+      }
+    }
+  }
+}
+
+TEST(NormaliseBackground, DarkShadowWithAHardEdgeIsPaper) {
+  const auto shadow = [](int row, int column) { return 3 * column + row > 470 ? 0.42 : 0.95; };
+  ExpectOnlyLines(NormaliseBackground(Lit(LinesAlone(), shadow)));
+}
+
+TEST(NormaliseBackground, SoftShadingIsPaper) {
+  const auto smudge = [](int row, int column) {
+    return 0.95 - 0.5 * std::exp(-std::pow(std::hypot(row - 128.0, column - 110.0) / 50.0, 3.0));
+  };
+  ExpectOnlyLines(NormaliseBackground(Lit(LinesAlone(), smudge)));
+}
+
 TEST(NormaliseBackground, LightLinesOnDarkAreInverted) {
   Image inverted = Lines();
   for (uint8_t& value : inverted.pixels) value = static_cast<uint8_t>(255 - value);
