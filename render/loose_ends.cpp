@@ -21,7 +21,7 @@ constexpr double kBentHalfWidths = 1.5, kDirectionHalfWidths = 1.2;
 constexpr double kStraightHalfWidths = 0.7;
 /// Distance to the edge of the ink, in half widths, beyond which a point is not in a line of that width.
 constexpr double kMaxHalfWidths = 1.6;
-/// Of the pixels along the middle of the ink, one in so many is a point of the line.
+/// Of the pixels along the middle of the ink, one in this number is a point of the line.
 constexpr size_t kKeptSteps = 3;
 /// Depth of the strip at the tip of a line by whose share of ink its end is known, and half its breadth, in half widths
 /// of the line. The share is 1 where the line is cut straight, 0.68 where it is round, and less where it runs to a
@@ -30,7 +30,7 @@ constexpr double kStripDepth = 0.5, kStripBreadth = 0.9, kStraightShare = 0.84, 
 /// Steps along the ray to the edge of the ink, in pixels.
 constexpr double kRayStep = 0.25;
 
-/// Answers about the ink at points in pixels.
+/// The ink at points in pixels.
 class InkAt {
  public:
   explicit InkAt(const Image& ink) : ink_(ink) {
@@ -148,7 +148,7 @@ LinePoints WithFullFront(const LinePoints& line, const InkAt& ink, double pen_wi
   if (half_width <= 0.0 || along.squaredNorm() == 0.0) return line;
 
   LinePoints middle = FollowToTip(ink, start, along.normalized(), half_width, cut + 2.0 * half_width + 2.0);
-  if (middle.empty()) return line;  // The ink goes on: no end of a line, but a corner.
+  if (middle.empty()) return line;  // More ink follows: no end of a line, but a corner.
   std::reverse(middle.begin(), middle.end());
   const Vector2d ahead = (middle.front() - PointAt(middle, half_width)).normalized();
   const double share = ShareAtTip(ink, middle.front(), ahead, half_width);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "render/draw.h"
 #include "render/faces_on_sheet.h"
 #include "render/foreign_formats.h"
 #include "render/gzip.h"
@@ -60,19 +61,10 @@ DrawingFormat DrawingFormatOf(std::string_view bytes, const std::string& suffix)
   return DrawingFormat::kPicture;
 }
 
-/// Some pixels of a picture that lie in [left, right) x [top, bottom).
+/// Some pixels of a picture: [left, right) x [top, bottom).
 struct PixelBox {
   int left, top, right, bottom;
 };
-Image Cropped(const Image& picture, const PixelBox& box) {
-  Image crop(box.bottom - box.top, box.right - box.left, picture.channels);
-  for (int row = box.top; row < box.bottom; ++row) {
-    const auto begin = picture.pixels.begin() + (ptrdiff_t(row) * picture.width + box.left) * picture.channels;
-    std::copy_n(begin, size_t(crop.width) * size_t(picture.channels),
-                crop.pixels.begin() + ptrdiff_t(row - box.top) * crop.width * picture.channels);
-  }
-  return crop;
-}
 
 /// The box of the strokes with a margin that is narrower than any gap between faces.
 PixelBox BoxAround(const Drawing& face, const Image& picture) {
@@ -86,15 +78,18 @@ PixelBox BoxAround(const Drawing& face, const Image& picture) {
   return {int(std::floor(low.x())), int(std::floor(low.y())), int(std::ceil(high.x())), int(std::ceil(high.y()))};
 }
 
-/// The strokes of a picture. Where it shows several faces each is traced by itself, as finely as one alone.
+/// The strokes of a picture. Where it shows several faces each is traced by itself, as finely as one alone; of a sheet
+/// that was photographed they are traced together, since their places are those on the rectified sheet.
 Drawing TracePicture(const Image& picture) {
   Drawing traced = TraceLineDrawing(picture).drawing;
   const std::vector<Drawing> faces = FacesOnSheet(traced);
-  if (faces.size() == 1) return traced;
+  if (faces.size() == 1 || traced.width != picture.width || traced.height != picture.height) return traced;
   traced.strokes.clear();
   for (const Drawing& face : faces) {
     const PixelBox box = BoxAround(face, picture);
-    for (Stroke& stroke : TraceLineDrawing(Cropped(picture, box)).drawing.strokes) {
+    Image crop(box.bottom - box.top, box.right - box.left, picture.channels);
+    Paste(crop, picture, -box.top, -box.left);
+    for (Stroke& stroke : TraceLineDrawing(crop).drawing.strokes) {
       for (auto& [x, y] : stroke.points) x += float(box.left), y += float(box.top);
       traced.strokes.push_back(std::move(stroke));
     }
