@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "faces/import/mesh_folder.h"
+#include "geometry/submesh.h"
 #include "geometry/triangulate.h"
 
 namespace daumier::datasets {
@@ -49,20 +50,22 @@ geometry::Points PlacesOf(const MeshLandmarks& landmarks) {
 LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
   const fs::path& path = inputs.meshes.at(size_t(index));
   const geometry::PolygonMesh polygons = faces::ReadMesh(path);
-  DAUMIER_CHECK(
-      polygons.num_polygons() > 0,
-      "{}: has {} points, but no faces: a cloud of points. Mesh it first, for example with MeshLab's Screened "
-      "Poisson reconstruction",
-      path.string(), polygons.vertices.rows());
   const std::string name = NameOf(path);
   const fs::path landmark_path = LandmarkPath(inputs, name);
   const LandmarkFile file(landmark_path, inputs.vertex_map, inputs.zero);
+  // Without vertices that no polygon uses, among them all that are not finite.
+  const auto used =
+      geometry::Submesh(polygons, geometry::MapKept(polygons.corners, static_cast<int>(polygons.vertices.rows())));
   LandmarkedMesh result{name,
                         landmark_path,
-                        {polygons.vertices, geometry::Triangulate(polygons)},
+                        {used.vertices, geometry::Triangulate(used)},
                         file.On(polygons.vertices),
                         file.OneBasedOn(polygons.vertices)};
   DAUMIER_CHECK(result.mesh.triangles.rows() > 0, "{}: no polygon has three corners that differ", path.string());
+  for (const int l : PresentLandmarks(result.landmarks))
+    DAUMIER_CHECK(result.landmarks[size_t(l)]->allFinite(),
+                  "{}: landmark {} is a vertex of {} that is not finite. Mark it elsewhere, or as absent (nan nan nan)",
+                  landmark_path.string(), l, path.string());
   const auto num_landmarks = PresentLandmarks(result.landmarks).size();
   DAUMIER_CHECK(num_landmarks >= kFewestLandmarks, "{}: {} of 68 landmarks are present, expected {} or more",
                 path.string(), num_landmarks, kFewestLandmarks);

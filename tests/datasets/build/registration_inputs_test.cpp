@@ -5,6 +5,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,20 @@ TEST_F(RegistrationInputs, ACloudOfPointsIsNamed) {
                       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
                       "end_header\n1 2 3\n4 5 6\n");
   ExpectError([&] { ReadLandmarkedMesh(inputs_, 0); }, "cloud of points");
+}
+
+TEST_F(RegistrationInputs, VerticesThatNoPolygonUsesAreLeftOutAndCarryNoLandmark) {
+  testing::AllowWarnings();
+  WriteFileAtomically(inputs_.meshes[0], ReadFile(inputs_.meshes[0]) + "v nan nan nan\nv 1e6 0 0\n");
+  WriteFileAtomically(folder_ / "head.txt", numbers_);
+  const LandmarkedMesh mesh = ReadLandmarkedMesh(inputs_, 0);
+  EXPECT_LE(mesh.mesh.vertices.rows(), face_.neutral.rows());
+  EXPECT_TRUE(mesh.mesh.vertices.allFinite());
+  EXPECT_LT(mesh.mesh.vertices.cwiseAbs().maxCoeff(), 1e5);
+  EXPECT_EQ(PlacesOf(mesh.landmarks).row(3), face_.neutral.row(face_.annotation.landmarks[3]));
+  WriteFileAtomically(folder_ / "head.txt",
+                      std::to_string(face_.neutral.rows()) + "\n" + numbers_.substr(numbers_.find('\n') + 1));
+  ExpectError([&] { ReadLandmarkedMesh(inputs_, 0); }, "landmark 0 is a vertex of");
 }
 
 TEST_F(RegistrationInputs, TheCheckNamesTheFileOfTheLandmarks) {
