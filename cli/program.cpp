@@ -74,6 +74,7 @@ std::vector<std::string> ReversedWords(int argc, char** argv) {
 int RunProgram(int argc, char** argv) {
   CLI::App app{"Trains, evaluates and exports systems for stylised 3D faces.", "daumier"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", DAUMIER_VERSION, "Print the version and exit");
   app.failure_message(FailureText);
   bool quiet = false;
   int threads = 0;

@@ -21,6 +21,12 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+TEST(CommandLine, PrintsItsVersion) {
+  const ProcessResult result = Daumier({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, DAUMIER_VERSION "\n");
+}
+
 TEST(CommandLine, HelpNamesEveryVerb) {
   const ProcessResult result = Daumier({"--help"});
   EXPECT_EQ(result.exit_code, 0);
