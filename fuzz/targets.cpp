@@ -29,7 +29,10 @@ void ReadMeshFile(const std::filesystem::path& path) {
 constexpr Target kTargets[] = {
     {"svg", "a.svg", ReadDrawing},
     {"quickdraw", "a.ndjson", ReadDrawing},
+    {"xournal", "a.xopp", ReadDrawing},
+    {"inkml", "a.inkml", ReadDrawing},
     {"picture", "a.png", ReadDrawing},
+    {"jpeg", "a.jpg", ReadDrawing},
     {"obj", "a.obj", ReadMeshFile},
     {"ply", "a.ply", ReadMeshFile},
     {"landmarks", "a.txt", [](const std::filesystem::path& path) { datasets::LandmarkFile{path}; }},
