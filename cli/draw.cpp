@@ -7,6 +7,8 @@
 #include "render/mesh_drawing.h"
 #include "render/svg.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <map>
 #include <memory>
@@ -59,7 +61,7 @@ void Draw(const DrawArguments& arguments) {
   } else {
     render::WriteImage(arguments.out, render::RasteriseStrokes(strokes, arguments.size));
   }
-  PrintResult({{"drawing", arguments.out.string()}, {"strokes", strokes.size()}}, /*as_json=*/false);
+  fmt::print("drawing: {} ({} lines)\n", arguments.out.string(), strokes.size());
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/safetensors.h"
-#include "datasets/build/landmark_file.h"
 #include "faces/annotation_file.h"
 #include "faces/import/mat_file.h"
 #include "faces/import/mesh_folder.h"
 #include "faces/import/npy.h"
+#include "faces/marked_points.h"
 #include "render/read_drawing.h"
 
 #include <fmt/ranges.h>
@@ -35,7 +35,7 @@ constexpr Target kTargets[] = {
     {"jpeg", "a.jpg", ReadDrawing},
     {"obj", "a.obj", ReadMeshFile},
     {"ply", "a.ply", ReadMeshFile},
-    {"landmarks", "a.txt", [](const std::filesystem::path& path) { datasets::LandmarkFile{path}; }},
+    {"landmarks", "a.txt", [](const std::filesystem::path& path) { faces::ReadMarkedPoints(path); }},
     {"npz", "a.npz", [](const std::filesystem::path& path) { faces::ReadNpz(path, {"a"}); }},
     {"mat", "a.mat", [](const std::filesystem::path& path) { faces::ReadMatFile(path, {"a"}); }},
     {"safetensors", "a.safetensors", [](const std::filesystem::path& path) { SafetensorsFile{path}; }},

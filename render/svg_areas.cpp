@@ -59,7 +59,7 @@ std::vector<InkColour> InksOf(const std::map<InkColour, std::vector<int>>& shape
 
 }  // namespace
 
-std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<bool>& is_area,
+std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<AreaReading>& reading,
                                                    double side) {
   std::vector<std::vector<SvgAreaLine>> lines(scene.shapes.size());
   std::vector<PaintedArea> areas;
@@ -70,14 +70,14 @@ std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const 
     if (!shape.fill) continue;
     areas.push_back({{PointsOf(shape.polylines), shape.fill_rule}, Paint::kPaper, shape.kind, shape.drawn_lines});
     shape_of.push_back(static_cast<int>(i));
-    if (!is_area[i]) continue;
-    shapes_of[ColourOf(*shape.fill)].push_back(static_cast<int>(i));
+    if (reading[i] == AreaReading::kPen) shapes_of[ColourOf(*shape.fill)].push_back(static_cast<int>(i));
+    if (reading[i] == AreaReading::kNothing) continue;
     for (const SvgPolyline& ring : shape.polylines) lines[i].push_back({ring, std::nullopt});
   }
   for (const InkColour& ink : InksOf(shapes_of)) {
     for (size_t a = 0; a < areas.size(); ++a) {
       const auto shape = static_cast<size_t>(shape_of[a]);
-      const bool is_ink = is_area[shape] && ColourOf(*scene.shapes[shape].fill) == ink;
+      const bool is_ink = reading[shape] == AreaReading::kPen && ColourOf(*scene.shapes[shape].fill) == ink;
       areas[a].paint = is_ink ? Paint::kInk : Paint::kPaper;
     }
     const std::vector<std::vector<Stroke>> strokes = StrokesOfAreas(areas, side);

@@ -12,11 +12,18 @@ struct SvgAreaLine {
   std::optional<int> last_of_colour;
 };
 
+/// What becomes of a shape's area.
+enum class AreaReading {
+  kNothing,   ///< It has no lines, but may hide others.
+  kOutlines,  ///< Its outlines: that of a sheet or a frame.
+  kPen,       ///< Its middle lines where it is long and thin, else its outlines.
+};
+
 /// The lines of the areas of a scene, a list for each shape, by StrokesOfAreas: the areas of one colour are its ink, all
 /// others are its paper, in the order of painting, since a line is what differs from what surrounds it. Of the colours of
-/// a picture in many colours, those of the most shapes count; areas of the others become their outlines. `is_area`: of
-/// each shape, whether its area is to be read; `side`: of the sheet, in pixels.
-std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<bool>& is_area,
+/// a picture in many colours, those of the most shapes count; areas of the others become their outlines. `reading`: of
+/// each shape with an area; `side`: of the sheet, in pixels.
+std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<AreaReading>& reading,
                                                    double side);
 
 }  // namespace daumier::render

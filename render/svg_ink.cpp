@@ -35,6 +35,8 @@ constexpr double kStraightness = 0.01, kFrameLine = 0.8;
 constexpr double kWholeShare = 0.97;
 /// Share of a middle line that is seen from which it is kept; on the rest it crosses other areas of its colour.
 constexpr double kMiddleLineShare = 0.3;
+/// Shorter side of a rectangle, as a share of the canvas, from which it is a sheet or a frame and no line of a pen.
+constexpr double kSheetSide = 0.25;
 /// Steps of the canvas: the shortest piece that is kept of a line; how far from an outline its area is seen.
 constexpr double kShortestPiece = 4.0, kOutlineMargin = 1.5;
 constexpr int kMaxSamplesOfSegment = 4096;
@@ -140,9 +142,10 @@ class InkReader {
  public:
   InkReader(const SvgScene& scene, const SvgColor& paper)
       : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {
-    std::vector<bool> is_area;
-    for (const SvgShape& shape : scene.shapes) is_area.push_back(!shape.stroke && shape.fill && !CoversSheet(shape));
-    area_lines_ = LinesOfAreas(scene, is_area, CanvasBox(scene).sizes().maxCoeff());
+    std::vector<AreaReading> reading;
+    const double side = CanvasBox(scene).sizes().maxCoeff();
+    for (const SvgShape& shape : scene.shapes) reading.push_back(ReadingOf(shape, side));
+    area_lines_ = LinesOfAreas(scene, reading, side);
   }
 
   std::vector<InkLine> Read() {
@@ -240,6 +243,14 @@ class InkReader {
     for (const Vector2d& at : {point, Vector2d(point + offset), Vector2d(point - offset)})
       if (PaintContrast(*shape.fill, canvas_.ColorAt(at)) >= kInkContrast) return true;
     return false;
+  }
+
+  AreaReading ReadingOf(const SvgShape& shape, double side) const {
+    if (shape.stroke || !shape.fill || CoversSheet(shape)) return AreaReading::kNothing;
+    const bool is_sheet = std::ranges::any_of(shape.polylines, [&](const SvgPolyline& polyline) {
+      return RectangleOf(polyline) && BoxOfLine(polyline).sizes().minCoeff() > kSheetSide * side;
+    });
+    return is_sheet ? AreaReading::kOutlines : AreaReading::kPen;
   }
 
   bool CoversSheet(const SvgShape& shape) const {

@@ -32,6 +32,7 @@ std::vector<std::filesystem::path> SeedsOf(const Target& target) {
 class FuzzTarget : public ::testing::TestWithParam<Target> {};
 
 TEST_P(FuzzTarget, ReadsItsSeeds) {
+  testing::AllowWarnings();
   const testing::TempDir folder;
   const auto seeds = SeedsOf(GetParam());
   ASSERT_FALSE(seeds.empty());

@@ -18,7 +18,7 @@ std::vector<std::vector<SvgAreaLine>> Lines(std::vector<SvgShape> shapes) {
   SvgScene scene;
   scene.width = scene.height = 100;
   scene.shapes = std::move(shapes);
-  return LinesOfAreas(scene, std::vector<bool>(scene.shapes.size(), true), 100);
+  return LinesOfAreas(scene, std::vector<AreaReading>(scene.shapes.size(), AreaReading::kPen), 100);
 }
 
 TEST(LinesOfAreas, OfALongThinBoxIsItsMiddle) {
@@ -60,7 +60,10 @@ TEST(LinesOfAreas, ShapesThatAreNoAreasHaveNone) {
   SvgScene scene;
   scene.width = scene.height = 100;
   scene.shapes = {BoxShape(20, 49, 80, 51, kBlackArea)};
-  EXPECT_TRUE(LinesOfAreas(scene, {false}, 100)[0].empty());
+  EXPECT_TRUE(LinesOfAreas(scene, {AreaReading::kNothing}, 100)[0].empty());
+  const auto outlines = LinesOfAreas(scene, {AreaReading::kOutlines}, 100);
+  ASSERT_EQ(outlines[0].size(), 1U);
+  EXPECT_EQ(outlines[0][0].polyline.points, scene.shapes[0].polylines[0].points);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ TEST(PersonFaces, ThePersonAloneDecides) {
 
 TEST(PersonFaces, AreMadeInSeveralThreads) {
   const faces::FaceModel model = testing::SyntheticModel();
-  const PersonFacesMaker maker(model, model.expressions, testing::SyntheticFacesOptions(3));
+  const FacesOptions options = testing::SyntheticFacesOptions(3);
+  const PersonFacesMaker maker(model, model.expressions, options);
   testing::ExpectTheSameFromThreads(3, [&] { return maker.Make(1).vertices; });
 }
 

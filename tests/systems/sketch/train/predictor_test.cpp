@@ -30,7 +30,9 @@ SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& opt
 void PredictSketches(const std::filesystem::path& run, const std::vector<std::filesystem::path>& files,
                      const std::filesystem::path& out, const PredictOptions& options = {}) {
   PredictOptions all = options;
-  systems::PredictFiles(SketchSystem(), Open(run, options), run, files, out, ToJson(all));
+  const auto inputs = systems::ReadPredictionInputs(SketchSystem(), files);
+  const auto summary = systems::PredictFiles(SketchSystem(), Open(run, options), run, inputs, out, ToJson(all));
+  systems::ThrowIfFailed(summary, out);
 }
 
 TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {

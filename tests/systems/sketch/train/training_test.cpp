@@ -89,9 +89,15 @@ TEST_F(SketchTrainingTest, ResumedEqualsUninterruptedByteForByte) {
     RunSketch(config, {whole, false}, {});
     // Interrupted after the first step, then after the second, then resumed to the end.
     std::stop_source stop;
-    stop.request_stop();
     const Task cancelled(stop.get_token());
-    testing::ExpectError([&] { RunSketch(config, {stopped, false}, cancelled); }, "interrupted at step 1 of");
+    const Task cancelled_by_training(stop.get_token(), [&](const TaskProgress& progress) {
+      if (progress.unit == "steps") stop.request_stop();
+    });
+    testing::ExpectError(
+        [&] {
+          RunSketch(config, {stopped, false}, cancelled_by_training);
+        },
+        "interrupted at step 1 of");
     testing::ExpectError([&] { RunSketch(config, {stopped, true}, cancelled); }, "interrupted at step 2 of");
     RunSketch(config, {stopped, true}, {});
     for (const auto& entry : fs::recursive_directory_iterator(whole)) {
