@@ -16,8 +16,8 @@ struct FrameSearchOptions {
   int places_y = 5;
   double drawn_trim = 0.5;
   double projected_trim = 0.05;
-  int starts = 3;
-  int halvings = 3;
+  int starts = 6;
+  int rounds = 6;
 
   template <class V>
   void Visit(V&& visit) {
@@ -29,7 +29,7 @@ struct FrameSearchOptions {
           "Share of the drawn lines, the farthest from the face's, that does not count.");
     visit("projected_trim", projected_trim, Range{0, 0.99}, "The same of the face's lines.");
     visit("starts", starts, Range{1, 99}, "How many of the best frames are improved.");
-    visit("halvings", halvings, Range{0, 20}, "How often the steps of that are halved.");
+    visit("rounds", rounds, Range{0, 20}, "How often each of them is improved at most.");
   }
 };
 
@@ -43,10 +43,13 @@ struct FoundFrame {
   double start_distance_px = 0.0;  ///< The same of the frame of the bounding box.
 };
 
-/// Finds the scale and shift that align a drawing with the training sketches: of all candidates, the one whose
-/// predicted face is nearest to the drawing (DistanceBetween, two-way and trimmed). Candidates are the frame of the
-/// bounding box; faces that take a share of the drawing's height, at some places of its box; and around the best of
-/// these, steps of scale and shift that are halved whenever none is better.
+/// Finds the scale and shift that align a drawing with the training sketches: where the predicted face is nearest to the
+/// drawing (DistanceBetween d, two-way and trimmed). First the frame of the bounding box is tried, and faces that take a
+/// share of the drawing's height, at some places of its box. d is a noisy function of the frame, whose single values
+/// change their order with the least change of a line. Around each of the best frames therefore a quadratic surface is
+/// fitted to d (FitQuadraticSurface; log scale and shift, 6 % and 5 pixels to each side), whose lowest place is the next
+/// frame. The mean of those that are near the best one, weighted by exp(-d / 0.1 px) of their surfaces, is improved by
+/// smaller surfaces. Never farther from the drawing than the frame of the bounding box.
 /// @throws Error as DistanceBetween and what `predict` throws; Cancelled if the task is.
 FoundFrame FindFrame(const render::FramedDrawing& drawing, const CurvesOfSketches& predict,
                      const FrameSearchOptions& options = {}, const Task& task = {});

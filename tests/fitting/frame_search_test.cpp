@@ -46,7 +46,7 @@ TEST_F(FrameSearchTest, BringsTheDrawingOntoTheFacesCurves) {
   const FoundFrame found = FindFrame(framed, Always());
   EXPECT_LT(found.distance_px, 1.0);
   EXPECT_LT(Error(found), 6) << "pixels of the canvas";
-  EXPECT_LT(num_tried_, 400);
+  EXPECT_LT(num_tried_, 700);
 }
 
 TEST_F(FrameSearchTest, IsNotMisledByHairAndShoulders) {
@@ -60,15 +60,38 @@ TEST_F(FrameSearchTest, IsNotMisledByHairAndShoulders) {
   EXPECT_LT(found.distance_px, 0.5 * found.start_distance_px);
 }
 
+TEST_F(FrameSearchTest, ANoisyDistanceMovesTheFrameLittle) {
+  // A network whose face shakes by up to half a pixel with the least change of the sketch.
+  const auto shaking = [this](double phase) -> CurvesOfSketches {
+    return [this, phase](const std::vector<Sketch>& sketches) {
+      std::vector<Sketch> faces;
+      for (const Sketch& sketch : sketches) {
+        faces.push_back(curves_);
+        const double noise = 0.5 * std::sin(phase + 1e3 * sketch[0].points[0][0]);
+        for (auto& stroke : faces.back())
+          for (auto& point : stroke.points) point[0] += float(noise);
+      }
+      return faces;
+    };
+  };
+  const auto framed = render::FrameDrawing(OnASheet({}));
+  const FoundFrame one = FindFrame(framed, shaking(0.0)), other = FindFrame(framed, shaking(1.0));
+  EXPECT_LT(std::abs(std::log(one.placement.scale / other.placement.scale)), 0.01);
+  EXPECT_LT((one.placement.scale * Eigen::Vector2d(500, 500) + one.placement.shift -
+             other.placement.scale * Eigen::Vector2d(500, 500) - other.placement.shift)
+                .norm(),
+            1.0);
+}
+
 TEST_F(FrameSearchTest, IsNeverWorseThanTheFrameOfTheBoundingBox) {
   const auto framed = render::FrameDrawing({100, 100, {{0, {{10, 10}, {80, 50}, {30, 90}}}}});
-  const FoundFrame found = FindFrame(framed, Always(), {.shares = {0.5}, .starts = 1, .halvings = 0});
+  const FoundFrame found = FindFrame(framed, Always(), {.shares = {0.5}, .starts = 1, .rounds = 0});
   EXPECT_LE(found.distance_px, found.start_distance_px);
 }
 
 TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxIsReturned) {
   const auto framed = render::FrameDrawing(OnASheet({}));
-  const FoundFrame found = FindFrame(framed, Always(), {.shares = {}, .halvings = 0});
+  const FoundFrame found = FindFrame(framed, Always(), {.shares = {}, .rounds = 0});
   EXPECT_EQ(found.placement.scale, framed.placement.scale);
   EXPECT_EQ(found.placement.shift, framed.placement.shift);
   EXPECT_EQ(found.distance_px, found.start_distance_px);

@@ -35,7 +35,7 @@ class SketchPredictorTest : public ::testing::Test {
   static PredictOptions WholeChain() {
     PredictOptions options{.deform = true};
     options.search.shares = {1.0, 0.8};
-    options.search.places_x = options.search.places_y = options.search.starts = options.search.halvings = 1;
+    options.search.places_x = options.search.places_y = options.search.starts = options.search.rounds = 1;
     return options;
   }
   static std::vector<systems::Input> OneInput() { return {render::Drawing{256, 256, Circles()}}; }

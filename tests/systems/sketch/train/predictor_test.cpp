@@ -43,7 +43,7 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
     render::WriteImage(folder / name, render::RasteriseStrokes(fitting::Circles(), 240));
   }
   PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out",
-                  {.search = {.shares = {1.0}, .starts = 1, .halvings = 1}});
+                  {.search = {.shares = {1.0}, .starts = 1, .rounds = 1}});
   const Manifest manifest = ReadManifest(folder / "out", "predictions");
   EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
   EXPECT_EQ(manifest.checksums.size(), 6u);
