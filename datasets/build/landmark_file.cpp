@@ -55,7 +55,9 @@ LandmarkFile::LandmarkFile(const std::filesystem::path& path, const std::filesys
                            faces::ZeroPoints zero)
     : landmarks_(faces::OrderLandmarks(faces::ReadMarkedPoints(path, zero))) {
   DAUMIER_CHECK(landmarks_.dimension != 2,
-                "{}: holds x and y of a picture; expected x y z on the mesh, or vertices of it", path.string());
+                "{}: holds x and y of a picture, or z is missing (two numbers a point); expected x y z on the mesh, or "
+                "vertices of it",
+                path.string());
   if (landmarks_.dimension != 1) return;
   for (auto& number : landmarks_.points) {
     if (number && ToVertex(number->x(), path) == -1) number.reset();
