@@ -24,6 +24,8 @@ using geometry::Vector3;
 constexpr double kFarBetter = 0.85;
 /// A translation needs no rounder numbers than another unit: it has to bring the landmarks this much closer than that.
 constexpr double kCloserThanUnit = 0.5;
+/// An axis along which the landmarks are moved less, as a share of the whole move, is not moved.
+constexpr double kNoMove = 1e-4;
 /// The same of distances from the mesh, which good readings bring to nearly nothing; closer ones are not tried.
 constexpr double kFarCloser = 0.25, kNearMesh = 0.02;
 /// A landmark at 0 0 0 that is farther from the mesh, as a share of the landmarks' spread, is absent.
@@ -187,11 +189,12 @@ std::optional<std::string> FaultOfFrame(const geometry::TriangleMesh& mesh, cons
   for (const auto& change : {unit, axes}) {
     if (change) least = kCloserThanUnit * OffMesh(tree, places * change->matrix.transpose());
   }
-  const Vector3 move = TranslationOnto(mesh, tree, places);
+  Vector3 move = TranslationOnto(mesh, tree, places);
+  for (double& axis : move) axis = std::abs(axis) < kNoMove * move.norm() ? 0 : axis;
   if (OffMesh(tree, places.rowwise() + move.transpose()) < least)
     return fmt::format(
         "the landmarks are moved by ({:.4g}, {:.4g}, {:.4g}) against the mesh. Subtract that, or move the mesh by it",
-        -move.x(), -move.y(), -move.z());
+        0 - move.x(), 0 - move.y(), 0 - move.z());
   if (unit) return fmt::format("the landmarks are in another unit than the mesh: {}", unit->name);
   if (axes)
     return fmt::format("the landmarks are in another frame than the mesh: they lie on it as {}. Write them in that way",
