@@ -185,9 +185,9 @@ std::optional<std::string> FaultOfFrame(const geometry::TriangleMesh& mesh, cons
                                         const geometry::Points& places, double off_mesh) {
   const auto unit = BestChange(tree, places, off_mesh, UnitChanges());
   const auto axes = unit ? std::nullopt : BestChange(tree, places, off_mesh, AxisChanges(1));
-  double least = kFarCloser * off_mesh;
+  double least = std::min(kFarCloser * off_mesh, kNearMesh);
   for (const auto& change : {unit, axes}) {
-    if (change) least = kCloserThanUnit * OffMesh(tree, places * change->matrix.transpose());
+    if (change) least = std::min(least, kCloserThanUnit * OffMesh(tree, places * change->matrix.transpose()));
   }
   Vector3 move = TranslationOnto(mesh, tree, places);
   for (double& axis : move) axis = std::abs(axis) < kNoMove * move.norm() ? 0 : axis;

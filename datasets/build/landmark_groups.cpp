@@ -115,13 +115,17 @@ std::optional<std::string> FaultOfGroups(const FitInput& input, double max_misfi
                    [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
   std::string faults;
   std::set<int> named;
+  MeshLandmarks repaired = input.landmarks;
   for (const Candidate& candidate : candidates) {
     const std::vector<int>& group = candidate.order->landmarks;
     if (std::any_of(group.begin(), group.end(), [&](int l) { return named.count(l) > 0; })) continue;
     named.insert(group.begin(), group.end());
+    for (size_t k = 0; k < group.size(); ++k)
+      repaired[size_t(group[k])] = input.landmarks[size_t(candidate.order->sources[k])];
     faults += (faults.empty() ? "" : "; ") + candidate.order->fault;
   }
-  if (faults.empty()) return std::nullopt;
+  // In the chaos of landmarks that are no face, some part always fits better.
+  if (faults.empty() || MisfitOf(PairsOf(input, repaired, SameLandmark)) > max_misfit) return std::nullopt;
   return faults +
          ": the other order fits a face far better. Write them in iBUG order, which begins at the person's "
          "right ear, brow and eye";

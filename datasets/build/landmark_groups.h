@@ -26,7 +26,8 @@ struct GroupFit {
 /// Of the landmarks that are there with their partners. Nothing with fewer than four of them or fewer than six others.
 std::optional<GroupFit> FitOfGroup(const FitInput& input, const GroupOrder& order);
 
-/// The groups whose other order fits far better, with a mean distance of at most `max_misfit`; nothing where none does.
+/// The groups whose other order fits far better, where that and the misfit of all are at most `max_misfit`;
+/// nothing where none does.
 std::optional<std::string> FaultOfGroups(const FitInput& input, double max_misfit);
 
 /// Landmarks, at most four, whose distance after the robust similarity is far above that of all others.

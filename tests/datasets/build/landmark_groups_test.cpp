@@ -2,6 +2,7 @@
 
 #include "tests/support/synthetic_face.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace daumier::datasets {
