@@ -47,6 +47,7 @@ class JsonPoints {
     } else if (list->is_object() && list->contains("markups") && list->at("markups").is_array()) {
       for (const Json& markup : list->at("markups")) AddMarkup(markup);
     } else if (list->is_object()) {
+      CheckLists(*list);
       for (const char* key : kListKeys) {
         if (!list->contains(key) || !list->at(key).is_structured()) continue;
         const Json& points = list->at(key);
@@ -60,6 +61,15 @@ class JsonPoints {
       for (const auto& [label, entry] : list->items()) AddPoint(entry, label);
     } else {
       Fail(*list);
+    }
+  }
+
+  /// Keys of lists with something else.
+  void CheckLists(const Json& json) const {
+    for (const char* key : {"markups", "landmarks", "points", "controlPoints", "landmark_points"}) {
+      DAUMIER_CHECK(!json.contains(key) || json.at(key).is_structured(), "{}: \"{}\" is {}, expected a list of {}",
+                    name_, key, json.at(key).dump().substr(0, 40),
+                    std::string_view(key) == "markups" ? "markups" : "points");
     }
   }
 

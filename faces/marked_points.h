@@ -29,6 +29,10 @@ enum class ZeroPoints {
 ///   text in rows   `x y z`, `x y` or a vertex, separated by blanks, commas, semicolons or tabulators; with or without
 ///                  a count, a header, numbers or names of the points; comments behind #, // or ;
 ///   iBUG .pts      `version: 1`, `n_points: 68`, braces
+///   IDAV Landmark  .pts: `Version 1.0`, the count, `S000 x y z`
+///   TPS            `LM3=68` or `LM=68`, the points, `ID=` and the like; SCALE is not applied
+///   printed arrays of NumPy, PyTorch and Python; rows in brackets
+///   PLY            the vertices, ASCII or binary
 ///   3D Slicer      .fcsv and .mrk.json; a markup that is not defined is absent
 ///   MeshLab        .pp; active="0" is absent
 ///   dlib           the parts of the one box of an imglab XML
@@ -36,7 +40,7 @@ enum class ZeroPoints {
 ///                  `landmarks` or `points`
 /// nan, null, an empty cell or - for a coordinate: the point is absent.
 /// @throws Error naming file, line or entry, and the repair: unreadable, binary, decimal commas, rows of different
-/// lengths with names, another count than the file states, text where a number is expected, no point.
+/// lengths with names, another count than the file states, no point that is there, text where a number is expected, no point.
 MarkedPoints ReadMarkedPoints(const std::filesystem::path& path, ZeroPoints zero = ZeroPoints::kPlaces);
 
 }  // namespace daumier::faces

@@ -166,6 +166,20 @@ std::optional<PointColumns> ColumnsOfRows(const std::vector<TextRow>& rows) {
   return columns;
 }
 
+/// @throws Error if a cell is a number beyond the range of numbers, or infinite: no name of a point.
+void CheckFinite(const std::vector<TextRow>& rows, const std::string& name) {
+  for (const TextRow& row : rows) {
+    for (const std::string& cell : row.cells) {
+      const std::string_view digits = std::string_view(cell).substr(cell.starts_with('+'));
+      double number = 0;
+      const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+      const bool is_whole = !digits.empty() && stop == digits.data() + digits.size();
+      DAUMIER_CHECK(!is_whole || (error == std::errc() && !std::isinf(number)) || NumberIn(cell),
+                    "{}: line {}: '{}' is not a finite number", name, row.line, cell);
+    }
+  }
+}
+
 bool HasNumber(const TextRow& row) {
   return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return NumberIn(cell); });
 }
@@ -213,13 +227,17 @@ MarkedPoints PointsIn(const std::vector<TextRow>& rows, const PointColumns& colu
   MarkedPoints marked{.dimension = static_cast<int>(columns.coordinates.size())};
   for (const TextRow& row : rows) {
     geometry::Vector3 place = geometry::Vector3::Zero();
-    bool is_there = true;
+    bool is_there = true, has_number = false;
     for (int axis = 0; axis < marked.dimension; ++axis) {
       const size_t column = size_t(columns.coordinates[size_t(axis)]);
+      DAUMIER_CHECK(column < row.cells.size() || !has_number,
+                    "{}: line {}: {} cells, expected {} or more: a coordinate is missing", name, row.line,
+                    row.cells.size(), column + 1);
       const std::string cell = column < row.cells.size() ? row.cells[column] : std::string();
       const auto number = NumberIn(cell);
       DAUMIER_CHECK(number || IsAbsentCell(cell), "{}: line {}: '{}' is not a number", name, row.line, cell);
       is_there = is_there && number;
+      has_number = has_number || number;
       if (number) place[axis] = *number;
     }
     marked.points.push_back(is_there ? std::optional(place) : std::nullopt);
@@ -270,6 +288,7 @@ MarkedPoints ParseMarkedRows(std::string_view text, const std::filesystem::path&
   TextTable table = ReadTextTable(text, name);
   std::vector<TextRow>& rows = table.rows;
   DAUMIER_CHECK(!rows.empty(), "{}: holds no point", name);
+  CheckFinite(rows, name);
   std::optional<PointColumns> columns = ColumnsOfRemark(table);
   const auto frame = FrameOfRemark(table);
   // Slicer 4.11 and later write no names of columns.

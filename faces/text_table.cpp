@@ -19,6 +19,15 @@ bool IsDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
+/// `Version 1.0`, without a sign between.
+bool IsVersion(std::string_view line) {
+  constexpr std::string_view kVersion = "version";
+  if (line.size() <= kVersion.size() || kBlanks.find(line[kVersion.size()]) == std::string_view::npos) return false;
+  const bool is_word = std::equal(kVersion.begin(), kVersion.end(), line.begin(),
+                                  [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+  return is_word && Trimmed(line.substr(kVersion.size())).find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
 struct Line {
   int number;
   std::string_view text;
@@ -144,7 +153,7 @@ TextTable ReadTextTable(std::string_view text, const std::string& name) {
   for (const Line& line : SplitLines(text)) {
     const std::string_view trimmed = Trimmed(line.text);
     if (trimmed.empty() || trimmed == "{" || trimmed == "}") continue;
-    if (lines.empty() && IsHeaderEntry(trimmed)) {
+    if (lines.empty() && (IsHeaderEntry(trimmed) || IsVersion(trimmed))) {
       table.remarks.emplace_back(trimmed);
     } else {
       lines.push_back(line);
@@ -167,6 +176,8 @@ TextTable ReadTextTable(std::string_view text, const std::string& name) {
       if (words.size() > 1 && std::all_of(words.begin(), words.end(), HasDecimalComma))
         CheckNoDecimalCommas(words, name, number);
     }
+    DAUMIER_CHECK(std::count(cells.begin(), cells.end(), '"') % 2 == 0, "{}: line {}: a double quote is not closed",
+                  name, number);
     std::vector<std::string> row = SplitCells(cells, separator);
     if (separator != ',') CheckNoDecimalCommas(row, name, number);
     table.rows.push_back({number, std::move(row)});

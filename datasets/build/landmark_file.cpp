@@ -10,9 +10,13 @@
 namespace daumier::datasets {
 namespace {
 
+constexpr double kTooLarge = 1e9;
+
 int ToVertex(double number, const std::filesystem::path& path) {
-  DAUMIER_CHECK(number == std::floor(number) && std::abs(number) < 1e9, "{}: {} is no vertex (expected an integer)",
-                path.string(), number);
+  DAUMIER_CHECK(number == std::floor(number), "{}: {} is no vertex (expected an integer)", path.string(), number);
+  DAUMIER_CHECK(std::abs(number) < kTooLarge,
+                "{}: {:.0f} is no vertex: it is too large (expected the number of a vertex of the mesh)", path.string(),
+                number);
   return static_cast<int>(number);
 }
 
@@ -51,7 +55,9 @@ LandmarkFile::LandmarkFile(const std::filesystem::path& path, const std::filesys
                            faces::ZeroPoints zero)
     : landmarks_(faces::OrderLandmarks(faces::ReadMarkedPoints(path, zero))) {
   DAUMIER_CHECK(landmarks_.dimension != 2,
-                "{}: holds x and y of a picture; expected x y z on the mesh, or vertices of it", path.string());
+                "{}: holds x and y of a picture, or z is missing (two numbers a point); expected x y z on the mesh, or "
+                "vertices of it",
+                path.string());
   if (landmarks_.dimension != 1) return;
   for (auto& number : landmarks_.points) {
     if (number && ToVertex(number->x(), path) == -1) number.reset();
@@ -83,24 +89,34 @@ MeshLandmarks LandmarkFile::On(const geometry::Points& vertices) const {
     if (!vertex) continue;
     const char* repair = number == vertices.rows() ? "are its numbers 1-based? Subtract 1 from each"
                                                    : "is a vertex map needed (--vertex-map)?";
-    DAUMIER_CHECK(*vertex >= 0 && *vertex < vertices.rows(), "{}: landmark {} is vertex {}, but the mesh has {}; {}",
+    DAUMIER_CHECK(*vertex >= 0,
+                  "{}: landmark {} is vertex {} (expected 0 or more; -1: absent). Was 1 subtracted twice from 1-based "
+                  "numbers? Add 1 to each",
+                  landmarks_.file.string(), l, *vertex);
+    DAUMIER_CHECK(*vertex < vertices.rows(), "{}: landmark {} is vertex {}, but the mesh has {}; {}",
                   landmarks_.file.string(), l, *vertex, vertices.rows(), repair);
     places[l] = vertices.row(*vertex).transpose();
   }
   return places;
 }
 
-std::optional<MeshLandmarks> LandmarkFile::OneBasedOn(const geometry::Points& vertices) const {
-  if (landmarks_.dimension == 3) return std::nullopt;
+MeshLandmarks LandmarkFile::ShiftedBy(int step, const geometry::Points& vertices) const {
   MeshLandmarks places;
   for (size_t l = 0; l < places.size(); ++l) {
     if (!landmarks_.points[l]) continue;
-    const int number = static_cast<int>(landmarks_.points[l]->x());
-    if (number <= 0) return std::nullopt;
-    const auto vertex = VertexOf(number - 1);
-    if (vertex && *vertex < vertices.rows()) places[l] = vertices.row(*vertex).transpose();
+    const auto vertex = VertexOf(static_cast<int>(landmarks_.points[l]->x()) + step);
+    if (vertex && *vertex >= 0 && *vertex < vertices.rows()) places[l] = vertices.row(*vertex).transpose();
   }
   return places;
+}
+
+ShiftedNumbers LandmarkFile::ShiftedOn(const geometry::Points& vertices) const {
+  if (landmarks_.dimension == 3) return {};
+  const bool has_zero = std::any_of(landmarks_.points.begin(), landmarks_.points.end(),
+                                    [](const auto& number) { return number && number->x() <= 0; });
+  ShiftedNumbers shifted{std::nullopt, ShiftedBy(1, vertices)};
+  if (!has_zero) shifted.one_less = ShiftedBy(-1, vertices);
+  return shifted;
 }
 
 }  // namespace daumier::datasets

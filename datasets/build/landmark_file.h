@@ -13,6 +13,12 @@ namespace daumier::datasets {
 /// lips on a cropped scan).
 using MeshLandmarks = std::array<std::optional<geometry::Vector3>, faces::kNumLandmarks>;
 
+/// Where the landmarks are if each vertex has another number; nothing where the file holds places.
+struct ShiftedNumbers {
+  std::optional<MeshLandmarks> one_less;  ///< Of numbers from 1, as in MATLAB and OBJ files; nothing with a number 0.
+  std::optional<MeshLandmarks> one_more;  ///< Of numbers from 1 after 1 was subtracted twice.
+};
+
 /// Landmarks of meshes as a file has them: places on one mesh, or vertices (0-based; -1: absent) of all meshes of one
 /// topology. Every form that faces::ReadMarkedPoints and faces::OrderLandmarks read.
 class LandmarkFile {
@@ -28,12 +34,12 @@ class LandmarkFile {
   /// of range.
   MeshLandmarks On(const geometry::Points& vertices) const;
 
-  /// The landmarks if the first vertex is number 1, as in MATLAB and OBJ files; nothing where the file holds places or
-  /// a number 0.
-  std::optional<MeshLandmarks> OneBasedOn(const geometry::Points& vertices) const;
+  /// The landmarks if their numbers are one too high or one too low.
+  ShiftedNumbers ShiftedOn(const geometry::Points& vertices) const;
 
  private:
   std::optional<int> VertexOf(int number) const;
+  MeshLandmarks ShiftedBy(int step, const geometry::Points& vertices) const;
 
   faces::OrderedLandmarks landmarks_;
   std::optional<std::map<int, int>> vertex_of_name_;

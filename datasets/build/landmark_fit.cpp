@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 #include "core/statistics.h"
+#include "datasets/build/landmark_groups.h"
+#include "datasets/build/landmark_pairs.h"
+#include "datasets/build/landmark_translation.h"
 #include "geometry/alignment.h"
 #include "geometry/normals.h"
 #include "geometry/triangle_tree.h"
@@ -9,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 namespace daumier::datasets {
@@ -20,61 +22,20 @@ using geometry::Vector3;
 /// Another reading of the landmarks is the right one if its misfit falls below this share: right readings of other
 /// heads reach 0.73 at most, wrong readings of good heads 1.18 at least.
 constexpr double kFarBetter = 0.85;
+/// A translation needs no rounder numbers than another unit: it has to bring the landmarks this much closer than that.
+constexpr double kCloserThanUnit = 0.5;
+/// An axis along which the landmarks are moved less, as a share of the whole move, is not moved.
+constexpr double kNoMove = 1e-4;
 /// The same of distances from the mesh, which good readings bring to nearly nothing; closer ones are not tried.
 constexpr double kFarCloser = 0.25, kNearMesh = 0.02;
 /// A landmark at 0 0 0 that is farther from the mesh, as a share of the landmarks' spread, is absent.
 constexpr double kFarOffMesh = 0.2;
 /// Three landmarks in one place are absent ones; two may be there, at closed lips.
 constexpr size_t kFewestZeros = 3;
+/// Fewer landmarks with shifted numbers say nothing.
+constexpr int kFewestLandmarksOfFit = 6;
 /// Fewer landmarks may fit in another order, too.
 constexpr size_t kFewestShifted = 20;
-
-using SourceLandmark = std::function<int(int)>;
-
-/// Pairs of a landmark of the template and the place on the mesh that is taken for it.
-struct LandmarkPairs {
-  std::vector<int> landmarks;
-  geometry::Points places, rest;
-  Eigen::VectorXd weights;
-};
-
-/// `source`: which of the given places is taken for each landmark.
-LandmarkPairs PairsOf(const FitInput& input, const MeshLandmarks& places, const SourceLandmark& source) {
-  LandmarkPairs pairs;
-  for (int l = 0; l < faces::kNumLandmarks; ++l) {
-    if (places[size_t(source(l))]) pairs.landmarks.push_back(l);
-  }
-  const auto count = static_cast<Eigen::Index>(pairs.landmarks.size());
-  pairs.places.resize(count, 3);
-  pairs.rest.resize(count, 3);
-  pairs.weights.resize(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const int l = pairs.landmarks[size_t(k)];
-    pairs.places.row(k) = places[size_t(source(l))]->transpose();
-    pairs.rest.row(k) = input.face.neutral.row(input.face.annotation.landmarks[size_t(l)]);
-    pairs.weights[k] = l < faces::kNumContourLandmarks ? input.contour_weight : 1.0;
-  }
-  return pairs;
-}
-
-double SpreadOf(const geometry::Points& points, const Eigen::VectorXd& weights) {
-  const Eigen::RowVector3d centre = weights.transpose() * points / weights.sum();
-  return std::sqrt(weights.dot((points.rowwise() - centre).rowwise().squaredNorm()) / weights.sum());
-}
-
-/// Distances after the robust similarity, as shares of the template's spread.
-Eigen::VectorXd Residuals(const LandmarkPairs& pairs) {
-  const geometry::Similarity similarity = geometry::AlignRobustly(pairs.places, pairs.rest, pairs.weights);
-  return (similarity.Apply(pairs.places) - pairs.rest).rowwise().norm() / SpreadOf(pairs.rest, pairs.weights);
-}
-
-double MisfitOf(const LandmarkPairs& pairs) {
-  return pairs.weights.dot(Residuals(pairs)) / pairs.weights.sum();
-}
-
-int SameLandmark(int landmark) {
-  return landmark;
-}
 
 /// Whether three or more landmarks are there with their partners on the other side: a part of one side fits the other
 /// side, too, turned over.
@@ -105,9 +66,8 @@ double NormalAgreement(const FitInput& input, const geometry::TriangleTree& tree
   return sum / double(pairs.landmarks.size());
 }
 
-/// Median distance from the mesh over the spread, of places that are changed by `change` first.
-double OffMesh(const geometry::TriangleTree& tree, const geometry::Points& places, const Eigen::Matrix3d& change) {
-  const geometry::Points moved = places * change.transpose();
+/// Median distance from the mesh over the spread of the places.
+double OffMesh(const geometry::TriangleTree& tree, const geometry::Points& moved) {
   std::vector<double> distances;
   for (const auto place : moved.rowwise()) distances.push_back(tree.Closest(place.transpose()).distance);
   return Median(distances) / SpreadOf(moved, Eigen::VectorXd::Ones(moved.rows()));
@@ -201,12 +161,45 @@ std::optional<FrameChange> BestChange(const geometry::TriangleTree& tree, const 
   std::optional<FrameChange> best;
   double least = kFarCloser * off_mesh;
   for (const FrameChange& change : changes) {
-    const double off = OffMesh(tree, places, change.matrix);
+    const double off = OffMesh(tree, places * change.matrix.transpose());
     if (off >= least) continue;
     least = off;
     best = change;
   }
   return best;
+}
+
+/// Whether the landmarks fit far better with these numbers, most of which are vertices.
+bool FitsBetter(const FitInput& input, const std::optional<MeshLandmarks>& shifted, const LandmarkFit& fit) {
+  if (!shifted) return false;
+  const auto num_present = [](const MeshLandmarks& landmarks) {
+    return std::count_if(landmarks.begin(), landmarks.end(), [](const auto& place) { return place.has_value(); });
+  };
+  if (2 * num_present(*shifted) < num_present(input.landmarks) || num_present(*shifted) < kFewestLandmarksOfFit)
+    return false;
+  return MisfitOf(PairsOf(input, *shifted, SameLandmark)) < kFarBetter * fit.misfit;
+}
+
+/// A unit, axes or an origin that brings the landmarks far closer to the mesh.
+std::optional<std::string> FaultOfFrame(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree,
+                                        const geometry::Points& places, double off_mesh) {
+  const auto unit = BestChange(tree, places, off_mesh, UnitChanges());
+  const auto axes = unit ? std::nullopt : BestChange(tree, places, off_mesh, AxisChanges(1));
+  double least = std::min(kFarCloser * off_mesh, kNearMesh);
+  for (const auto& change : {unit, axes}) {
+    if (change) least = std::min(least, kCloserThanUnit * OffMesh(tree, places * change->matrix.transpose()));
+  }
+  Vector3 move = TranslationOnto(mesh, tree, places);
+  for (double& axis : move) axis = std::abs(axis) < kNoMove * move.norm() ? 0 : axis;
+  if (OffMesh(tree, places.rowwise() + move.transpose()) < least)
+    return fmt::format(
+        "the landmarks are moved by ({:.4g}, {:.4g}, {:.4g}) against the mesh. Subtract that, or move the mesh by it",
+        0 - move.x(), 0 - move.y(), 0 - move.z());
+  if (unit) return fmt::format("the landmarks are in another unit than the mesh: {}", unit->name);
+  if (axes)
+    return fmt::format("the landmarks are in another frame than the mesh: they lie on it as {}. Write them in that way",
+                       axes->name);
+  return std::nullopt;
 }
 
 std::string MirrorFault(const LandmarkFit& fit, const geometry::TriangleTree& tree, const geometry::Points& places) {
@@ -230,12 +223,25 @@ std::string MirrorFault(const LandmarkFit& fit, const geometry::TriangleTree& tr
 
 }  // namespace
 
+std::optional<std::string> FaultOfOnePlace(const MeshLandmarks& landmarks) {
+  std::optional<Vector3> first;
+  for (const auto& place : landmarks) {
+    if (!place) continue;
+    if (!first) first = place;
+    if (*place != *first) return std::nullopt;
+  }
+  if (!first) return std::nullopt;
+  return fmt::format(
+      "all landmarks are in one place ({:.4g}, {:.4g}, {:.4g}), or one vertex. Some programs write zeros for absent "
+      "ones: --zero-is-absent leaves these out, but six others have to be there",
+      first->x(), first->y(), first->z());
+}
+
 LandmarkFit MeasureLandmarkFit(const FitInput& input) {
   const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark);
   const geometry::TriangleTree tree(input.mesh);
   const geometry::Points normals = geometry::VertexNormals(input.mesh);
-  LandmarkFit fit{MisfitOf(pairs), OffMesh(tree, pairs.places, Eigen::Matrix3d::Identity()),
-                  NormalAgreement(input, tree, normals, pairs)};
+  LandmarkFit fit{MisfitOf(pairs), OffMesh(tree, pairs.places), NormalAgreement(input, tree, normals, pairs)};
   if (HasBothSides(input.landmarks)) {
     const LandmarkPairs mirrored = PairsOf(input, input.landmarks, faces::MirroredLandmark);
     fit.mirrored = {MisfitOf(mirrored), NormalAgreement(input, tree, normals, mirrored)};
@@ -254,8 +260,11 @@ std::optional<std::string> FaultOfLandmarks(const FitInput& input, const Landmar
   }
   const LandmarkPairs pairs = PairsOf(input, input.landmarks, SameLandmark);
   if (fit.mirrored && fit.mirrored->misfit < kFarBetter * fit.misfit) return MirrorFault(fit, tree, pairs.places);
-  if (input.one_based && MisfitOf(PairsOf(input, *input.one_based, SameLandmark)) < kFarBetter * fit.misfit)
+  if (FitsBetter(input, input.shifted.one_less, fit))
     return "the numbers of the vertices are 1-based: one less each fits a face far better. Subtract 1 from each";
+  if (FitsBetter(input, input.shifted.one_more, fit))
+    return "the numbers of the vertices are one too low, as if 1 had been subtracted twice: one more each fits a face "
+           "far better. Add 1 to each";
   for (const int shift : {1, faces::kNumLandmarks - 1}) {
     const auto shifted = [&](int l) { return (l + shift) % faces::kNumLandmarks; };
     const LandmarkPairs others = PairsOf(input, input.landmarks, shifted);
@@ -265,6 +274,13 @@ std::optional<std::string> FaultOfLandmarks(const FitInput& input, const Landmar
           "first at the person's right ear",
           shift == 1 ? "next one for each" : "one before for each");
   }
+  if (const auto fault = FaultOfGroups(input, limits.max_landmark_misfit)) return fault;
+  if (const std::vector<int> outliers = Outliers(input); !outliers.empty())
+    return fmt::format(
+        "landmark{} {} {} far off: the others fit the template far better. Mark {} elsewhere, or as absent (-1 or nan "
+        "nan nan); the first has the number 0",
+        outliers.size() > 1 ? "s" : "", ListOf(outliers), outliers.size() > 1 ? "are" : "is",
+        outliers.size() > 1 ? "them" : "it");
   if (fit.misfit > limits.max_landmark_misfit)
     return fmt::format(
         "the landmarks are not those of a face in iBUG order: after the best similarity their mean distance from the "
@@ -272,12 +288,7 @@ std::optional<std::string> FaultOfLandmarks(const FitInput& input, const Landmar
         "person's right ear",
         fit.misfit, limits.max_landmark_misfit);
   if (fit.off_mesh > kNearMesh) {
-    if (const auto change = BestChange(tree, pairs.places, fit.off_mesh, UnitChanges()))
-      return fmt::format("the landmarks are in another unit than the mesh: {}", change->name);
-    if (const auto change = BestChange(tree, pairs.places, fit.off_mesh, AxisChanges(1)))
-      return fmt::format(
-          "the landmarks are in another frame than the mesh: they lie on it as {}. Write them in that way",
-          change->name);
+    if (const auto fault = FaultOfFrame(input.mesh, tree, pairs.places, fit.off_mesh)) return fault;
   }
   if (fit.off_mesh > limits.max_landmarks_off_mesh)
     return fmt::format(

@@ -51,17 +51,21 @@ struct FitInput {
   const faces::FaceTemplate& face;
   const geometry::TriangleMesh& mesh;
   const MeshLandmarks& landmarks;
-  const std::optional<MeshLandmarks>& one_based;  ///< LandmarkFile::OneBasedOn.
+  const ShiftedNumbers& shifted;  ///< LandmarkFile::ShiftedOn.
   double contour_weight;
 };
+
+/// Why landmarks that all lie in one place, which no similarity fits, do so; nothing where they do not.
+std::optional<std::string> FaultOfOnePlace(const MeshLandmarks& landmarks);
 
 /// @throws Error as geometry::AlignSimilarity and TriangleTree.
 LandmarkFit MeasureLandmarkFit(const FitInput& input);
 
 /// Why these landmarks do not fit this mesh or no face at all, with the repair; nothing where they do. Recognises by
 /// trial what would fit far better: zeros for absent landmarks, left and right exchanged or a mirrored mesh, an axis of
-/// the wrong sign, another frame, another unit, 1-based numbers of vertices, an order shifted by one. A mesh that is
-/// inside out but fits otherwise has no fault here: its `normals` are below 0.
+/// the wrong sign, another frame, another unit, another origin, numbers of vertices that are one too high or too low, an
+/// order shifted by one, another order within a part (FaultOfGroups), and single wrong landmarks (Outliers). A mesh that
+/// is inside out but fits otherwise has no fault here: its `normals` are below 0.
 std::optional<std::string> FaultOfLandmarks(const FitInput& input, const LandmarkFit& fit,
                                             const RegistrationLimits& limits);
 

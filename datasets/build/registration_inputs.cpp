@@ -60,7 +60,7 @@ LandmarkedMesh ReadLandmarkedMesh(const MeshInputs& inputs, int index) {
                         landmark_path,
                         {used.vertices, geometry::Triangulate(used)},
                         file.On(polygons.vertices),
-                        file.OneBasedOn(polygons.vertices)};
+                        file.ShiftedOn(polygons.vertices)};
   DAUMIER_CHECK(result.mesh.triangles.rows() > 0, "{}: no polygon has three corners that differ", path.string());
   for (const int l : PresentLandmarks(result.landmarks))
     DAUMIER_CHECK(result.landmarks[size_t(l)]->allFinite(),
@@ -78,12 +78,15 @@ void TurnTriangles(geometry::TriangleMesh& mesh) {
 
 Winding CheckAgainst(const faces::FaceTemplate& face, double contour_weight, const RegistrationLimits& limits,
                      LandmarkedMesh& target) {
-  const FitInput input{face, target.mesh, target.landmarks, target.one_based, contour_weight};
+  const FitInput input{face, target.mesh, target.landmarks, target.shifted, contour_weight};
   LandmarkFit fit;
   std::optional<std::string> fault;
   try {
-    fit = MeasureLandmarkFit(input);
-    fault = FaultOfLandmarks(input, fit, limits);
+    fault = FaultOfOnePlace(target.landmarks);
+    if (!fault) {
+      fit = MeasureLandmarkFit(input);
+      fault = FaultOfLandmarks(input, fit, limits);
+    }
   } catch (const Error& error) {
     fault = error.what();
   }

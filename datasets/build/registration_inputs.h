@@ -27,7 +27,7 @@ struct LandmarkedMesh {
   std::filesystem::path landmark_file;
   geometry::TriangleMesh mesh;
   MeshLandmarks landmarks;
-  std::optional<MeshLandmarks> one_based;  ///< LandmarkFile::OneBasedOn.
+  ShiftedNumbers shifted;  ///< LandmarkFile::ShiftedOn.
 };
 
 /// The name of an input in messages and files.

@@ -61,6 +61,11 @@ TEST(MarkedDocuments, PickedPointsOfMeshLab) {
   EXPECT_EQ(marked.labels[1], "1");
 }
 
+TEST(MarkedDocuments, AListThatIsNone) {
+  ExpectError([] { ParseMarkedJson("{\"markups\": 5}", "a.json"); }, "\"markups\" is 5, expected a list of markups");
+  ExpectError([] { ParseMarkedJson("{\"points\": null}", "a.json"); }, "\"points\" is null, expected a list of points");
+}
+
 TEST(MarkedDocuments, PartsOfImglab) {
   const MarkedPoints marked = ParseMarkedXml(
       "<?xml version='1.0'?><dataset><images><image file='a.jpg'><box top='1' left='2' width='9' height='9'>"

@@ -27,7 +27,11 @@ class MarkedPointsTest : public ::testing::Test {
 TEST_F(MarkedPointsTest, TheContentNamesTheForm) {
   for (const char* text :
        {"\xEF\xBB\xBF 1 2 3\n4 5 6\n", "\n[[1, 2, 3], [4, 5, 6]]", "{\"a\": [1, 2, 3], \"b\": [4, 5, 6]}",
-        "{\n1 2 3\n4 5 6\n}\n", " <PickedPoints><point x='1' y='2' z='3'/><point x='4' y='5' z='6'/></PickedPoints>"}) {
+        "{\n1 2 3\n4 5 6\n}\n", "[[1. 2. 3.]\n [4. 5. 6.]]", "LM3=2\n1 2 3\n4 5 6\nID=a\n",
+        "Version 1.0\n2\nS000 1 2 3\nS001 4 5 6\n",
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+        "1 2 3\n4 5 6\n",
+        " <PickedPoints><point x='1' y='2' z='3'/><point x='4' y='5' z='6'/></PickedPoints>"}) {
     const MarkedPoints marked = ReadMarkedPoints(Write(text));
     ASSERT_EQ(marked.points.size(), 2u) << text;
     EXPECT_EQ(marked.points[1], Vector3(4, 5, 6)) << text;
@@ -48,6 +52,8 @@ TEST_F(MarkedPointsTest, RefusesWhatHoldsNoPoints) {
   ExpectError([&] { ReadMarkedPoints(Write("")); }, "points: holds no point");
   ExpectError([&] { ReadMarkedPoints(Write("[]")); }, "points: holds no point");
   ExpectError([&] { ReadMarkedPoints(Write("{}")); }, "points: holds no point");
+  ExpectError([&] { ReadMarkedPoints(Write("null")); }, "all 1 are absent");
+  ExpectError([&] { ReadMarkedPoints(Write("\"\"\"\n")); }, "a double quote is not closed");
 }
 
 TEST(MarkedPoints, AnyBytesAreReadOrRefused) {

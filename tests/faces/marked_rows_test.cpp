@@ -90,7 +90,9 @@ TEST(MarkedRows, RefusesWithTheLine) {
   ExpectError([] { Rows("n_points: 3\n{\n1 2\n4 5\n}\n"); }, "states n_points: 3, but 2 points follow");
   ExpectError([] { Rows("a 1 2 3\nb 4 5\nc 7 8 9\n"); }, "line 2: 3 cells, the other rows have 4");
   ExpectError([] { Rows("# nothing\n"); }, "holds no point");
-  ExpectError([] { Rows("1e999 2 3\n4 5 6\n7 8 9\n"); }, "'1e999' is not a number");
+  ExpectError([] { Rows("1e999 2 3\n4 5 6\n7 8 9\n"); }, "line 1: '1e999' is not a finite number");
+  ExpectError([] { Rows("inf 0 0\ninf 1 0\n"); }, "line 1: 'inf' is not a finite number");
+  ExpectError([] { Rows("# CoordinateSystem = LPS\na,1,2\nb,1,2\n"); }, "line 2: 3 cells, expected 4 or more");
 }
 
 }  // namespace

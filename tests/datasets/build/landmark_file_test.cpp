@@ -79,9 +79,11 @@ TEST_F(LandmarkFileTest, APatientsFrameIsTurnedWhereThatLiesOnTheMesh) {
 
 TEST_F(LandmarkFileTest, NumbersFromOneAndZeroForAbsent) {
   const auto path = Write("a.txt", Lines(68, [](int l) { return std::to_string(l + 1); }));
-  EXPECT_EQ(LandmarkFile(path).OneBasedOn(Vertices()).value()[0].value(), geometry::Vector3(0, 1, 2));
+  const ShiftedNumbers shifted = LandmarkFile(path).ShiftedOn(Vertices());
+  EXPECT_EQ(shifted.one_less.value()[0].value(), geometry::Vector3(0, 1, 2));
+  EXPECT_EQ(shifted.one_more.value()[0], LandmarkFile(path).On(Vertices())[1]);
   const auto zeros = Write("b.txt", Lines(68, [](int l) { return std::to_string(l < 17 ? 0 : l); }));
-  EXPECT_FALSE(LandmarkFile(zeros).OneBasedOn(Vertices()));
+  EXPECT_FALSE(LandmarkFile(zeros).ShiftedOn(Vertices()).one_less);
   EXPECT_TRUE(LandmarkFile(zeros).On(Vertices())[3]);
   const MeshLandmarks landmarks = LandmarkFile(zeros, {}, faces::ZeroPoints::kAbsent).On(Vertices());
   EXPECT_FALSE(landmarks[3]);
@@ -96,6 +98,8 @@ TEST_F(LandmarkFileTest, RefusesWhatIsNot68Landmarks) {
   ExpectError([&] { with(Lines(68, [](int) { return std::string("100"); })); }, "is vertex 100, but the mesh has 100");
   ExpectError([&] { with(Lines(68, [](int l) { return std::to_string(l + 33); })); }, "1-based? Subtract 1 from each");
   ExpectError([&] { with(Lines(68, [](int) { return std::string("1.5 2"); })); }, "a.txt: holds x and y of a picture");
+  ExpectError([&] { with(Lines(68, [](int) { return std::string("99999999999999999999"); })); }, "too large");
+  ExpectError([&] { with(Lines(68, [](int) { return std::string("-2"); })); }, "Was 1 subtracted twice");
   ExpectError([&] { with("[1, 2"); }, "not JSON");
   ExpectError([&] { LandmarkFile(folder_ / "absent.txt"); }, "absent.txt");
 }

@@ -23,7 +23,7 @@ class LandmarkFitTest : public ::testing::Test {
   }
 
   Vector3 At(int vertex) const { return mesh_.vertices.row(vertex).transpose(); }
-  FitInput Input() const { return {face_, mesh_, landmarks_, one_based_, 0.1}; }
+  FitInput Input() const { return {face_, mesh_, landmarks_, shifted_, 0.1}; }
   LandmarkFit Fit() const { return MeasureLandmarkFit(Input()); }
   std::string Fault() const { return FaultOfLandmarks(Input(), Fit(), {}).value_or(""); }
   void ExpectFault(const std::string& part) const {
@@ -36,7 +36,7 @@ class LandmarkFitTest : public ::testing::Test {
   const faces::FaceTemplate face_ = testing::SyntheticFace();
   geometry::TriangleMesh mesh_;
   MeshLandmarks landmarks_;
-  std::optional<MeshLandmarks> one_based_;
+  ShiftedNumbers shifted_;
 };
 
 TEST_F(LandmarkFitTest, OfTheTemplateItselfIsExact) {
@@ -106,14 +106,41 @@ TEST_F(LandmarkFitTest, AnotherUnitOrFrame) {
   ExpectFault("another frame than the mesh: they lie on it as x z -y");
   landmarks_ = given;
   for (auto& place : landmarks_) *place += Vector3(40, 0, 0);
+  ExpectFault("the landmarks are moved by (40, 0, 0) against the mesh");
+  landmarks_ = given;
+  Change(1.5 * Eigen::Matrix3d::Identity());
   ExpectFault("the landmarks do not lie on the mesh");
 }
 
 TEST_F(LandmarkFitTest, NumbersFromOne) {
-  one_based_ = landmarks_;
+  shifted_.one_less = landmarks_;
   for (size_t l = 0; l < landmarks_.size(); ++l)
     landmarks_[l] = At(std::min(face_.annotation.landmarks[l] + 1, face_.num_vertices() - 1));
   ExpectFault("1-based");
+}
+
+TEST_F(LandmarkFitTest, NumbersThatAreOneTooLow) {
+  shifted_.one_more = landmarks_;
+  for (size_t l = 0; l < landmarks_.size(); ++l) landmarks_[l] = At(std::max(face_.annotation.landmarks[l] - 1, 0));
+  ExpectFault("one too low, as if 1 had been subtracted twice");
+  shifted_.one_more = MeshLandmarks();  // None is a vertex.
+  EXPECT_EQ(Fault().find("too low"), std::string::npos);
+}
+
+TEST_F(LandmarkFitTest, AnotherOrderOfAPartAndSingleOutliers) {
+  const MeshLandmarks given = landmarks_;
+  for (size_t l = 36; l < 42; ++l) std::swap(landmarks_[l], landmarks_[l + 6]);
+  ExpectFault("the eyes are exchanged (36 to 41 with 42 to 47)");
+  landmarks_ = given;
+  *landmarks_[40] += Vector3(60, 20, 30);
+  ExpectFault("landmark 40 is far off");
+}
+
+TEST_F(LandmarkFitTest, AllInOnePlace) {
+  EXPECT_FALSE(FaultOfOnePlace(landmarks_));
+  EXPECT_FALSE(FaultOfOnePlace(MeshLandmarks()));
+  for (auto& place : landmarks_) place = Vector3::Zero();
+  EXPECT_NE(FaultOfOnePlace(landmarks_).value_or("").find("--zero-is-absent"), std::string::npos);
 }
 
 TEST_F(LandmarkFitTest, ZerosForAbsentOnes) {
