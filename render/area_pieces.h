@@ -37,6 +37,9 @@ struct AreaPiece {
 /// @throws Error if a point is not finite.
 std::vector<AreaPiece> FindAreaPieces(const std::vector<const PaintedArea*>& layers, double max_width);
 
+/// Twice the inside of the outlines over their length: the width of a long line, in pixels. 0 without an inside.
+double RoughWidth(const FilledArea& area);
+
 /// An estimate of the number of pixels that FindAreaPieces needs for an area.
 double NumPixelsFor(const FilledArea& area);
 

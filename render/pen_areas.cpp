@@ -165,7 +165,8 @@ class PenAreas {
     std::vector<Stroke> lines, outlines;
     double width = 0.0;
     for (const AreaPiece& piece : group.pieces) {
-      const bool is_line = piece.shape == PieceShape::kLine || piece.width <= max_dot;
+      // A dot of a pen that is wider than any line has none: it must not vanish.
+      const bool is_line = (piece.shape == PieceShape::kLine || piece.width <= max_dot) && !piece.lines.empty();
       auto& strokes = is_line ? lines : outlines;
       const auto& found = is_line ? piece.lines : piece.outlines;
       strokes.insert(strokes.end(), found.begin(), found.end());

@@ -12,6 +12,9 @@ struct SvgAreaLine {
   std::optional<int> last_of_colour;
 };
 
+/// The area that a shape paints with its fill.
+FilledArea FilledAreaOf(const SvgShape& shape);
+
 /// What becomes of a shape's area.
 enum class AreaReading {
   kNothing,   ///< It has no lines, but may hide others.
