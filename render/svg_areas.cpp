@@ -70,11 +70,12 @@ std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const 
   for (size_t i = 0; i < scene.shapes.size(); ++i) {
     const SvgShape& shape = scene.shapes[i];
     // What lies below a tint is still seen.
-    if (!shape.fill || (reading[i] == AreaReading::kNothing && shape.fill->alpha < kLeastHidingAlpha)) continue;
+    const bool has_lines = reading[i] == AreaReading::kOutlines || reading[i] == AreaReading::kPen;
+    if (!shape.fill || (!has_lines && shape.fill->alpha < kLeastHidingAlpha)) continue;
     areas.push_back({FilledAreaOf(shape), Paint::kPaper, shape.kind, shape.drawn_lines});
     shape_of.push_back(static_cast<int>(i));
     if (reading[i] == AreaReading::kPen) shapes_of[ColourOf(*shape.fill)].push_back(static_cast<int>(i));
-    if (reading[i] == AreaReading::kNothing) continue;
+    if (!has_lines) continue;
     for (const SvgPolyline& ring : shape.polylines) lines[i].push_back({ring, std::nullopt});
   }
   for (const InkColour& ink : InksOf(shapes_of)) {

@@ -18,6 +18,7 @@ FilledArea FilledAreaOf(const SvgShape& shape);
 /// What becomes of a shape's area.
 enum class AreaReading {
   kNothing,   ///< It has no lines, but may hide others.
+  kShade,     ///< Nor has its stroke.
   kOutlines,  ///< Its outlines: that of a sheet or a frame.
   kPen,       ///< Its middle lines where it is long and thin, else its outlines.
 };

@@ -23,6 +23,8 @@ constexpr double kSheetCover = 0.98;
 constexpr double kSheetSide = 0.25;
 /// Width of a pen, and how far from an outline something lies along it, as shares of the sheet.
 constexpr double kWidestPen = 0.06, kAlong = 0.015;
+/// Width of the stroke that tracers draw around slivers in their own colour, as a share of the sheet.
+constexpr double kHairline = 0.01;
 /// How much more than a wash, and than the shade of an edge, ink differs from the ground.
 constexpr double kInkOverWash = 2.0, kInkOverShade = 1.2;
 /// Thickness of an edge's shade, in that of its ink.
@@ -69,6 +71,22 @@ double ShareOfProbes(const std::vector<Vector2d>& probes, Holds&& holds) {
   return static_cast<double>(std::ranges::count_if(probes, holds)) / static_cast<double>(probes.size());
 }
 
+/// Whether a shape has a fill that the file gives, a stroke whose colour differs by at most that, and no open line.
+bool HasStrokeOfItsColour(const SvgShape& shape, double difference) {
+  if (!shape.fill || !shape.stroke || !shape.is_fill_given) return false;
+  const auto on_white = [](const SvgColor& paint) -> Vector3d {
+    return paint.alpha * paint.rgb + Vector3d::Constant(1.0 - paint.alpha);
+  };
+  if ((on_white(*shape.fill) - on_white(*shape.stroke)).cwiseAbs().maxCoeff() > difference) return false;
+  return std::ranges::all_of(shape.polylines, [](const SvgPolyline& line) {
+    return line.points.size() >= 3 && line.points.front() == line.points.back();
+  });
+}
+
+bool HasHairline(const SvgScene& scene, const SvgShape& shape) {
+  return HasStrokeOfItsColour(shape, 0.0) && shape.stroke_width <= kHairline * std::max(scene.width, scene.height);
+}
+
 class GroundReader {
  public:
   GroundReader(const SvgScene& scene, const SvgColor& paper, double side)
@@ -84,9 +102,11 @@ class GroundReader {
     }
     MakeGrid();
     MarkHoles(reading);
-    for (size_t i = 0; i < scene_.shapes.size() && num_comparisons_ < kMaxComparisons; ++i)
-      if (reading[i] == AreaReading::kPen && facts_[i].contrast >= kInkContrast && (IsAlongInk(i) || HoldsInk(i)))
-        reading[i] = AreaReading::kNothing;
+    for (size_t i = 0; i < scene_.shapes.size() && num_comparisons_ < kMaxComparisons; ++i) {
+      if (facts_[i].contrast < kInkContrast || facts_[i].is_ground) continue;
+      if (reading[i] == AreaReading::kPen && (IsAlongInk(i) || HoldsInk(i))) reading[i] = AreaReading::kNothing;
+      if (HasHairline(scene_, scene_.shapes[i]) && IsAlongInk(i)) reading[i] = AreaReading::kShade;
+    }
     return reading;
   }
 
@@ -253,16 +273,10 @@ bool CoversSheet(const SvgScene& scene, const SvgShape& shape) {
 
 void JoinStrokesWithAreas(SvgScene& scene) {
   for (SvgShape& shape : scene.shapes) {
-    if (!shape.fill || !shape.stroke || !shape.is_fill_given) continue;
-    const bool is_closed = std::ranges::all_of(shape.polylines, [](const SvgPolyline& line) {
-      return line.points.size() > 3 && line.points.front() == line.points.back();
-    });
-    const auto on_white = [](const SvgColor& paint) -> Vector3d {
-      return paint.alpha * paint.rgb + Vector3d::Constant(1.0 - paint.alpha);
-    };
-    const double difference = (on_white(*shape.fill) - on_white(*shape.stroke)).cwiseAbs().maxCoeff();
-    if (is_closed && difference < kInkContrast && shape.stroke_width <= RoughWidth(FilledAreaOf(shape)))
-      shape.stroke.reset();
+    if (!HasStrokeOfItsColour(shape, kInkContrast)) continue;
+    const double thickness = RoughWidth(FilledAreaOf(shape));
+    const bool is_thin = shape.stroke_width <= thickness || (thickness > 0.0 && HasHairline(scene, shape));
+    if (is_thin) shape.stroke.reset();
   }
 }
 

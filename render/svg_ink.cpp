@@ -112,7 +112,8 @@ class InkReader {
   InkReader(const SvgScene& scene, const SvgColor& paper)
       : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {
     const double side = CanvasBox(scene).sizes().maxCoeff();
-    area_lines_ = LinesOfAreas(scene, ReadingOfAreas(scene, paper, side), side);
+    reading_ = ReadingOfAreas(scene, paper, side);
+    area_lines_ = LinesOfAreas(scene, reading_, side);
   }
 
   std::vector<InkLine> Read() {
@@ -150,7 +151,7 @@ class InkReader {
 
   /// The strokes of a shape, or else the lines of its area, where they differ from what lies below.
   std::vector<InkLine> LinesOf(const SvgShape& shape, int index) {
-    const bool has_seen_stroke = shape.stroke && IsStrokeSeen(shape);
+    const bool has_seen_stroke = shape.stroke && reading_[size_t(index)] != AreaReading::kShade && IsStrokeSeen(shape);
     std::vector<InkLine> lines;
     const auto add = [&](const SvgPolyline& whole, double half_width, const auto& is_ink) {
       for (const auto& polyline : Clipped(whole, shape))
@@ -241,6 +242,7 @@ class InkReader {
   const SvgScene& scene_;
   SvgCanvas canvas_;
   SvgWork work_;
+  std::vector<AreaReading> reading_;                  ///< Of each shape.
   std::vector<std::vector<SvgAreaLine>> area_lines_;  ///< Of each shape.
   std::vector<InkLine> lines_;
 };
