@@ -34,7 +34,7 @@ constexpr double kMostOf = 0.5;
 /// Points by which that is found.
 constexpr size_t kNumProbes = 48;
 /// Pairs of shapes, and cells of the grid, that are compared at most.
-constexpr int64_t kMaxComparisons = 20'000'000;
+constexpr int64_t kMaxComparisons = 5'000'000;
 constexpr double kMaxCellsOfSegment = 1024.0;
 
 /// What is known of a shape.
@@ -153,6 +153,9 @@ class GroundReader {
 
   bool IsArea(size_t index) const { return scene_.shapes[index].fill && facts_[index].thickness > 0.0; }
 
+  /// Whether what an area covers is still seen.
+  bool IsTransparent(size_t index) const { return scene_.shapes[index].fill && scene_.shapes[index].fill->alpha < 0.5; }
+
   /// Areas of the colour of the ground, unless they lie on a thick area.
   void MarkHoles(std::vector<AreaReading>& reading) {
     std::unordered_map<size_t, std::vector<size_t>> holes_of;
@@ -216,7 +219,8 @@ class GroundReader {
   bool OutweighsAlong(size_t ink, size_t pale) const {
     const double ratio = facts_[ink].contrast / facts_[pale].contrast;
     const bool is_thin = facts_[pale].thickness <= kShadeThickness * facts_[ink].thickness;
-    return ink != pale && ((ink > pale && ratio >= kInkOverWash) || (is_thin && ratio >= kInkOverShade));
+    const bool is_over = ink > pale || IsTransparent(pale);
+    return ink != pale && ((is_over && ratio >= kInkOverWash) || (is_thin && ratio >= kInkOverShade));
   }
 
   bool IsAlongInk(size_t pale) {
@@ -242,9 +246,11 @@ class GroundReader {
       const auto& fill = scene_.shapes[ink].fill;
       return paint.alpha < 1.0 && fill && fill->alpha > paint.alpha && fill->rgb == paint.rgb;
     };
-    for (size_t ink = pale + 1; ink < scene_.shapes.size() && num_comparisons_ < kMaxComparisons; ++ink) {
+    for (size_t ink = IsTransparent(pale) ? 0 : pale + 1;
+         ink < scene_.shapes.size() && num_comparisons_ < kMaxComparisons; ++ink) {
       ++num_comparisons_;
-      if (facts_[ink].is_ground || !outweighs(ink) || !facts_[ink].box.intersects(facts_[pale].box)) continue;
+      if (ink == pale || facts_[ink].is_ground || !outweighs(ink) || !facts_[ink].box.intersects(facts_[pale].box))
+        continue;
       if (LiesIn(ink, pale)) return true;
     }
     return false;

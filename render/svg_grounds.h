@@ -19,8 +19,8 @@ void JoinStrokesWithAreas(SvgScene& scene);
 /// - areas that cover the sheet, and those with a stroke, which is their line;
 /// - areas of the colour of the ground, which is the paper or the last large rectangle below: holes of the ink. They
 ///   are ink only on an area that remains thick despite all its holes: a dark ground;
-/// - washes: areas that differ from the ground less than half as much as what is drawn later inside them or along most
-///   of their outline, or that are of the same colour with less opacity;
+/// - washes: areas that differ from the ground less than half as much as what is seen inside them or along most of their
+///   outline, or that are of the same colour with less opacity;
 /// - shades of an edge: areas less than half as thick as darker ink along most of their outline, with their hairlines.
 /// Large rectangles are read as outlines, all others as drawn by a pen. Linear in the points of the scene, but for a
 /// limited number of pairs of shapes, beyond which areas are read as drawn by a pen.

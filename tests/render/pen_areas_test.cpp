@@ -78,6 +78,15 @@ TEST(PenAreas, ThickAreasAreTheirOutlinesUnchanged) {
   EXPECT_EQ(strokes[0].points, StrokesThrough({outline})[0].points);
 }
 
+TEST(PenAreas, DotsOfABoldPenAreKept) {
+  // Wider than any line may be (0.06 * 256), but no thicker than 2.4 widths of the pen.
+  const auto dot = CircleOutline({128, 60}, 10);
+  const auto strokes = StrokesOfAreas({AreaOf({BarOutline(40, 195, 220, 205)}), AreaOf({dot})}, 256.0);
+  ASSERT_EQ(strokes[0].size(), 1U);
+  ASSERT_EQ(strokes[1].size(), 1U);
+  EXPECT_EQ(strokes[1][0].points, StrokesThrough({dot})[0].points);
+}
+
 TEST(PenAreas, PaperOverAnAreaLeavesALine) {
   auto paper = AreaOf({CircleOutline({128, 128}, 48)});
   paper.paint = Paint::kPaper;
