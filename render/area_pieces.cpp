@@ -119,7 +119,7 @@ void MeasurePiece(const AreaMask& mask, double max_width, AreaPiece& piece) {
   const auto num_thin = std::count_if(half_widths.begin(), half_widths.end(), [&](double x) { return x <= thick; });
   const bool has_loose_lines = piece.pen_width <= max_width && static_cast<double>(num_thin) >= kMinLooseLength * pen &&
                                num_thin < std::ssize(half_widths);
-  if (!is_long && !has_loose_lines && piece.width > max_width) return;
+  if (!is_long && !has_loose_lines && piece.width > kMaxDotWidths * max_width) return;
 
   const double line_width = is_long ? width : pen;
   const Image hollow = HollowAreas(mask.ink, line_width);
