@@ -37,22 +37,6 @@ constexpr size_t kMaxEdges = 20'000;
 /// Points of an outline by which it is assigned to a piece.
 constexpr size_t kMaxVotes = 64;
 
-/// Twice the inside of the outlines over their length: the width of a long line. 0 without an inside.
-double RoughWidth(const FilledArea& area) {
-  double doubled_area = 0.0, length = 0.0;
-  const Vector2d origin = area.outlines.empty() || area.outlines[0].empty() ? Vector2d(0, 0) : area.outlines[0][0];
-  for (const auto& outline : area.outlines) {
-    for (size_t i = 0; i < outline.size(); ++i) {
-      const Vector2d from = outline[i] - origin, to = outline[(i + 1) % outline.size()] - origin;
-      doubled_area += from.x() * to.y() - from.y() * to.x();
-      length += (to - from).norm();
-    }
-  }
-  constexpr double kLeastShare = 1e-6;  // Rounding of the coordinates.
-  const double width = length > 0.0 ? std::abs(doubled_area) / length : 0.0;
-  return width > kLeastShare * length ? width : 0.0;
-}
-
 double LargestScale(const AlignedBox2d& box) {
   return kMaxMaskSide / std::max(box.sizes().maxCoeff(), 1e-30);
 }
@@ -135,7 +119,7 @@ void MeasurePiece(const AreaMask& mask, double max_width, AreaPiece& piece) {
   const auto num_thin = std::count_if(half_widths.begin(), half_widths.end(), [&](double x) { return x <= thick; });
   const bool has_loose_lines = piece.pen_width <= max_width && static_cast<double>(num_thin) >= kMinLooseLength * pen &&
                                num_thin < std::ssize(half_widths);
-  if (!is_long && !has_loose_lines && piece.width > max_width) return;
+  if (!is_long && !has_loose_lines && piece.width > kMaxDotWidths * max_width) return;
 
   const double line_width = is_long ? width : pen;
   const Image hollow = HollowAreas(mask.ink, line_width);
@@ -221,6 +205,21 @@ std::vector<AreaPiece> FindAreaPieces(const std::vector<const PaintedArea*>& lay
     }
   }
   return pieces;
+}
+
+double RoughWidth(const FilledArea& area) {
+  double doubled_area = 0.0, length = 0.0;
+  const Vector2d origin = area.outlines.empty() || area.outlines[0].empty() ? Vector2d(0, 0) : area.outlines[0][0];
+  for (const auto& outline : area.outlines) {
+    for (size_t i = 0; i < outline.size(); ++i) {
+      const Vector2d from = outline[i] - origin, to = outline[(i + 1) % outline.size()] - origin;
+      doubled_area += from.x() * to.y() - from.y() * to.x();
+      length += (to - from).norm();
+    }
+  }
+  constexpr double kLeastShare = 1e-6;  // Rounding of the coordinates.
+  const double width = length > 0.0 ? std::abs(doubled_area) / length : 0.0;
+  return width > kLeastShare * length ? width : 0.0;
 }
 
 double NumPixelsFor(const FilledArea& area) {

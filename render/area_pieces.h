@@ -17,6 +17,9 @@ struct PaintedArea {
   std::vector<std::vector<Eigen::Vector2d>> drawn_lines;
 };
 
+/// Thickness of a small piece that may count as one of the pen's, in widths of the pen: twice that of HollowAreas.
+constexpr double kMaxDotWidths = 2.4;
+
 enum class PieceShape { kLine, kCompact };
 
 /// A connected piece of ink, in pixels of the sheet.
@@ -25,7 +28,7 @@ struct AreaPiece {
   double width = 0.0;                     ///< That 90 % of its skeleton do not exceed.
   double pen_width = 0.0;                 ///< The median along its skeleton.
   double length = 0.0;                    ///< Of its skeleton.
-  std::vector<Stroke> lines;              ///< Its middle lines, kind 0; none where it is compact and wider than a pen.
+  std::vector<Stroke> lines;              ///< Its middle lines, kind 0; none where it is compact and wider than a dot.
   std::vector<Stroke> outlines;           ///< The outlines of ink on its edge, kind 0.
   std::vector<const PaintedArea*> areas;  ///< To which these outlines belong.
 };
@@ -36,6 +39,9 @@ struct AreaPiece {
 /// side. Areas without an inside, or narrower than a pixel, have no pieces.
 /// @throws Error if a point is not finite.
 std::vector<AreaPiece> FindAreaPieces(const std::vector<const PaintedArea*>& layers, double max_width);
+
+/// Twice the inside of the outlines over their length: the width of a long line, in pixels. 0 without an inside.
+double RoughWidth(const FilledArea& area);
 
 /// An estimate of the number of pixels that FindAreaPieces needs for an area.
 double NumPixelsFor(const FilledArea& area);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -16,8 +17,8 @@ using Eigen::Vector2d;
 
 /// Width of a pen as a share of the sheet's longer side.
 constexpr double kMaxPenShare = 0.06;
-/// Thickness of a small piece that counts as one of the pen's, in widths of the pen: twice that of HollowAreas.
-constexpr double kMaxDotWidths = 2.4;
+/// Length of the middle lines of a dot, in its widths, from which they stand for it.
+constexpr double kLeastDotLength = 0.5;
 /// Pixels in all, and pairs of an area and paper over it, from which on all areas are traced in one picture.
 constexpr double kMaxPixelsInAll = 1.5e8;
 constexpr size_t kMaxPairs = 200'000;
@@ -53,6 +54,17 @@ double ShareNear(const std::vector<Stroke>& from, const std::vector<Stroke>& to,
     num_near += DistanceToSegments({sample.x, sample.y}, to) <= distance;
   }
   return static_cast<double>(num_near) / kNumSamples;
+}
+
+double LengthOfAll(const std::vector<Stroke>& strokes) {
+  double length = 0.0;
+  for (const Stroke& stroke : strokes) {
+    for (size_t i = 1; i < stroke.points.size(); ++i) {
+      length +=
+          std::hypot(stroke.points[i][0] - stroke.points[i - 1][0], stroke.points[i][1] - stroke.points[i - 1][1]);
+    }
+  }
+  return length;
 }
 
 /// Areas that are traced together, and their pieces.
@@ -165,7 +177,8 @@ class PenAreas {
     std::vector<Stroke> lines, outlines;
     double width = 0.0;
     for (const AreaPiece& piece : group.pieces) {
-      const bool is_line = piece.shape == PieceShape::kLine || piece.width <= max_dot;
+      const bool is_line = piece.shape == PieceShape::kLine ||
+                           (piece.width <= max_dot && LengthOfAll(piece.lines) >= kLeastDotLength * piece.width);
       auto& strokes = is_line ? lines : outlines;
       const auto& found = is_line ? piece.lines : piece.outlines;
       strokes.insert(strokes.end(), found.begin(), found.end());

@@ -10,9 +10,9 @@ namespace daumier::render {
 /// the paper painted later becomes its middle lines, which end where the pen did, by the steps of TraceLineDrawing. So
 /// do lines that hang on a thick piece, which is hollowed out first, and small pieces no thicker than 2.4 times the
 /// pen. Several short areas that touch are one pen line if together they are long and thin. Instead of the middle
-/// lines, drawn_lines are taken where the two agree to within the width. All other pieces become their outlines
-/// unchanged. `side`: of the sheet, in pixels. Time and memory are bounded: areas that would take too many pixels are
-/// traced in one picture.
+/// lines, drawn_lines are taken where the two agree to within the width. All other pieces, and dots without a middle
+/// line half as long as wide, become their outlines unchanged. `side`: of the sheet, in pixels. Time and memory are
+/// bounded: areas that would take too many pixels are traced in one picture.
 /// @throws Error if a point is not finite or side is not positive.
 std::vector<std::vector<Stroke>> StrokesOfAreas(const std::vector<PaintedArea>& areas, double side);
 

@@ -13,6 +13,8 @@ namespace {
 /// Steps of a colour's channels: paints that differ by less are one ink. Colours that are read as ink.
 constexpr double kColourSteps = 15.0;
 constexpr size_t kMaxInks = 8;
+/// From which an area hides what lies below.
+constexpr double kLeastHidingAlpha = 0.5;
 
 using InkColour = std::array<int, 3>;
 
@@ -22,12 +24,6 @@ InkColour ColourOf(const SvgColor& paint) {
   for (int k = 0; k < 3; ++k)
     colour[size_t(k)] = static_cast<int>(std::lround(kColourSteps * (1.0 - paint.alpha * (1.0 - paint.rgb[k]))));
   return colour;
-}
-
-std::vector<std::vector<Eigen::Vector2d>> PointsOf(const std::vector<SvgPolyline>& polylines) {
-  std::vector<std::vector<Eigen::Vector2d>> points;
-  for (const SvgPolyline& polyline : polylines) points.push_back(polyline.points);
-  return points;
 }
 
 SvgPolyline PolylineOf(const Stroke& stroke) {
@@ -59,6 +55,12 @@ std::vector<InkColour> InksOf(const std::map<InkColour, std::vector<int>>& shape
 
 }  // namespace
 
+FilledArea FilledAreaOf(const SvgShape& shape) {
+  FilledArea area{{}, shape.fill_rule};
+  for (const SvgPolyline& polyline : shape.polylines) area.outlines.push_back(polyline.points);
+  return area;
+}
+
 std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<AreaReading>& reading,
                                                    double side) {
   std::vector<std::vector<SvgAreaLine>> lines(scene.shapes.size());
@@ -67,11 +69,13 @@ std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const 
   std::map<InkColour, std::vector<int>> shapes_of;
   for (size_t i = 0; i < scene.shapes.size(); ++i) {
     const SvgShape& shape = scene.shapes[i];
-    if (!shape.fill) continue;
-    areas.push_back({{PointsOf(shape.polylines), shape.fill_rule}, Paint::kPaper, shape.kind, shape.drawn_lines});
+    // What lies below a tint is still seen.
+    const bool has_lines = reading[i] == AreaReading::kOutlines || reading[i] == AreaReading::kPen;
+    if (!shape.fill || (!has_lines && shape.fill->alpha < kLeastHidingAlpha)) continue;
+    areas.push_back({FilledAreaOf(shape), Paint::kPaper, shape.kind, shape.drawn_lines});
     shape_of.push_back(static_cast<int>(i));
     if (reading[i] == AreaReading::kPen) shapes_of[ColourOf(*shape.fill)].push_back(static_cast<int>(i));
-    if (reading[i] == AreaReading::kNothing) continue;
+    if (!has_lines) continue;
     for (const SvgPolyline& ring : shape.polylines) lines[i].push_back({ring, std::nullopt});
   }
   for (const InkColour& ink : InksOf(shapes_of)) {

@@ -12,9 +12,13 @@ struct SvgAreaLine {
   std::optional<int> last_of_colour;
 };
 
+/// The area that a shape paints with its fill.
+FilledArea FilledAreaOf(const SvgShape& shape);
+
 /// What becomes of a shape's area.
 enum class AreaReading {
   kNothing,   ///< It has no lines, but may hide others.
+  kShade,     ///< Nor has its stroke.
   kOutlines,  ///< Its outlines: that of a sheet or a frame.
   kPen,       ///< Its middle lines where it is long and thin, else its outlines.
 };

@@ -45,6 +45,9 @@ class SvgCanvas {
   std::unique_ptr<Pixels> pixels_;
 };
 
+/// Difference of a channel from what lies below, in [0, 1], from which paint is ink: more than paper's tints have.
+constexpr double kInkContrast = 0.12;
+
 /// Largest difference of a channel, in [0, 1], that paint makes on what lies below it.
 double PaintContrast(const SvgColor& paint, const Eigen::Vector3d& below);
 

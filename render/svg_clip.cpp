@@ -11,6 +11,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kNumBands = 256;
+/// What one edge that is compared costs in units of SvgWork.
+constexpr int64_t kWorkOfEdge = 6;
 
 double CrossProduct(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -85,7 +87,7 @@ std::vector<SvgPolyline> SvgClip::Clip(const SvgPolyline& polyline, SvgWork& wor
     const auto [low, high] = std::minmax(from.y(), points[i].y());
     const int first_band = BandOf(low), last_band = BandOf(high);
     for (int band = first_band; band <= last_band; ++band) {
-      work.Spend(1 + std::ssize(bands_[band]));
+      work.Spend(kWorkOfEdge * (1 + std::ssize(bands_[band])));
       for (const int e : bands_[band]) {
         const Vector2d edge = edges_[e].to - edges_[e].from, offset = edges_[e].from - from;
         const double determinant = CrossProduct(along, edge);
@@ -97,7 +99,7 @@ std::vector<SvgPolyline> SvgClip::Clip(const SvgPolyline& polyline, SvgWork& wor
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     for (size_t c = 1; c < cuts.size(); ++c) {
-      work.Spend(std::ssize(bands_[BandOf(from.y() + cuts[c] * along.y())]));
+      work.Spend(kWorkOfEdge * std::ssize(bands_[BandOf(from.y() + cuts[c] * along.y())]));
       if (Contains(from + 0.5 * (cuts[c - 1] + cuts[c]) * along)) {
         append(c == 1 ? from : Vector2d(from + cuts[c - 1] * along),
                c + 1 == cuts.size() ? points[i] : Vector2d(from + cuts[c] * along));

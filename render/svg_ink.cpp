@@ -2,6 +2,8 @@
 
 #include "render/svg_areas.h"
 #include "render/svg_canvas.h"
+#include "render/svg_grounds.h"
+#include "render/svg_rings.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -17,15 +19,10 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Difference of a channel from what lies below, in [0, 1], from which paint is ink: more than paper's tints have.
-constexpr double kInkContrast = 0.12;
-/// Shares of the sheet: what a filled rectangle covers that is the sheet's colour; how far beyond the sheet a line may
-/// lie as a whole.
-constexpr double kSheetCover = 0.98, kSheetMargin = 0.1;
+/// How far beyond the sheet a line may lie as a whole, in sides of the sheet.
+constexpr double kSheetMargin = 0.1;
 /// How far the canvas reaches beyond the sheet, in sides of the sheet.
 constexpr double kCanvasMargin = 0.5;
-/// Share of its box that a rectangle covers at least, its corners being rounded.
-constexpr double kRectangleShare = 0.94;
 /// Share of the sheet that a frame covers at least to be one without doubt.
 constexpr double kFrameShare = 0.6;
 /// Height of a straight line at most, as a share of its length; length of a frame's line at least, as a share of the
@@ -35,8 +32,6 @@ constexpr double kStraightness = 0.01, kFrameLine = 0.8;
 constexpr double kWholeShare = 0.97;
 /// Share of a middle line that is seen from which it is kept; on the rest it crosses other areas of its colour.
 constexpr double kMiddleLineShare = 0.3;
-/// Shorter side of a rectangle, as a share of the canvas, from which it is a sheet or a frame and no line of a pen.
-constexpr double kSheetSide = 0.25;
 /// Steps of the canvas: the shortest piece that is kept of a line; how far from an outline its area is seen.
 constexpr double kShortestPiece = 4.0, kOutlineMargin = 1.5;
 constexpr int kMaxSamplesOfSegment = 4096;
@@ -48,32 +43,6 @@ struct InkLine {
   double half_width = 0.0;
   std::optional<AlignedBox2d> rectangle;  ///< Of which it is a part: its box.
 };
-
-AlignedBox2d BoxOfLine(const SvgPolyline& polyline) {
-  AlignedBox2d box;
-  for (const auto& point : polyline.points) box.extend(point);
-  return box;
-}
-
-double TwiceAreaOf(const SvgPolyline& polyline) {
-  const auto& points = polyline.points;
-  double twice_area = 0.0;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const Vector2d a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
-    twice_area += a.x() * b.y() - a.y() * b.x();
-  }
-  return std::abs(twice_area);
-}
-
-/// The box of a line that is a closed rectangle with sides along the axes, its corners rounded or not.
-std::optional<AlignedBox2d> RectangleOf(const SvgPolyline& polyline) {
-  const AlignedBox2d box = BoxOfLine(polyline);
-  const auto& points = polyline.points;
-  if (points.size() < 4 || box.sizes().minCoeff() <= 0.0) return std::nullopt;
-  if ((points.front() - points.back()).norm() > 0.01 * box.sizes().maxCoeff()) return std::nullopt;
-  if (0.5 * TwiceAreaOf(polyline) < kRectangleShare * box.volume()) return std::nullopt;
-  return box;
-}
 
 /// Calls `visit(point, normal)` along a line at steps of the canvas, normal being of length 1.
 template <class Visit>
@@ -142,10 +111,9 @@ class InkReader {
  public:
   InkReader(const SvgScene& scene, const SvgColor& paper)
       : scene_(scene), canvas_(CanvasBox(scene), paper, SideOfCanvas(scene, paper)), work_(scene.file) {
-    std::vector<AreaReading> reading;
     const double side = CanvasBox(scene).sizes().maxCoeff();
-    for (const SvgShape& shape : scene.shapes) reading.push_back(ReadingOf(shape, side));
-    area_lines_ = LinesOfAreas(scene, reading, side);
+    reading_ = ReadingOfAreas(scene, paper, side);
+    area_lines_ = LinesOfAreas(scene, reading_, side);
   }
 
   std::vector<InkLine> Read() {
@@ -163,8 +131,7 @@ class InkReader {
   /// All that is drawn, but not much more than the sheet where there is one.
   static AlignedBox2d CanvasBox(const SvgScene& scene) {
     AlignedBox2d box;
-    for (const auto& shape : scene.shapes)
-      for (const auto& polyline : shape.polylines) box.extend(BoxOfLine(polyline));
+    for (const auto& shape : scene.shapes) box.extend(BoxOfLines(shape.polylines));
     const Vector2d size(scene.width, scene.height);
     if (size.minCoeff() > 0.0) {
       box = box.intersection(AlignedBox2d(-kCanvasMargin * size, (1.0 + kCanvasMargin) * size));
@@ -184,7 +151,7 @@ class InkReader {
 
   /// The strokes of a shape, or else the lines of its area, where they differ from what lies below.
   std::vector<InkLine> LinesOf(const SvgShape& shape, int index) {
-    const bool has_seen_stroke = shape.stroke && IsStrokeSeen(shape);
+    const bool has_seen_stroke = shape.stroke && reading_[size_t(index)] != AreaReading::kShade && IsStrokeSeen(shape);
     std::vector<InkLine> lines;
     const auto add = [&](const SvgPolyline& whole, double half_width, const auto& is_ink) {
       for (const auto& polyline : Clipped(whole, shape))
@@ -193,19 +160,19 @@ class InkReader {
     };
     if (has_seen_stroke) {
       for (const auto& polyline : shape.polylines) {
-        const bool has_area = shape.fill && TwiceAreaOf(polyline) > 0.0;
+        const bool has_area = shape.fill && HasInside(polyline);
         add(polyline, 0.5 * shape.stroke_width, [&](const Vector2d& point, const Vector2d& normal) {
           return PaintContrast(*shape.stroke, canvas_.ColorAt(point)) >= kInkContrast ||
                  (has_area && IsAreaSeen(shape, point, normal));
         });
       }
-    } else if (shape.fill && !CoversSheet(shape)) {
+    } else if (shape.fill && !CoversSheet(scene_, shape)) {
       for (const auto& [line, last_of_colour] : area_lines_[size_t(index)]) {
         const auto is_seen = [&](const Vector2d& point, const Vector2d& normal) {
           return IsAreaSeen(shape, point, normal);
         };
-        // Hand-written files leave out fill='none' and stroke; a line that has a stroke needs no area.
-        if (line.points.size() == 1 || (shape.stroke && TwiceAreaOf(line) == 0.0)) continue;
+        // Hand-written files leave out fill='none' and stroke; where they have a stroke, no area is no line.
+        if (line.points.size() == 1 || (shape.is_stroke_given && !HasInside(line))) continue;
         if (!last_of_colour) {
           add(line, 0.0, is_seen);
         } else if (SeenShare(line, canvas_.step(), is_seen) >= kMiddleLineShare) {
@@ -245,23 +212,6 @@ class InkReader {
     return false;
   }
 
-  AreaReading ReadingOf(const SvgShape& shape, double side) const {
-    if (shape.stroke || !shape.fill || CoversSheet(shape)) return AreaReading::kNothing;
-    const bool is_sheet = std::ranges::any_of(shape.polylines, [&](const SvgPolyline& polyline) {
-      return RectangleOf(polyline) && BoxOfLine(polyline).sizes().minCoeff() > kSheetSide * side;
-    });
-    return is_sheet ? AreaReading::kOutlines : AreaReading::kPen;
-  }
-
-  bool CoversSheet(const SvgShape& shape) const {
-    if (scene_.width <= 0.0 || scene_.height <= 0.0) return false;
-    const AlignedBox2d sheet(Vector2d(0, 0), Vector2d(scene_.width, scene_.height));
-    return std::any_of(shape.polylines.begin(), shape.polylines.end(), [&](const SvgPolyline& polyline) {
-      const auto covered = sheet.intersection(BoxOfLine(polyline));
-      return RectangleOf(polyline) && !covered.isEmpty() && covered.volume() >= kSheetCover * sheet.volume();
-    });
-  }
-
   std::vector<SvgPolyline> Clipped(const SvgPolyline& polyline, const SvgShape& shape) {
     std::vector<SvgPolyline> pieces{polyline};
     for (const auto& clip : shape.clips) {
@@ -292,6 +242,7 @@ class InkReader {
   const SvgScene& scene_;
   SvgCanvas canvas_;
   SvgWork work_;
+  std::vector<AreaReading> reading_;                  ///< Of each shape.
   std::vector<std::vector<SvgAreaLine>> area_lines_;  ///< Of each shape.
   std::vector<InkLine> lines_;
 };
@@ -371,6 +322,7 @@ std::vector<Stroke> InkOfScene(SvgScene& scene) {
   const SvgColor white{Vector3d::Ones(), 1.0};
   SvgColor paper = scene.background.value_or(SvgColor{Vector3d::Ones(), 0.0});
   paper.rgb = paper.alpha * paper.rgb + (1.0 - paper.alpha) * white.rgb;
+  JoinStrokesWithAreas(scene);
   std::vector<InkLine> lines = InkReader(scene, paper).Read();
   if (lines.empty()) {
     lines = InkReader(scene, SvgColor{Vector3d::Zero(), 1.0}).Read();

@@ -293,11 +293,12 @@ class SceneReader {
   void AddShape(const pugi::xml_node& node, const SceneContext& context) {
     const SvgStyle& style = context.style;
     if (!style.IsVisible()) return;
-    const std::string data = *SvgShapeData(node, style, context.units);
     const auto report = [&](const std::string& message) { Report(node, message); };
-    SvgShape shape{.polylines = PolylinesOf(node, data, context.sheet_from_local),
+    SvgShape shape{.polylines = PolylinesOf(node, *SvgShapeData(node, style, context.units), context.sheet_from_local),
                    .fill = SvgPaint(document_, style, SvgProperty::kFill, report),
                    .stroke = SvgPaint(document_, style, SvgProperty::kStroke, report),
+                   .is_fill_given = style.IsGiven(SvgProperty::kFill),
+                   .is_stroke_given = style.IsGiven(SvgProperty::kStroke),
                    .fill_rule = RuleOf(style, SvgProperty::kFillRule),
                    .kind = context.kind,
                    .clips = context.clips};
@@ -317,8 +318,7 @@ class SceneReader {
       if (*paint) (*paint)->alpha *= context.opacity;
       if (*paint && (*paint)->alpha <= 0.0) paint->reset();
     }
-    if ((!shape.fill && !shape.stroke) || shape.polylines.empty()) return;
-    scene_.shapes.push_back(std::move(shape));
+    if ((shape.fill || shape.stroke) && !shape.polylines.empty()) scene_.shapes.push_back(std::move(shape));
   }
 
   static FillRule RuleOf(const SvgStyle& style, SvgProperty property) {

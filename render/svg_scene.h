@@ -14,6 +14,7 @@ namespace daumier::render {
 struct SvgShape {
   std::vector<SvgPolyline> polylines;  ///< A closed subpath ends where it begins.
   std::optional<SvgColor> fill, stroke;
+  bool is_fill_given = false, is_stroke_given = false;  ///< In the file, be it `none`; else it is the initial value.
   FillRule fill_rule = FillRule::kNonzero;
   double stroke_width = 0.0;
   int kind = 0;

@@ -201,7 +201,9 @@ SvgStyle SvgCascade::Compute(const pugi::xml_node& element, const SvgStyle& pare
   style.variables_ = parent.variables_;
   for (const PropertyRow& row : kProperties) {
     const auto i = static_cast<size_t>(row.property);
-    if (row.inheritance == Inheritance::kInherited) style.values_[i] = parent.values_[i];
+    if (row.inheritance != Inheritance::kInherited) continue;
+    style.values_[i] = parent.values_[i];
+    style.given_[i] = parent.given_[i];
   }
   std::map<std::string, std::string> variables;
   for (const auto& declaration : ascending)
@@ -221,10 +223,13 @@ SvgStyle SvgCascade::Compute(const pugi::xml_node& element, const SvgStyle& pare
       if (lowered == "inherit" ||
           ((lowered == "unset" || lowered == "revert") && row->inheritance == Inheritance::kInherited)) {
         style.values_[i] = parent.values_[i];
+        style.given_[i] = parent.given_[i];
       } else if (lowered == "initial" || lowered == "unset" || lowered == "revert") {
         style.values_[i] = row->initial;
+        style.given_[i] = true;
       } else if (value && IsValid(row->property, *value)) {
         style.values_[i] = *value;
+        style.given_[i] = true;
       } else if (row->property != SvgProperty::kBackgroundColor) {
         report_(fmt::format("{} '{}' is not understood", name, declaration.value.substr(0, 60)));
       }

@@ -3,6 +3,7 @@
 #include "render/svg_css.h"
 
 #include <array>
+#include <bitset>
 #include <functional>
 #include <map>
 #include <memory>
@@ -62,6 +63,8 @@ class SvgStyle {
   SvgStyle();
 
   const std::string& Get(SvgProperty property) const { return values_[static_cast<size_t>(property)]; }
+  /// Whether the file has a valid value of the property, for the element or, if it is inherited, one around it.
+  bool IsGiven(SvgProperty property) const { return given_[static_cast<size_t>(property)]; }
   /// A number or a percentage, clamped to [0, 1].
   double Share(SvgProperty property) const;
   double font_size() const { return font_size_; }
@@ -72,6 +75,7 @@ class SvgStyle {
   friend class SvgCascade;
 
   std::array<std::string, static_cast<size_t>(SvgProperty::kCount)> values_;
+  std::bitset<static_cast<size_t>(SvgProperty::kCount)> given_;
   double font_size_ = 16.0;                                              ///< Pixels.
   std::shared_ptr<const std::map<std::string, std::string>> variables_;  ///< Custom properties (--name).
 };

@@ -78,6 +78,27 @@ TEST(PenAreas, ThickAreasAreTheirOutlinesUnchanged) {
   EXPECT_EQ(strokes[0].points, StrokesThrough({outline})[0].points);
 }
 
+TEST(PenAreas, DotsOfABoldPenAreKept) {
+  // Wider than any line may be (0.06 * 256), but no thicker than 2.4 widths of the pen.
+  const auto dot = CircleOutline({128, 60}, 10);
+  const auto strokes = StrokesOfAreas({AreaOf({BarOutline(40, 195, 220, 205)}), AreaOf({dot})}, 256.0);
+  ASSERT_EQ(strokes[0].size(), 1U);
+  ASSERT_EQ(strokes[1].size(), 1U);
+  EXPECT_EQ(strokes[1][0].points, StrokesThrough({dot})[0].points);
+  // A blob twice as long as wide is its middle line.
+  const auto blob =
+      StrokesOfAreas({AreaOf({BarOutline(40, 195, 220, 205)}), AreaOf({BarOutline(100, 50, 140, 70)})}, 256.0)[1];
+  ASSERT_EQ(blob.size(), 1U);
+  for (const auto& [x, y] : blob[0].points) EXPECT_NEAR(y, 60, 1.0);
+}
+
+TEST(PenAreas, DotsOfAThinPenAreKept) {
+  const auto dot = CircleOutline({128, 60}, 2.5);
+  const auto strokes = StrokesOfAreas({AreaOf({BarOutline(40, 198, 220, 202)}), AreaOf({dot})}, 256.0);
+  ASSERT_EQ(strokes[1].size(), 1U);
+  EXPECT_GT(strokes[1][0].points.size(), 1U);
+}
+
 TEST(PenAreas, PaperOverAnAreaLeavesALine) {
   auto paper = AreaOf({CircleOutline({128, 128}, 48)});
   paper.paint = Paint::kPaper;

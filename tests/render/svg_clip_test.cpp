@@ -72,5 +72,13 @@ TEST(SvgClip, WorkIsLimited) {
   testing::ExpectError([&] { work.Spend(1); }, "a.svg: the drawing is too large");
 }
 
+TEST(SvgClip, EdgesThatAreComparedAreWork) {
+  // One segment within a box is compared with 4 edges, and its middle with 4: more than 1 + 4 + 4 units.
+  const SvgClip clip({{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}}}}});
+  SvgWork work("a.svg");
+  work.Spend(4'000'000'000 - 9);
+  testing::ExpectError([&] { clip.Clip({{{1, 1}, {2, 2}}}, work); }, "a.svg: the drawing is too large");
+}
+
 }  // namespace
 }  // namespace daumier::render

@@ -127,6 +127,54 @@ TEST(SvgInk, StrokesFarFromTheSheetAreLeftOut) {
   EXPECT_EQ(NumStrokes("<path stroke='black' d='M-900 0H999'/>" + kTwoCurves), 3U);
 }
 
+TEST(SvgInk, ALineWithoutAreaIsDrawnOnlyWhereNoStrokeIsGiven) {
+  for (const std::string nothing :
+       {"stroke='none'", "stroke='#0000'", "stroke='black' stroke-width='0'", "stroke='black' stroke-opacity='0'",
+        "style='stroke:transparent'", "fill='none' stroke='none'"}) {
+    EXPECT_EQ(NumStrokes(kTwoCurves + "<path d='M20 20L90 27' " + nothing + "/>"), 2U) << nothing;
+    EXPECT_EQ(NumStrokes(kTwoCurves + "<g " + nothing + "><line x1='20' y1='20' x2='90.1' y2='27.7'/></g>"), 2U)
+        << nothing;
+  }
+  EXPECT_EQ(NumStrokes(kTwoCurves + "<path d='M20 20L90 27'/>"), 3U);
+  EXPECT_EQ(NumStrokes(kTwoCurves + "<path d='M20 20L90 27' fill='black'/>"), 3U);
+}
+
+TEST(SvgInk, AnAreaWithAThinStrokeOfItsColourIsOneLine) {
+  const std::string bar = "d='M40 20H160V26H40Z' fill='#222' ";
+  for (const std::string stroke :
+       {"stroke='#222' stroke-width='1'", "stroke='#252525' stroke-width='2'", "stroke='none'"}) {
+    const InkOfElements ink = InkOf("<path " + bar + stroke + "/>");
+    ASSERT_EQ(ink.strokes.size(), 1U) << stroke;
+    for (const auto& [x, y] : ink.strokes[0].points) EXPECT_NEAR(y, 23, 0.5) << stroke;
+  }
+  // The stroke is the line where it has another colour, and where the fill is left out by mistake.
+  for (const std::string lines :
+       {"d='M40 20H160V26H40Z' fill='#fed' stroke='black'", "d='M40 20H160V26H40Z' stroke='black'"}) {
+    const InkOfElements ink = InkOf("<path " + lines + "/>" + kTwoCurves);
+    ASSERT_EQ(ink.strokes.size(), 3U);
+    EXPECT_EQ(ink.strokes[0].points.front(), (std::array<float, 2>{40, 20}));
+  }
+}
+
+TEST(SvgInk, PaperOnInkIsAHole) {
+  for (const std::string paper : {"#fff", "#f8f0e0"}) {
+    const std::string sheet = "<path d='M0 0H200V200H0Z' fill='" + paper + "'/>";
+    const InkOfElements ink =
+        InkOf(sheet + "<circle cx='100' cy='100' r='40'/><circle cx='100' cy='100' r='36' fill='" + paper + "'/>");
+    ASSERT_EQ(ink.strokes.size(), 1U) << paper;
+    for (const auto& [x, y] : ink.strokes[0].points) EXPECT_NEAR(std::hypot(x - 100, y - 100), 38, 0.6);
+  }
+}
+
+TEST(SvgInk, AWashIsNoLine) {
+  const std::string face = "<circle cx='100' cy='100' r='90' fill='#ffe0bd'";
+  EXPECT_EQ(NumStrokes(face + "/>" + kTwoCurves), 2U) << "ink inside";
+  EXPECT_EQ(NumStrokes(kTwoCurves + face + " fill-opacity='0.4'/>"), 2U) << "ink below that is seen";
+  EXPECT_EQ(NumStrokes(face + "/><path d='M80 100H120V104H80Z'/>"), 1U) << "ink that is an area";
+  EXPECT_EQ(NumStrokes("<circle cx='30' cy='30' r='25' fill='#ffe0bd'/>" + kTwoCurves), 3U) << "ink elsewhere";
+  EXPECT_EQ(NumStrokes(face + "/><circle cx='100' cy='60' r='20' fill='#fcc08a'/>"), 2U) << "no darker ink";
+}
+
 TEST(SvgInk, ThickAreasAreTheirOutlines) {
   EXPECT_EQ(NumStrokes("<circle cx='100' cy='100' r='50' fill='#963'/>"), 1U);
   EXPECT_EQ(NumStrokes("<circle cx='100' cy='100' r='50' fill='#963'/><circle cx='100' cy='100' r='20' fill='#963'/>"),

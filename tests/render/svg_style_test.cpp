@@ -35,6 +35,20 @@ TEST(SvgStyle, SheetsAreAboveAttributesAndBelowStyleAttributes) {
   EXPECT_EQ(FillOf("<a style='fill:green;fill:color(display-p3 1 0 0)'/>"), "color(display-p3 1 0 0)");
 }
 
+TEST(SvgStyle, KnowsWhatTheFileGives) {
+  const auto is_given = [](const std::string& markup, const std::string& css = "") {
+    return ComputedOf(markup, css).style.IsGiven(SvgProperty::kStroke);
+  };
+  EXPECT_FALSE(is_given("<a/>"));
+  EXPECT_FALSE(is_given("<a fill='red'/>"));
+  EXPECT_FALSE(is_given("<a stroke='nonsense'/>"));
+  EXPECT_FALSE(is_given("<a><b stroke='inherit'/></a>"));
+  EXPECT_TRUE(is_given("<a stroke='none'/>"));
+  EXPECT_TRUE(is_given("<a stroke='none'><b><c/></b></a>"));
+  EXPECT_TRUE(is_given("<a/>", "a{stroke:black}"));
+  EXPECT_TRUE(is_given("<a style='stroke: initial'/>"));
+}
+
 TEST(SvgStyle, InheritsWhatIsInherited) {
   const auto computed = ComputedOf("<a fill='red' opacity='0.5' display='none' visibility='hidden'><b/></a>");
   EXPECT_EQ(computed.style.Get(SvgProperty::kFill), "red");
