@@ -41,6 +41,10 @@ constexpr double kSideTolerance = 1.5, kMinSideShare = 0.55;
 /// Distances beyond the side, in halves of a profile's length, in which the desk is compared with the sheet, and the
 /// share of profiles that must show it.
 constexpr double kDeskFrom = 1.0, kDeskTo = 1.8, kMinDeskShare = 0.6;
+/// The share of all profiles that must show the desk where other sheets lie beside or below.
+constexpr double kMinDeskAmongSheets = 0.3;
+/// Window of the opening that cuts bridges between sheets, in pixels of the picture in which areas are sought.
+constexpr int kBridgeWindow = 7;
 using Quad = std::array<Vector2d, 4>;
 
 double CrossProduct(const Vector2d& a, const Vector2d& b) {
@@ -124,20 +128,34 @@ std::optional<Quad> QuadOfOutline(const std::vector<cv::Point>& outline, const c
   return quad;
 }
 
-/// Quadrilaterals of areas brighter than each level, in pixels of `grey`.
-std::vector<Quad> RoughQuads(const cv::Mat& grey) {
+/// Where sheets lie: each on the desk, or some on others, from which only the edge's shadow sets them apart.
+enum class Ground { kDesk, kOtherSheets };
+
+/// The picture without the drawing's lines. `grey` is small.
+cv::Mat WithoutLines(const cv::Mat& grey) {
   const int window = 2 * static_cast<int>(0.5 * kLineWindow * std::max(grey.rows, grey.cols)) + 1;
   // Beyond the picture is desk, so that a narrow strip of desk along the border is not closed.
   cv::Mat closed;
   cv::copyMakeBorder(grey, closed, window, window, window, window, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::morphologyEx(closed, closed, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {window, window}));
-  closed = closed(cv::Rect(window, window, grey.cols, grey.rows)).clone();
+  return closed(cv::Rect(window, window, grey.cols, grey.rows)).clone();
+}
 
+/// The picture with dark gaps between areas made wider where they are narrow or interrupted.
+cv::Mat WithoutBridges(const cv::Mat& grey) {
+  cv::Mat opened;
+  cv::morphologyEx(grey, opened, cv::MORPH_OPEN,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kBridgeWindow, kBridgeWindow}));
+  return opened;
+}
+
+/// Quadrilaterals of areas brighter than each level, in pixels of `grey`.
+std::vector<Quad> RoughQuads(const cv::Mat& grey) {
   std::vector<Quad> quads;
   const double picture_area = static_cast<double>(grey.total());
   for (int level = kFirstLevel; level <= kLastLevel; level += kLevelStep) {
     cv::Mat labels, stats, centres;
-    const int num_labels = cv::connectedComponentsWithStats(closed > level, labels, stats, centres, 4, CV_32S);
+    const int num_labels = cv::connectedComponentsWithStats(grey > level, labels, stats, centres, 4, CV_32S);
     for (int label = 1; label < num_labels; ++label) {
       const double area = stats.at<int>(label, cv::CC_STAT_AREA);
       if (area < kMinBrightShare * kMinSheetArea * picture_area) continue;
@@ -249,12 +267,13 @@ FittedSide FitSide(const std::vector<Vector2d>& points, int num_profiles) {
 }
 
 /// The quadrilateral with its sides on steps of brightness; nothing if one has none.
-std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough) {
+std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground ground) {
   double smaller_side = (rough[1] - rough[0]).norm();
   for (int i = 1; i < 4; ++i) smaller_side = std::min(smaller_side, (rough[(i + 1) % 4] - rough[i]).norm());
   const double reach = std::max(4.0, kProfileReach * smaller_side);
   std::array<SideLine, 4> lines;
   int num_before_desk = 0;
+  double desk_share = 0.0;
   for (int i = 0; i < 4; ++i) {
     const Vector2d from = rough[i], along = rough[(i + 1) % 4] - from;
     const Vector2d outwards = Vector2d(along.y(), -along.x()).normalized();
@@ -277,8 +296,9 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough) {
     if (side.share < kMinSideShare) return {};
     lines[i] = side.line;
     num_before_desk += num_with_desk >= kMinDeskShare * num_inside;
+    desk_share += 0.25 * num_with_desk / num_inside;
   }
-  if (num_before_desk < 4) return {};
+  if (ground == Ground::kDesk ? num_before_desk < 4 : desk_share < kMinDeskAmongSheets) return {};
   return QuadOf(lines);
 }
 
@@ -311,19 +331,26 @@ bool IsSame(const Quad& a, const Quad& b, double tolerance) {
   return true;
 }
 
-std::vector<Quad> FittedQuads(const cv::Mat& grey) {
+std::vector<Quad> FittedQuads(const cv::Mat& grey, Ground ground) {
   const cv::Mat coarse = ShrunkTo(grey, kSearchSide), fine = ShrunkTo(grey, kFitSide);
   const Eigen::Array2d fine_from_coarse(static_cast<double>(fine.cols) / coarse.cols,
                                         static_cast<double>(fine.rows) / coarse.rows);
   const double tolerance = 0.01 * std::max(fine.rows, fine.cols);
-  std::vector<Quad> rough, fitted;
-  for (Quad quad : RoughQuads(coarse)) {
+  std::vector<Quad> candidates, rough, fitted;
+  if (ground == Ground::kDesk) {
+    candidates = RoughQuads(WithoutLines(coarse));
+  } else {
+    candidates = RoughQuads(coarse);
+    const std::vector<Quad> more = RoughQuads(WithoutBridges(coarse));
+    candidates.insert(candidates.end(), more.begin(), more.end());
+  }
+  for (Quad quad : candidates) {
     for (Vector2d& corner : quad) corner = corner.array() * fine_from_coarse;
     const auto is_known = [&](const Quad& other) { return IsSame(quad, other, 0.5 * tolerance); };
     if (std::any_of(rough.begin(), rough.end(), is_known)) continue;
     rough.push_back(quad);
     if (!IsNearPicture(quad, fine.size())) continue;
-    const auto better = FittedQuad(fine, quad);
+    const auto better = FittedQuad(fine, quad, ground);
     if (!better || !IsNearPicture(*better, fine.size())) continue;
     const auto is_found = [&](const Quad& other) { return IsSame(*better, other, tolerance); };
     if (std::none_of(fitted.begin(), fitted.end(), is_found)) fitted.push_back(*better);
@@ -342,11 +369,13 @@ std::vector<Quad> FittedQuads(const cv::Mat& grey) {
 std::vector<PhotoSheet> FindSheets(const Image& picture) {
   if (picture.pixels.empty()) return {};
   cv::Mat grey = LeastChannel(picture);
-  std::vector<Quad> quads = FittedQuads(grey);
+  std::vector<Quad> quads = FittedQuads(grey, Ground::kDesk);
   if (quads.empty()) {
-    cv::bitwise_not(grey, grey);
-    quads = FittedQuads(grey);
+    cv::Mat inverted;
+    cv::bitwise_not(grey, inverted);
+    quads = FittedQuads(inverted, Ground::kDesk);
   }
+  if (quads.empty()) quads = FittedQuads(grey, Ground::kOtherSheets);
   std::vector<PhotoSheet> sheets;
   for (const Quad& quad : quads) sheets.push_back(Upright(quad));
   return sheets;
