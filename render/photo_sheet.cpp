@@ -41,8 +41,9 @@ constexpr double kSideTolerance = 1.5, kMinSideShare = 0.55;
 /// Distances beyond the side, in halves of a profile's length, in which the desk is compared with the sheet, and the
 /// share of profiles that must show it.
 constexpr double kDeskFrom = 1.0, kDeskTo = 1.8, kMinDeskShare = 0.6;
-/// The share of all profiles that must show the desk where other sheets lie beside or below.
-constexpr double kMinDeskAmongSheets = 0.3;
+/// The share of all profiles that must show the desk where other sheets lie beside or below, up to
+/// where, so that lines that rule the paper are none, and the share of the picture that such a sheet covers.
+constexpr double kMinDeskAmongSheets = 0.3, kDeskToAmongSheets = 4.0, kMinAreaAmongSheets = 0.12;
 /// Window of the opening that cuts bridges between sheets, in pixels of the picture in which areas are sought.
 constexpr int kBridgeWindow = 7;
 using Quad = std::array<Vector2d, 4>;
@@ -271,6 +272,7 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground gr
   double smaller_side = (rough[1] - rough[0]).norm();
   for (int i = 1; i < 4; ++i) smaller_side = std::min(smaller_side, (rough[(i + 1) % 4] - rough[i]).norm());
   const double reach = std::max(4.0, kProfileReach * smaller_side);
+  const double desk_to = ground == Ground::kDesk ? kDeskTo : kDeskToAmongSheets;
   std::array<SideLine, 4> lines;
   int num_before_desk = 0;
   double desk_share = 0.0;
@@ -288,7 +290,7 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground gr
       if (!step) continue;
       points.push_back(middle + *step * outwards);
       const auto sheet = MedianAlong(grey, points.back(), -outwards, 2.0, reach);
-      const auto desk = MedianAlong(grey, points.back(), outwards, kDeskFrom * reach, kDeskTo * reach);
+      const auto desk = MedianAlong(grey, points.back(), outwards, kDeskFrom * reach, desk_to * reach);
       num_with_desk += sheet && (!desk || *sheet - *desk > std::max(kMinStep, kMinRelativeStep * *sheet));
     }
     if (num_inside < kNumProfiles / 3) return {};
@@ -298,7 +300,10 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground gr
     num_before_desk += num_with_desk >= kMinDeskShare * num_inside;
     desk_share += 0.25 * num_with_desk / num_inside;
   }
-  if (ground == Ground::kDesk ? num_before_desk < 4 : desk_share < kMinDeskAmongSheets) return {};
+  if (ground == Ground::kDesk && num_before_desk < 4) return {};
+  if (ground == Ground::kOtherSheets &&
+      (desk_share < kMinDeskAmongSheets || AreaOf(rough) < kMinAreaAmongSheets * static_cast<double>(grey.total())))
+    return {};
   return QuadOf(lines);
 }
 
