@@ -42,8 +42,10 @@ constexpr double kSideTolerance = 1.5, kMinSideShare = 0.55;
 /// share of profiles that must show it.
 constexpr double kDeskFrom = 1.0, kDeskTo = 1.8, kMinDeskShare = 0.6;
 /// The share of all profiles that must show the desk where other sheets lie beside or below, up to
-/// where, so that lines that rule the paper are none, and the share of the picture that such a sheet covers.
-constexpr double kMinDeskAmongSheets = 0.3, kDeskToAmongSheets = 4.0, kMinAreaAmongSheets = 0.12;
+/// where, so that lines that rule the paper are none, the shares of the picture that such a sheet covers, of it that
+/// its outline fills, and of profiles on a side that must agree.
+constexpr double kMinDeskAmongSheets = 0.3, kDeskToAmongSheets = 4.0, kMinAreaAmongSheets = 0.12,
+                 kMinFilledAmongSheets = 0.9, kMinSideShareAmongSheets = 0.7;
 /// Window of the opening that cuts bridges between sheets, in pixels of the picture in which areas are sought.
 constexpr int kBridgeWindow = 7;
 using Quad = std::array<Vector2d, 4>;
@@ -150,8 +152,8 @@ cv::Mat WithoutBridges(const cv::Mat& grey) {
   return opened;
 }
 
-/// Quadrilaterals of areas brighter than each level, in pixels of `grey`.
-std::vector<Quad> RoughQuads(const cv::Mat& grey) {
+/// Quadrilaterals of areas brighter than each level, in pixels of `grey`, whose outline fills that share of them.
+std::vector<Quad> RoughQuads(const cv::Mat& grey, double min_filled_share) {
   std::vector<Quad> quads;
   const double picture_area = static_cast<double>(grey.total());
   for (int level = kFirstLevel; level <= kLastLevel; level += kLevelStep) {
@@ -167,7 +169,7 @@ std::vector<Quad> RoughQuads(const cv::Mat& grey) {
       if (!quad) continue;
       const double share = AreaOf(*quad) / picture_area;
       if (share < kMinSheetArea || share > kMaxSheetArea || area < kMinBrightShare * AreaOf(*quad)) continue;
-      quads.push_back(*quad);
+      if (cv::contourArea(outlines[0]) >= min_filled_share * AreaOf(*quad)) quads.push_back(*quad);
     }
   }
   return quads;
@@ -267,15 +269,21 @@ FittedSide FitSide(const std::vector<Vector2d>& points, int num_profiles) {
   return best;
 }
 
-/// The quadrilateral with its sides on steps of brightness; nothing if one has none.
-std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground ground) {
+/// A quadrilateral with its sides on steps of brightness, and the share of a side that shows one, at least.
+struct FittedSheet {
+  Quad quad;
+  double least_share;
+};
+
+/// Nothing if a side has no step.
+std::optional<FittedSheet> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground ground) {
   double smaller_side = (rough[1] - rough[0]).norm();
   for (int i = 1; i < 4; ++i) smaller_side = std::min(smaller_side, (rough[(i + 1) % 4] - rough[i]).norm());
   const double reach = std::max(4.0, kProfileReach * smaller_side);
   const double desk_to = ground == Ground::kDesk ? kDeskTo : kDeskToAmongSheets;
   std::array<SideLine, 4> lines;
   int num_before_desk = 0;
-  double desk_share = 0.0;
+  double desk_share = 0.0, least_share = 1.0;
   for (int i = 0; i < 4; ++i) {
     const Vector2d from = rough[i], along = rough[(i + 1) % 4] - from;
     const Vector2d outwards = Vector2d(along.y(), -along.x()).normalized();
@@ -295,8 +303,9 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground gr
     }
     if (num_inside < kNumProfiles / 3) return {};
     const FittedSide side = FitSide(points, num_inside);
-    if (side.share < kMinSideShare) return {};
+    if (side.share < (ground == Ground::kDesk ? kMinSideShare : kMinSideShareAmongSheets)) return {};
     lines[i] = side.line;
+    least_share = std::min(least_share, side.share);
     num_before_desk += num_with_desk >= kMinDeskShare * num_inside;
     desk_share += 0.25 * num_with_desk / num_inside;
   }
@@ -304,7 +313,8 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground gr
   if (ground == Ground::kOtherSheets &&
       (desk_share < kMinDeskAmongSheets || AreaOf(rough) < kMinAreaAmongSheets * static_cast<double>(grey.total())))
     return {};
-  return QuadOf(lines);
+  const auto quad = QuadOf(lines);
+  return quad ? std::optional(FittedSheet{*quad, least_share}) : std::nullopt;
 }
 
 /// The same corners, those of the most upright side first.
@@ -336,17 +346,18 @@ bool IsSame(const Quad& a, const Quad& b, double tolerance) {
   return true;
 }
 
-std::vector<Quad> FittedQuads(const cv::Mat& grey, Ground ground) {
+std::vector<FittedSheet> FittedQuads(const cv::Mat& grey, Ground ground) {
   const cv::Mat coarse = ShrunkTo(grey, kSearchSide), fine = ShrunkTo(grey, kFitSide);
   const Eigen::Array2d fine_from_coarse(static_cast<double>(fine.cols) / coarse.cols,
                                         static_cast<double>(fine.rows) / coarse.rows);
   const double tolerance = 0.01 * std::max(fine.rows, fine.cols);
-  std::vector<Quad> candidates, rough, fitted;
+  std::vector<Quad> candidates, rough;
+  std::vector<FittedSheet> fitted;
   if (ground == Ground::kDesk) {
-    candidates = RoughQuads(WithoutLines(coarse));
+    candidates = RoughQuads(WithoutLines(coarse), kMinBrightShare);
   } else {
-    candidates = RoughQuads(coarse);
-    const std::vector<Quad> more = RoughQuads(WithoutBridges(coarse));
+    candidates = RoughQuads(coarse, kMinFilledAmongSheets);
+    const std::vector<Quad> more = RoughQuads(WithoutBridges(coarse), kMinFilledAmongSheets);
     candidates.insert(candidates.end(), more.begin(), more.end());
   }
   for (Quad quad : candidates) {
@@ -356,16 +367,17 @@ std::vector<Quad> FittedQuads(const cv::Mat& grey, Ground ground) {
     rough.push_back(quad);
     if (!IsNearPicture(quad, fine.size())) continue;
     const auto better = FittedQuad(fine, quad, ground);
-    if (!better || !IsNearPicture(*better, fine.size())) continue;
-    const auto is_found = [&](const Quad& other) { return IsSame(*better, other, tolerance); };
+    if (!better || !IsNearPicture(better->quad, fine.size())) continue;
+    const auto is_found = [&](const FittedSheet& other) { return IsSame(better->quad, other.quad, tolerance); };
     if (std::none_of(fitted.begin(), fitted.end(), is_found)) fitted.push_back(*better);
   }
   const Eigen::Array2d picture_from_fine(static_cast<double>(grey.cols) / fine.cols,
                                          static_cast<double>(grey.rows) / fine.rows);
-  for (Quad& quad : fitted) {
-    for (Vector2d& corner : quad) corner = corner.array() * picture_from_fine;
+  for (FittedSheet& sheet : fitted) {
+    for (Vector2d& corner : sheet.quad) corner = corner.array() * picture_from_fine;
   }
-  std::stable_sort(fitted.begin(), fitted.end(), [](const Quad& a, const Quad& b) { return AreaOf(a) > AreaOf(b); });
+  std::stable_sort(fitted.begin(), fitted.end(),
+                   [](const FittedSheet& a, const FittedSheet& b) { return AreaOf(a.quad) > AreaOf(b.quad); });
   return fitted;
 }
 
@@ -374,15 +386,19 @@ std::vector<Quad> FittedQuads(const cv::Mat& grey, Ground ground) {
 std::vector<PhotoSheet> FindSheets(const Image& picture) {
   if (picture.pixels.empty()) return {};
   cv::Mat grey = LeastChannel(picture);
-  std::vector<Quad> quads = FittedQuads(grey, Ground::kDesk);
-  if (quads.empty()) {
+  std::vector<FittedSheet> fitted = FittedQuads(grey, Ground::kDesk);
+  if (fitted.empty()) {
     cv::Mat inverted;
     cv::bitwise_not(grey, inverted);
-    quads = FittedQuads(inverted, Ground::kDesk);
+    fitted = FittedQuads(inverted, Ground::kDesk);
   }
-  if (quads.empty()) quads = FittedQuads(grey, Ground::kOtherSheets);
+  // A quadrilateral of which much is not seen may be the hull of several sheets: those that are wholly seen come first.
+  if (fitted.empty() || fitted[0].least_share < kMinSideShareAmongSheets) {
+    std::vector<FittedSheet> among_sheets = FittedQuads(grey, Ground::kOtherSheets);
+    fitted.insert(fitted.begin(), among_sheets.begin(), among_sheets.end());
+  }
   std::vector<PhotoSheet> sheets;
-  for (const Quad& quad : quads) sheets.push_back(Upright(quad));
+  for (const FittedSheet& sheet : fitted) sheets.push_back(Upright(sheet.quad));
   return sheets;
 }
 
