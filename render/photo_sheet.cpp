@@ -1,7 +1,7 @@
 #include "render/photo_sheet.h"
 
 #include "core/statistics.h"
-#include "render/opencv_bridge.h"
+#include "render/photo_grey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,25 +79,6 @@ std::optional<Quad> QuadOf(const std::array<SideLine, 4>& lines) {
     if (CrossProduct(side, next) <= 0.2 * side.norm() * next.norm()) return {};
   }
   return quad;
-}
-
-/// The least of the channels: white paper has it large, a coloured desk does not.
-cv::Mat LeastChannel(const Image& picture) {
-  if (picture.channels == 1) return MatView(picture).clone();
-  std::vector<cv::Mat> channels;
-  cv::split(MatView(picture), channels);
-  return cv::min(channels[0], cv::min(channels[1], channels[2]));
-}
-
-cv::Mat ShrunkTo(const cv::Mat& grey, int side) {
-  const double scale = std::min(1.0, static_cast<double>(side) / std::max(grey.rows, grey.cols));
-  if (scale == 1.0) return grey;
-  cv::Mat shrunk;
-  cv::resize(grey, shrunk,
-             {std::max(1, static_cast<int>(std::lround(scale * grey.cols))),
-              std::max(1, static_cast<int>(std::lround(scale * grey.rows)))},
-             0, 0, cv::INTER_AREA);
-  return shrunk;
 }
 
 /// The quadrilateral of the four longest sides of a closed outline's hull. `size` is that of the picture.
