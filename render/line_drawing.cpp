@@ -1,9 +1,11 @@
 #include "render/line_drawing.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "render/draw.h"
 #include "render/ink.h"
 #include "render/paper.h"
+#include "render/photo_desk.h"
 #include "render/photo_sheet.h"
 #include "render/ruling.h"
 #include "render/sheet_perspective.h"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace daumier::render {
 
@@ -97,10 +100,18 @@ std::optional<LineDrawing> TracedClosely(const Image& picture) {
 
 LineDrawing TraceLineDrawing(const Image& picture) {
   DAUMIER_CHECK(!picture.pixels.empty(), "the picture is empty");
-  for (const PhotoSheet& sheet : FindSheets(picture)) {
+  const std::vector<PhotoSheet> sheets = FindSheets(picture);
+  for (const PhotoSheet& sheet : sheets) {
     if (auto traced = TracedClosely(RectifySheet(picture, sheet))) return *std::move(traced);
   }
-  if (auto traced = TracedClosely(picture)) return *std::move(traced);
+  if (auto traced = TracedClosely(picture)) {
+    if (sheets.empty() && ShowsDesk(picture)) {
+      log::Warn(
+          "the photo shows paper on a darker ground, but no sheet with four straight sides is found: its edges may be "
+          "read as lines; crop the photo to the drawing");
+    }
+    return *std::move(traced);
+  }
   throw Error("the picture holds no lines; expected dark lines on light paper, or light on dark");
 }
 

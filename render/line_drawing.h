@@ -20,7 +20,7 @@ inline constexpr int kLineDrawingSide = 512;
 /// Of a photograph of a sheet on a desk (FindSheets) the sheet alone is read, its perspective undone (RectifySheet); a
 /// drawing that is small in its picture is traced at the resolution of the part that it covers; the lines of ruled
 /// paper (WithoutRuling) and soft shading are no strokes. Areas much thicker than the pen are read as their outlines.
-/// All strokes are of kind 0.
+/// All strokes are of kind 0. A warning says where a photograph shows a desk (ShowsDesk) but no sheet is found.
 /// @throws Error if the picture is empty or holds no lines.
 LineDrawing TraceLineDrawing(const Image& picture);
 

@@ -1,7 +1,7 @@
 #include "render/photo_sheet.h"
 
 #include "core/statistics.h"
-#include "render/opencv_bridge.h"
+#include "render/photo_grey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +41,13 @@ constexpr double kSideTolerance = 1.5, kMinSideShare = 0.55;
 /// Distances beyond the side, in halves of a profile's length, in which the desk is compared with the sheet, and the
 /// share of profiles that must show it.
 constexpr double kDeskFrom = 1.0, kDeskTo = 1.8, kMinDeskShare = 0.6;
+/// The share of all profiles that must show the desk where other sheets lie beside or below, up to
+/// where, so that lines that rule the paper are none, the shares of the picture that such a sheet covers, of it that
+/// its outline fills, and of profiles on a side that must agree.
+constexpr double kMinDeskAmongSheets = 0.3, kDeskToAmongSheets = 4.0, kMinAreaAmongSheets = 0.12,
+                 kMinFilledAmongSheets = 0.9, kMinSideShareAmongSheets = 0.7;
+/// Window of the opening that cuts bridges between sheets, in pixels of the picture in which areas are sought.
+constexpr int kBridgeWindow = 7;
 using Quad = std::array<Vector2d, 4>;
 
 double CrossProduct(const Vector2d& a, const Vector2d& b) {
@@ -74,25 +81,6 @@ std::optional<Quad> QuadOf(const std::array<SideLine, 4>& lines) {
   return quad;
 }
 
-/// The least of the channels: white paper has it large, a coloured desk does not.
-cv::Mat LeastChannel(const Image& picture) {
-  if (picture.channels == 1) return MatView(picture).clone();
-  std::vector<cv::Mat> channels;
-  cv::split(MatView(picture), channels);
-  return cv::min(channels[0], cv::min(channels[1], channels[2]));
-}
-
-cv::Mat ShrunkTo(const cv::Mat& grey, int side) {
-  const double scale = std::min(1.0, static_cast<double>(side) / std::max(grey.rows, grey.cols));
-  if (scale == 1.0) return grey;
-  cv::Mat shrunk;
-  cv::resize(grey, shrunk,
-             {std::max(1, static_cast<int>(std::lround(scale * grey.cols))),
-              std::max(1, static_cast<int>(std::lround(scale * grey.rows)))},
-             0, 0, cv::INTER_AREA);
-  return shrunk;
-}
-
 /// The quadrilateral of the four longest sides of a closed outline's hull. `size` is that of the picture.
 std::optional<Quad> QuadOfOutline(const std::vector<cv::Point>& outline, const cv::Size& size) {
   std::vector<cv::Point> hull, polygon;
@@ -124,20 +112,34 @@ std::optional<Quad> QuadOfOutline(const std::vector<cv::Point>& outline, const c
   return quad;
 }
 
-/// Quadrilaterals of areas brighter than each level, in pixels of `grey`.
-std::vector<Quad> RoughQuads(const cv::Mat& grey) {
+/// Where sheets lie: each on the desk, or some on others, from which only the edge's shadow sets them apart.
+enum class Ground { kDesk, kOtherSheets };
+
+/// The picture without the drawing's lines. `grey` is small.
+cv::Mat WithoutLines(const cv::Mat& grey) {
   const int window = 2 * static_cast<int>(0.5 * kLineWindow * std::max(grey.rows, grey.cols)) + 1;
   // Beyond the picture is desk, so that a narrow strip of desk along the border is not closed.
   cv::Mat closed;
   cv::copyMakeBorder(grey, closed, window, window, window, window, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::morphologyEx(closed, closed, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {window, window}));
-  closed = closed(cv::Rect(window, window, grey.cols, grey.rows)).clone();
+  return closed(cv::Rect(window, window, grey.cols, grey.rows)).clone();
+}
 
+/// The picture with dark gaps between areas made wider where they are narrow or interrupted.
+cv::Mat WithoutBridges(const cv::Mat& grey) {
+  cv::Mat opened;
+  cv::morphologyEx(grey, opened, cv::MORPH_OPEN,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kBridgeWindow, kBridgeWindow}));
+  return opened;
+}
+
+/// Quadrilaterals of areas brighter than each level, in pixels of `grey`, whose outline fills that share of them.
+std::vector<Quad> RoughQuads(const cv::Mat& grey, double min_filled_share) {
   std::vector<Quad> quads;
   const double picture_area = static_cast<double>(grey.total());
   for (int level = kFirstLevel; level <= kLastLevel; level += kLevelStep) {
     cv::Mat labels, stats, centres;
-    const int num_labels = cv::connectedComponentsWithStats(closed > level, labels, stats, centres, 4, CV_32S);
+    const int num_labels = cv::connectedComponentsWithStats(grey > level, labels, stats, centres, 4, CV_32S);
     for (int label = 1; label < num_labels; ++label) {
       const double area = stats.at<int>(label, cv::CC_STAT_AREA);
       if (area < kMinBrightShare * kMinSheetArea * picture_area) continue;
@@ -148,7 +150,7 @@ std::vector<Quad> RoughQuads(const cv::Mat& grey) {
       if (!quad) continue;
       const double share = AreaOf(*quad) / picture_area;
       if (share < kMinSheetArea || share > kMaxSheetArea || area < kMinBrightShare * AreaOf(*quad)) continue;
-      quads.push_back(*quad);
+      if (cv::contourArea(outlines[0]) >= min_filled_share * AreaOf(*quad)) quads.push_back(*quad);
     }
   }
   return quads;
@@ -248,13 +250,21 @@ FittedSide FitSide(const std::vector<Vector2d>& points, int num_profiles) {
   return best;
 }
 
-/// The quadrilateral with its sides on steps of brightness; nothing if one has none.
-std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough) {
+/// A quadrilateral with its sides on steps of brightness, and the share of a side that shows one, at least.
+struct FittedSheet {
+  Quad quad;
+  double least_share;
+};
+
+/// Nothing if a side has no step.
+std::optional<FittedSheet> FittedQuad(const cv::Mat& grey, const Quad& rough, Ground ground) {
   double smaller_side = (rough[1] - rough[0]).norm();
   for (int i = 1; i < 4; ++i) smaller_side = std::min(smaller_side, (rough[(i + 1) % 4] - rough[i]).norm());
   const double reach = std::max(4.0, kProfileReach * smaller_side);
+  const double desk_to = ground == Ground::kDesk ? kDeskTo : kDeskToAmongSheets;
   std::array<SideLine, 4> lines;
   int num_before_desk = 0;
+  double desk_share = 0.0, least_share = 1.0;
   for (int i = 0; i < 4; ++i) {
     const Vector2d from = rough[i], along = rough[(i + 1) % 4] - from;
     const Vector2d outwards = Vector2d(along.y(), -along.x()).normalized();
@@ -269,17 +279,23 @@ std::optional<Quad> FittedQuad(const cv::Mat& grey, const Quad& rough) {
       if (!step) continue;
       points.push_back(middle + *step * outwards);
       const auto sheet = MedianAlong(grey, points.back(), -outwards, 2.0, reach);
-      const auto desk = MedianAlong(grey, points.back(), outwards, kDeskFrom * reach, kDeskTo * reach);
+      const auto desk = MedianAlong(grey, points.back(), outwards, kDeskFrom * reach, desk_to * reach);
       num_with_desk += sheet && (!desk || *sheet - *desk > std::max(kMinStep, kMinRelativeStep * *sheet));
     }
     if (num_inside < kNumProfiles / 3) return {};
     const FittedSide side = FitSide(points, num_inside);
-    if (side.share < kMinSideShare) return {};
+    if (side.share < (ground == Ground::kDesk ? kMinSideShare : kMinSideShareAmongSheets)) return {};
     lines[i] = side.line;
+    least_share = std::min(least_share, side.share);
     num_before_desk += num_with_desk >= kMinDeskShare * num_inside;
+    desk_share += 0.25 * num_with_desk / num_inside;
   }
-  if (num_before_desk < 4) return {};
-  return QuadOf(lines);
+  if (ground == Ground::kDesk && num_before_desk < 4) return {};
+  if (ground == Ground::kOtherSheets &&
+      (desk_share < kMinDeskAmongSheets || AreaOf(rough) < kMinAreaAmongSheets * static_cast<double>(grey.total())))
+    return {};
+  const auto quad = QuadOf(lines);
+  return quad ? std::optional(FittedSheet{*quad, least_share}) : std::nullopt;
 }
 
 /// The same corners, those of the most upright side first.
@@ -311,29 +327,38 @@ bool IsSame(const Quad& a, const Quad& b, double tolerance) {
   return true;
 }
 
-std::vector<Quad> FittedQuads(const cv::Mat& grey) {
+std::vector<FittedSheet> FittedQuads(const cv::Mat& grey, Ground ground) {
   const cv::Mat coarse = ShrunkTo(grey, kSearchSide), fine = ShrunkTo(grey, kFitSide);
   const Eigen::Array2d fine_from_coarse(static_cast<double>(fine.cols) / coarse.cols,
                                         static_cast<double>(fine.rows) / coarse.rows);
   const double tolerance = 0.01 * std::max(fine.rows, fine.cols);
-  std::vector<Quad> rough, fitted;
-  for (Quad quad : RoughQuads(coarse)) {
+  std::vector<Quad> candidates, rough;
+  std::vector<FittedSheet> fitted;
+  if (ground == Ground::kDesk) {
+    candidates = RoughQuads(WithoutLines(coarse), kMinBrightShare);
+  } else {
+    candidates = RoughQuads(coarse, kMinFilledAmongSheets);
+    const std::vector<Quad> more = RoughQuads(WithoutBridges(coarse), kMinFilledAmongSheets);
+    candidates.insert(candidates.end(), more.begin(), more.end());
+  }
+  for (Quad quad : candidates) {
     for (Vector2d& corner : quad) corner = corner.array() * fine_from_coarse;
     const auto is_known = [&](const Quad& other) { return IsSame(quad, other, 0.5 * tolerance); };
     if (std::any_of(rough.begin(), rough.end(), is_known)) continue;
     rough.push_back(quad);
     if (!IsNearPicture(quad, fine.size())) continue;
-    const auto better = FittedQuad(fine, quad);
-    if (!better || !IsNearPicture(*better, fine.size())) continue;
-    const auto is_found = [&](const Quad& other) { return IsSame(*better, other, tolerance); };
+    const auto better = FittedQuad(fine, quad, ground);
+    if (!better || !IsNearPicture(better->quad, fine.size())) continue;
+    const auto is_found = [&](const FittedSheet& other) { return IsSame(better->quad, other.quad, tolerance); };
     if (std::none_of(fitted.begin(), fitted.end(), is_found)) fitted.push_back(*better);
   }
   const Eigen::Array2d picture_from_fine(static_cast<double>(grey.cols) / fine.cols,
                                          static_cast<double>(grey.rows) / fine.rows);
-  for (Quad& quad : fitted) {
-    for (Vector2d& corner : quad) corner = corner.array() * picture_from_fine;
+  for (FittedSheet& sheet : fitted) {
+    for (Vector2d& corner : sheet.quad) corner = corner.array() * picture_from_fine;
   }
-  std::stable_sort(fitted.begin(), fitted.end(), [](const Quad& a, const Quad& b) { return AreaOf(a) > AreaOf(b); });
+  std::stable_sort(fitted.begin(), fitted.end(),
+                   [](const FittedSheet& a, const FittedSheet& b) { return AreaOf(a.quad) > AreaOf(b.quad); });
   return fitted;
 }
 
@@ -342,13 +367,19 @@ std::vector<Quad> FittedQuads(const cv::Mat& grey) {
 std::vector<PhotoSheet> FindSheets(const Image& picture) {
   if (picture.pixels.empty()) return {};
   cv::Mat grey = LeastChannel(picture);
-  std::vector<Quad> quads = FittedQuads(grey);
-  if (quads.empty()) {
-    cv::bitwise_not(grey, grey);
-    quads = FittedQuads(grey);
+  std::vector<FittedSheet> fitted = FittedQuads(grey, Ground::kDesk);
+  if (fitted.empty()) {
+    cv::Mat inverted;
+    cv::bitwise_not(grey, inverted);
+    fitted = FittedQuads(inverted, Ground::kDesk);
+  }
+  // A quadrilateral of which much is not seen may be the hull of several sheets: those that are wholly seen come first.
+  if (fitted.empty() || fitted[0].least_share < kMinSideShareAmongSheets) {
+    std::vector<FittedSheet> among_sheets = FittedQuads(grey, Ground::kOtherSheets);
+    fitted.insert(fitted.begin(), among_sheets.begin(), among_sheets.end());
   }
   std::vector<PhotoSheet> sheets;
-  for (const Quad& quad : quads) sheets.push_back(Upright(quad));
+  for (const FittedSheet& sheet : fitted) sheets.push_back(Upright(sheet.quad));
   return sheets;
 }
 

@@ -1,6 +1,7 @@
 #include "systems/sketch/predictor.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "geometry/coordinates.h"
 #include "render/faces_on_sheet.h"
 #include "render/line_drawing.h"
@@ -74,7 +75,11 @@ std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) cons
   if (options_.faces != "all" || options_.framing == "keep" || std::holds_alternative<geometry::PolygonMesh>(input))
     return {std::move(input)};
   std::vector<systems::Input> inputs;
-  for (render::Drawing& face : render::FacesOnSheet(DrawingOf(input))) inputs.emplace_back(std::move(face));
+  const render::Drawing sheet = DrawingOf(input);
+  std::vector<render::Drawing> faces = render::FacesOnSheet(sheet);
+  if (const size_t num_left_out = render::NumLeftOut(sheet, faces); num_left_out > 0)
+    log::Warn("{} strokes apart from the faces are left out", num_left_out);
+  for (render::Drawing& face : faces) inputs.emplace_back(std::move(face));
   return inputs;
 }
 
@@ -144,6 +149,8 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
     result.warnings.push_back(fmt::format(
         "the sheet holds {} faces, of which the largest is predicted (`daumier predict --all` predicts each)",
         on_sheet.size()));
+  if (const size_t num_left_out = render::NumLeftOut(sheet, on_sheet); num_left_out > 0)
+    result.warnings.push_back(fmt::format("{} strokes apart from the face are left out", num_left_out));
   result.record = {
       {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
       {"two_way_distance_px",

@@ -105,6 +105,63 @@ TEST(FacesOnSheet, OneFaceStaysWhole) {
   EXPECT_EQ(FacesOnSheet(Sheet(features)).size(), 1U);
 }
 
+/// Letters like N of a height side by side.
+void AddText(std::vector<Stroke>& strokes, float left, float top, float height, int count) {
+  for (int i = 0; i < count; ++i) {
+    const float x = left + float(i) * height;
+    strokes.push_back({0, {{x, top + height}, {x, top}, {x + 0.7F * height, top + height}, {x + 0.7F * height, top}}});
+  }
+}
+
+TEST(FacesOnSheet, LetteringAboveOrBelowAFaceIsLeftOut) {
+  std::vector<Stroke> face;
+  AddFace(face, 500, 270, 300);  // From 120 to 420.
+  const auto num_left_out = [&](const std::vector<Stroke>& more) {
+    std::vector<Stroke> strokes = more;
+    strokes.insert(strokes.end(), face.begin(), face.end());
+    const auto faces = FacesOnSheet(Sheet(strokes));
+    EXPECT_EQ(faces.size(), 1U);
+    return NumLeftOut(Sheet(strokes), faces);
+  };
+  std::vector<Stroke> title, caption, large, beside, near, hair;
+  AddText(title, 400, 5, 30, 8);
+  AddText(caption, 350, 480, 40, 6);
+  AddText(large, 300, 470, 100, 4);
+  AddText(beside, 700, 250, 20, 6);
+  AddText(near, 450, 430, 20, 5);
+  AddText(hair, 420, 70, 30, 5);
+  EXPECT_EQ(num_left_out(title), 8U);
+  EXPECT_EQ(num_left_out(caption), 6U);
+  EXPECT_EQ(num_left_out(large), 0U);
+  EXPECT_EQ(num_left_out(beside), 0U);
+  EXPECT_EQ(num_left_out(near), 0U) << "a beard";
+  EXPECT_EQ(num_left_out(hair), 0U);
+  Stroke signature;
+  for (int i = 0; i < 12; ++i) signature.points.push_back({700.0F + float(10 * i), i % 2 == 0 ? 520.0F : 550.0F});
+  EXPECT_EQ(num_left_out({signature}), 1U);
+  EXPECT_EQ(num_left_out({Dash(300, 500, 480, 480), Dash(700, 500, 520, 480)}), 0U) << "shoulders";
+  EXPECT_EQ(num_left_out({Oval(330, 470, 20, 20), Oval(670, 470, 20, 20)}), 0U) << "earrings";
+  std::vector<Stroke> collar = caption;
+  collar.push_back(Dash(200, 590, 800, 590));
+  EXPECT_EQ(num_left_out(collar), 0U) << "buttons above a hem";
+}
+
+TEST(FacesOnSheet, OfFeaturesAloneNothingIsLeftOut) {
+  // Eyes, nose and a mouth of short strokes.
+  std::vector<Stroke> strokes = {Oval(400, 200, 40, 20), Oval(600, 200, 40, 20), Dash(500, 200, 490, 280)};
+  for (const float x : {430.0F, 470.0F, 510.0F, 550.0F}) strokes.push_back(Dash(x, 350, x + 25, 352));
+  const auto faces = FacesOnSheet(Sheet(strokes));
+  EXPECT_EQ(faces.size(), 1U);
+  EXPECT_EQ(NumLeftOut(Sheet(strokes), faces), 0U);
+}
+
+TEST(FacesOnSheet, ASmallFaceBesideALargeOneIsASecond) {
+  std::vector<Stroke> strokes;
+  AddFace(strokes, 300, 300, 400);
+  AddFace(strokes, 800, 400, 180);
+  EXPECT_EQ(FacesOnSheet(Sheet(strokes)).size(), 2U);
+}
+
 TEST(FacesOnSheet, FacesThatTouchOrShareALineAreOneDrawing) {
   std::vector<Stroke> strokes;
   AddFace(strokes, 300, 300, 300);

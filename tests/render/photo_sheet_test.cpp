@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace daumier::render {
@@ -70,6 +72,61 @@ TEST(FindSheets, DarkSheetOnALightDesk) {
   const auto sheets = FindSheets(testing::DeskPhoto(drawing, options));
   ASSERT_FALSE(sheets.empty());
   EXPECT_LE(CornerError(sheets[0], drawing, options), 0.6);
+}
+
+/// A rectangle of a brightness, turned about its middle, with a soft shadow round it on what lies below.
+struct TurnedSheet {
+  Vector2d middle, half;
+  double angle;
+  Vector2d At(double x, double y) const { return middle + Eigen::Rotation2Dd(angle) * Vector2d(x, y); }
+};
+
+void LaySheet(Image& photo, const TurnedSheet& sheet, uint8_t brightness, double shadow) {
+  for (int row = 0; row < photo.height; ++row) {
+    for (int column = 0; column < photo.width; ++column) {
+      const Vector2d at = Eigen::Rotation2Dd(-sheet.angle) * (Vector2d(column + 0.5, row + 0.5) - sheet.middle);
+      const double outside = (at.cwiseAbs() - sheet.half).cwiseMax(0.0).norm();
+      uint8_t& value = photo.at(row, column);
+      if (outside == 0.0) {
+        value = brightness;
+      } else if (outside < 14.0) {
+        value = static_cast<uint8_t>(value * (1.0 - shadow * (1.0 - outside / 14.0)));
+      }
+    }
+  }
+}
+
+double CornerError(const PhotoSheet& found, const TurnedSheet& sheet) {
+  const double w = sheet.half.x(), h = sheet.half.y();
+  const std::array<Vector2d, 4> expected = {sheet.At(-w, -h), sheet.At(w, -h), sheet.At(w, h), sheet.At(-w, h)};
+  double largest = 0.0;
+  for (int i = 0; i < 4; ++i) largest = std::max(largest, (found.corners[i] - expected[i]).norm());
+  return largest;
+}
+
+TEST(FindSheets, OnAnotherWhiteSheetOrBesideIt) {
+  const TurnedSheet sheet{{300, 400}, {220, 310}, 0.02}, below{{310, 410}, {225, 315}, 0.16},
+      beside{{620, 350}, {150, 210}, 0.25};
+  for (const uint8_t desk : {40, 110}) {
+    for (const TurnedSheet& other : {below, beside}) {
+      Image photo(800, other.middle.x() > 500 ? 900 : 600, 1, desk);
+      LaySheet(photo, other, 245, 0.4);
+      LaySheet(photo, sheet, 245, 0.4);
+      const auto sheets = FindSheets(photo);
+      ASSERT_FALSE(sheets.empty()) << int(desk) << " " << other.middle.x();
+      EXPECT_LE(CornerError(sheets[0], sheet), 2.0) << int(desk) << " " << other.middle.x();
+    }
+  }
+}
+
+TEST(FindSheets, RuledPaperIsNoSheetAmongOthers) {
+  for (const int thickness : {1, 3}) {
+    Image page(480, 480, 1, 250);
+    for (int row = 30; row < 470; row += 40) FillRectangle(page, row, 0, thickness, 480, {120, 120, 120});
+    FillRectangle(page, 0, 60, 480, thickness, {120, 120, 120});
+    FillRectangle(page, 0, 400, 480, thickness, {120, 120, 120});
+    EXPECT_TRUE(FindSheets(page).empty()) << thickness;
+  }
 }
 
 TEST(FindSheets, ScansHaveNone) {
