@@ -90,12 +90,13 @@ std::function<void()> AddGallery(CLI::App& parent) {
   command->add_option("sketches", arguments->sketches, "Its folder of sketches");
   command->add_option("--out", arguments->out, "Folder to write")->required();
   return [arguments] {
+    const Task task = TaskOfProcess();
     datasets::CheckGalleryFolder(arguments->out, {arguments->faces, arguments->sketches});
     const faces::FaceDatabase database(arguments->faces);
     std::optional<datasets::SketchDatabase> sketches;
     if (!arguments->sketches.empty()) sketches.emplace(arguments->sketches);
     MakeDirectory(arguments->out);
-    datasets::WriteGallery(database, sketches ? &*sketches : nullptr, arguments->out);
+    datasets::WriteGallery(database, sketches ? &*sketches : nullptr, arguments->out, task);
   };
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace daumier::cli {
 namespace {
@@ -39,6 +40,10 @@ render::MeshView ViewOf(const DrawArguments& arguments) {
   if (!std::isfinite(arguments.yaw) || !std::isfinite(arguments.pitch) || !std::isfinite(arguments.distance)) {
     throw UsageError(fmt::format("--yaw {}, --pitch {}, --distance {}: expected numbers", arguments.yaw,
                                  arguments.pitch, arguments.distance));
+  }
+  for (const auto& [option, degrees] : {std::pair("--yaw", arguments.yaw), {"--pitch", arguments.pitch}}) {
+    if (std::abs(degrees) > 360)
+      throw UsageError(fmt::format("{} {}: expected degrees from -360 to 360", option, degrees));
   }
   render::MeshView view{
       .up = AxisDirections().at(arguments.up), .yaw_degrees = arguments.yaw, .pitch_degrees = arguments.pitch};
@@ -85,8 +90,9 @@ Verb DrawVerb() {
                 ->check(CLI::IsMember(AxisDirections()));
             command.add_flag("--force", arguments->force,
                              "Overwrite --out, whatever it is; an SVG of an earlier `draw` is overwritten without it");
-            command.add_option("--yaw", arguments->yaw, "Degrees to the face's own left; -90: its right side");
-            command.add_option("--pitch", arguments->pitch, "Degrees upwards");
+            command.add_option("--yaw", arguments->yaw,
+                               "Degrees by which the camera moves to the face's own left: 90 shows its left side");
+            command.add_option("--pitch", arguments->pitch, "Degrees by which the camera moves up");
             command
                 .add_option("--distance", arguments->distance,
                             "Distance of the perspective camera in heights of the mesh; 0: orthographic")

@@ -65,6 +65,21 @@ std::vector<std::string> ReversedWords(int argc, char** argv) {
       words.push_back(word);
     }
   }
+  // The program's own options may follow the verb. CLI11's fallthrough would also take the name of a file for a verb.
+  const auto is_own = [](const std::string& word) {
+    return word == "-q" || word == "--quiet" || word == "--threads" || word.starts_with("--threads=");
+  };
+  std::vector<std::string> own, others;
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--") {
+      others.insert(others.end(), words.begin() + ptrdiff_t(i), words.end());
+      break;
+    }
+    (is_own(words[i]) ? own : others).push_back(words[i]);
+    if (words[i] == "--threads" && i + 1 < words.size()) own.push_back(words[++i]);
+  }
+  words = std::move(own);
+  words.insert(words.end(), others.begin(), others.end());
   std::reverse(words.begin(), words.end());
   return words;
 }

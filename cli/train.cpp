@@ -52,6 +52,8 @@ Verb TrainVerb() {
               });
               const systems::RunPlace place{arguments->out, arguments->resume, ParseDevice(arguments->device)};
               CheckOutputFolder(place.directory, RunOutput(), DataOf(resolved, place));
+              if (place.resume && std::filesystem::exists(place.directory / "manifest.json"))
+                CheckDataIsThere(resolved, place.directory);
               FolderCache databases;
               systems::LoadTrainingLibrary().at(system->name).train(resolved, place, databases, TaskOfProcess());
             };

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/toml_bounds.h"
 
 #include <toml++/toml.h>
 
@@ -79,7 +80,10 @@ Json LoadFile(const fs::path& path, std::vector<fs::path> children) {
 
   toml::table table;
   try {
-    table = toml::parse(ReadFile(path));
+    const std::string text = ReadFile(path);
+    if (const std::string deep = TooDeepInToml(text); !deep.empty())
+      throw UsageError(fmt::format("{}: {}", path.string(), deep));
+    table = toml::parse(text);
   } catch (const toml::parse_error& error) {
     throw UsageError(fmt::format("{}: {}", Where(path, error.source()), error.description()));
   } catch (const Error& error) {
@@ -99,6 +103,8 @@ Json LoadFile(const fs::path& path, std::vector<fs::path> children) {
   return json;
 }
 
+constexpr size_t kShownOverride = 40;  ///< Characters of one that is too deep.
+
 bool IsBareKey(std::string_view key) {
   return !key.empty() &&
          std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
@@ -107,6 +113,8 @@ bool IsBareKey(std::string_view key) {
 /// A TOML value, else the text itself. @throws UsageError where it begins like a TOML list, table or text and is none.
 Json ParseValue(const std::string& text, const std::string& override_text) {
   const bool has_newline = text.find_first_of("\r\n") != std::string::npos;
+  if (const std::string deep = TooDeepInToml(text); !deep.empty())
+    throw UsageError(fmt::format("override '{} ...': {}", override_text.substr(0, kShownOverride), deep));
   if (!has_newline) {
     try {
       const toml::table table = toml::parse("value = " + text);
@@ -125,6 +133,8 @@ Json ParseValue(const std::string& text, const std::string& override_text) {
 void ApplyOverride(Json& config, const std::string& text) {
   const size_t equals = text.find('=');
   if (equals == std::string::npos) throw UsageError(fmt::format("override '{}' is not of the form key=value", text));
+  if (const std::string deep = TooDeepInToml(text.substr(0, equals)); !deep.empty())
+    throw UsageError(fmt::format("override '{} ...': {}", text.substr(0, kShownOverride), deep));
   Json* table = &config;
   std::string_view rest = std::string_view(text).substr(0, equals);
   for (;;) {

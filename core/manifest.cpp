@@ -8,6 +8,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const char* const kFileName = "manifest.json";
+const char* const kRestore = "Restore the file from a copy, or delete the folder and make it again";
 
 /// The field. @throws Error if it is missing or `is_type` is false for it.
 const Json& Field(const Json& json, const char* name, bool (Json::*is_type)() const noexcept) {
@@ -18,7 +19,7 @@ const Json& Field(const Json& json, const char* name, bool (Json::*is_type)() co
 }
 
 Manifest Parse(const Json& json) {
-  DAUMIER_CHECK(json.is_object(), "malformed JSON");
+  DAUMIER_CHECK(json.is_object(), "the file is no JSON object. {}", kRestore);
   const Json& version = Field(json, "format_version", &Json::is_number_integer);
   DAUMIER_CHECK(version <= Manifest::kFormatVersion,
                 "format version {} is newer than this program, which reads version {}; use the daumier that wrote it",
@@ -84,9 +85,14 @@ void WriteManifest(const fs::path& directory, const Manifest& manifest) {
 Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
   CheckIsThere(directory, kind);
   const fs::path path = directory / kFileName;
-  const std::string text = ReadFile(path);
+  Json json;
   try {
-    Manifest manifest = Parse(TryParseJson(text).value_or(Json()));
+    json = ReadJson(path);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}. {}", error.what(), kRestore));
+  }
+  try {
+    Manifest manifest = Parse(json);
     DAUMIER_CHECK(kind.empty() || manifest.kind == kind, "this is a folder of {}, expected one of {}", manifest.kind,
                   kind);
     return manifest;

@@ -63,13 +63,19 @@ bool LiesIn(const fs::path& input, const fs::path& folder) {
 void CheckCanBeMade(const fs::path& out) {
   if (fs::is_symlink(out))
     throw UsageError(fmt::format("{} is a link to a file that does not exist. Name another folder", out.string()));
-  fs::path parent = fs::absolute(out).lexically_normal();
-  while (!fs::exists(parent)) parent = parent.parent_path();
+  std::error_code error;
+  fs::path parent = fs::absolute(out).lexically_normal(), missing = parent;
+  while (!fs::exists(parent, error)) {
+    if (parent.has_filename()) missing = parent;  // Not so behind a trailing slash.
+    parent = parent.parent_path();
+  }
   if (!fs::is_directory(parent))
     throw UsageError(
         fmt::format("{} cannot be a folder, for {} is a file. Name another folder", out.string(), parent.string()));
-  DAUMIER_CHECK(access(parent.c_str(), W_OK | X_OK) == 0, "cannot write into {}: {}. Name another folder",
-                parent.string(), std::strerror(errno));
+  // Whether it can be made is known for certain only by making it: some file systems refuse whatever the permissions say.
+  const bool is_made = fs::create_directory(missing, error);
+  DAUMIER_CHECK(!error, "cannot write into {}: {}. Name another folder", parent.string(), error.message());
+  if (is_made) fs::remove(missing, error);
 }
 
 bool IsBegun(const fs::path& folder, const OutputKind& kind) {
@@ -88,6 +94,11 @@ void CheckContent(const fs::path& out, const OutputKind& kind) {
       fmt::format("{} is not empty and holds no earlier {} ({}); name another folder", out.string(), kind.name, found));
 }
 
+bool IsUnfinished(const Manifest& manifest, const std::string& name) {
+  const auto listed = manifest.details.find(kUnfinishedFiles);
+  return listed != manifest.details.end() && listed->is_array() && std::ranges::count(*listed, Json(name)) > 0;
+}
+
 /// @throws UsageError unless the file is absent or as the manifest lists it.
 void CheckOwnFile(const fs::path& folder, const std::string& name, const std::optional<Manifest>& manifest) {
   const fs::path file = folder / name;
@@ -95,6 +106,7 @@ void CheckOwnFile(const fs::path& folder, const std::string& name, const std::op
   const auto refuse = [&](const char* why) {
     throw UsageError(fmt::format("{} {} and would be lost. Move it, or name another folder", file.string(), why));
   };
+  if (manifest && IsUnfinished(*manifest, name) && fs::is_regular_file(file)) return;
   if (!manifest || manifest->checksums.count(name) == 0) refuse("is not listed in the manifest of its folder");
   if (!fs::is_regular_file(file) || Sha256OfFile(file) != manifest->checksums.at(name))
     refuse("has changed since it was written");

@@ -27,8 +27,12 @@ void CheckOutputFolder(const std::filesystem::path& out, const OutputKind& kind,
 void CheckReplacedFolder(const std::filesystem::path& out, const std::string& kind,
                          const std::vector<std::filesystem::path>& inputs = {});
 
-/// For files that a command writes into its folder: each of `names` is absent from `folder`, or has the checksum that
-/// the folder's manifest lists. @throws UsageError naming the first file that is not.
+/// Of Manifest::details: the names of the files that a command was writing when it wrote the manifest. They are its own
+/// whatever they hold, so that a command that was killed can be run again.
+inline constexpr const char* kUnfinishedFiles = "unfinished";
+
+/// For files that a command writes into its folder: each of `names` is absent from `folder`, has the checksum that the
+/// folder's manifest lists, or is listed as unfinished. @throws UsageError naming the first file that is not.
 void CheckOwnFiles(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 /// Whether a command may replace a file that exists.

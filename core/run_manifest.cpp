@@ -42,6 +42,16 @@ std::string ResumeCommand(const fs::path& directory, const std::string& extra) {
   return command;
 }
 
+void CheckDataIsThere(const Json& config, const fs::path& directory) {
+  for (const auto& [database, folder] : config.at("data").items()) {
+    const fs::path path = folder.get<std::string>();
+    if (path.empty() || fs::exists(path)) continue;
+    throw UsageError(
+        fmt::format("{} does not exist (expected the {} that {} is trained on). If they have moved, add data.{}=FOLDER",
+                    path.string(), database, directory.string(), database));
+  }
+}
+
 Json ReadRunConfig(const fs::path& directory, const Manifest& run) {
   Json config = LoadConfig(ResolvedConfig(directory));
   if (!config.contains("system") && !config.contains("product")) return config;  // Of an early version.

@@ -54,6 +54,10 @@ std::string SystemOf(const Manifest& run);
 /// The command that resumes the training of a run folder, for messages: its config is resolved.toml. `extra` follows.
 std::string ResumeCommand(const std::filesystem::path& directory, const std::string& extra = "");
 
+/// For a run folder that is resumed: each folder of config.data is there. @throws UsageError naming the folder and the
+/// option that names another.
+void CheckDataIsThere(const Json& config, const std::filesystem::path& directory);
+
 /// resolved.toml of a run. @throws UsageError as LoadConfig; Error if it names another task than the manifest.
 Json ReadRunConfig(const std::filesystem::path& directory, const Manifest& run);
 

@@ -74,7 +74,10 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
   ParityReport report{std::nullopt, {1, 2, 5}, function.output_names, {}, {CompareWithOpenCv(model, function, seed)}};
   const std::vector<tensor::NamedTensors> runs = SampleInputs(function, report.batch_sizes, seed);
   const auto exported = RunInOnnxRuntime(model, runs, function.output_names, scratch);
-  if (!exported.has_value()) return report;
+  if (!exported.has_value()) {
+    report.batch_sizes.clear();  // None was run.
+    return report;
+  }
 
   report.runtime = exported->runtime;
   report.max_abs_diffs.assign(function.output_names.size(), 0.0);

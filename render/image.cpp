@@ -6,6 +6,7 @@
 #include "render/exif.h"
 #include "render/jpeg.h"
 #include "render/opencv_bridge.h"
+#include "render/png.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -119,6 +120,7 @@ Image::Image(int height, int width, int channels, uint8_t value) : height(height
 
 Image DecodeImage(std::string_view bytes, std::string_view name) {
   DAUMIER_CHECK(!bytes.empty(), "{}: the file is empty", name);
+  if (IsPng(bytes)) CheckPngHeader(bytes, name);
   cv::Mat decoded = IsJpeg(bytes) ? DecodeJpeg(bytes, name) : DecodeWithOpenCv(bytes);
   DAUMIER_CHECK(!decoded.empty(), "{}: not a readable picture, or truncated (expected PNG, JPEG, WebP, BMP or TIFF)",
                 name);

@@ -49,6 +49,14 @@ void AppendCells(const Metric& column, const std::optional<MetricValue>& value, 
   }
 }
 
+/// Whether all faces of the row, the first of the table, are of one person: an interval by person says nothing then.
+bool IsOfOnePerson(const MetricTable& table, const MetricRow& row) {
+  const size_t num_faces =
+      row.face_errors.empty() ? table.groups.size() : std::min(row.face_errors.size(), table.groups.size());
+  const auto groups = std::span(table.groups).first(num_faces);
+  return !groups.empty() && std::ranges::all_of(groups, [&](int group) { return group == groups.front(); });
+}
+
 const char* FaceErrorsKey(const std::vector<Metric>& columns) {
   return columns.front().unit == "mm" ? "face_errors_mm" : "face_errors";
 }
@@ -162,7 +170,7 @@ std::vector<MetricRow> RowsFromJson(const Json& list, const std::vector<Metric>&
       rows.push_back(std::move(row));
     }
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("a table of results is malformed: {}", error.what()));
+    throw Error(fmt::format("a table of results is malformed: {}", TextOf(error)));
   }
   return rows;
 }
@@ -183,7 +191,12 @@ ReportTable TextTable(const MetricTable& table, const std::string& title, const 
   for (const MetricRow& row : table.rows) {
     std::vector<std::string>& cells = text.rows.emplace_back(1, row.name);
     if (has_input) cells.push_back(row.input.empty() ? "-" : row.input);
-    for (const size_t i : shown) AppendCells(table.columns[i], row.values[i], cells);
+    const bool has_spread = !IsOfOnePerson(table, row);
+    for (const size_t i : shown) {
+      std::optional<MetricValue> value = row.values[i];
+      if (value && !has_spread) value->interval.reset();
+      AppendCells(table.columns[i], value, cells);
+    }
   }
   return text;
 }

@@ -14,6 +14,7 @@
 
 #include <fmt/ranges.h>
 
+#include <set>
 #include <span>
 
 namespace daumier::systems {
@@ -41,8 +42,8 @@ std::vector<std::string> FilesOf(const std::string& name) {
   return {name + ".obj", name + ".png", name + ".svg"};
 }
 
-/// Writes the files of one result and adds their checksums.
-void WriteResult(const fs::path& folder, const std::string& name, const FaceResult& face, Manifest& manifest) {
+/// Writes the files of one result and returns their names.
+std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const FaceResult& face) {
   std::vector<std::string> files = FilesOf(name);
   geometry::WriteObj(folder / files[0], faces::SurfaceMesh(*face.face_template, face.vertices));
   render::WriteImage(folder / files[1], SheetOf(face));
@@ -51,11 +52,26 @@ void WriteResult(const fs::path& folder, const std::string& name, const FaceResu
   } else {
     files.pop_back();
   }
-  for (const std::string& file : files) manifest.checksums[file] = Sha256OfFile(folder / file);
+  return files;
 }
 
-/// A manifest without results. Of an earlier prediction in the folder it keeps the files that are unchanged, and the
-/// records if they are of the same run and options.
+/// The records of an earlier prediction. Those of another run or of other options than the manifest's name their own.
+Json EarlierRecords(const Manifest& earlier, const Manifest& manifest) {
+  const auto found = earlier.details.find("drawings");
+  if (found == earlier.details.end() || !found->is_object()) return Json::object();
+  Json records = *found;
+  const Json run = earlier.details.value("run_data_hash", Json());
+  for (auto& [name, record] : records.items()) {
+    if (!record.is_object() || record.contains("options")) continue;
+    if (earlier.config == manifest.config && run == manifest.details["run_data_hash"]) continue;
+    record["options"] = earlier.config;
+    record["run_data_hash"] = run;
+  }
+  return records;
+}
+
+/// A manifest without results of its own. Of an earlier prediction in the folder it keeps the records, the files that
+/// are unchanged, and those that it had not finished.
 Manifest BeginManifest(const System& system, const fs::path& run, const fs::path& folder, const Json& options) {
   const Manifest of_run = ReadManifest(run, "run");
   Manifest manifest{.kind = kKind, .verb = "predict"};
@@ -68,11 +84,20 @@ Manifest BeginManifest(const System& system, const fs::path& run, const fs::path
   for (const auto& [file, checksum] : earlier.checksums)
     if (fs::is_regular_file(folder / file) && Sha256OfFile(folder / file) == checksum)
       manifest.checksums[file] = checksum;
-  const bool is_same =
-      earlier.config == options && earlier.details.value("run_data_hash", Json()) == manifest.details["run_data_hash"];
-  if (is_same && earlier.details.contains("drawings") && earlier.details["drawings"].is_object())
-    manifest.details["drawings"] = earlier.details["drawings"];
+  manifest.details["drawings"] = EarlierRecords(earlier, manifest);
   return manifest;
+}
+
+/// The files that a killed prediction had not finished.
+std::set<std::string> UnfinishedIn(const fs::path& folder) {
+  std::set<std::string> files;
+  if (!fs::exists(folder / "manifest.json")) return files;
+  const Json details = ReadManifest(folder, kKind).details;
+  const auto listed = details.find(kUnfinishedFiles);
+  if (listed == details.end() || !listed->is_array()) return files;
+  for (const Json& file : *listed)
+    if (file.is_string() && fs::is_regular_file(folder / file.get<std::string>())) files.insert(file);
+  return files;
 }
 
 /// Without paths: the file's name.
@@ -109,33 +134,51 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
   CheckPredictionFolder(out_directory, run, inputs);
   PredictionSummary summary{0, inputs.failures};
   Manifest manifest = BeginManifest(system, run, out_directory, options);
+  std::set<std::string> unfinished = UnfinishedIn(out_directory);
   const auto write_manifest = [&] {
     manifest.counts = {{"drawings", manifest.details["drawings"].size()}};
+    manifest.details.erase(kUnfinishedFiles);
+    if (!unfinished.empty()) manifest.details[kUnfinishedFiles] = unfinished;
     AddFailures(summary.failures, manifest);
     WriteManifest(out_directory, manifest);
   };
-  for (size_t i = 0; i < inputs.inputs.size(); ++i) {
+  const auto num_inputs = int64_t(inputs.inputs.size());
+  const auto stopped = [&](int64_t done) {
+    return Cancelled(fmt::format("stopped after {} of {} inputs; {}", done, num_inputs,
+                                 summary.num_results == 0 ? "nothing was written"
+                                                          : fmt::format("{} holds the results of {}",
+                                                                        out_directory.string(), summary.num_results)));
+  };
+  const Task silent(task.stop);  // What a predictor reports of one input is no progress of them all.
+  for (int64_t i = 0; i < num_inputs; ++i) {
     const PredictionInput& named = inputs.inputs[i];
-    task.ThrowIfCancelled("stopped after {} of {} inputs; {} holds the results of {}", i, inputs.inputs.size(),
-                          out_directory.string(), summary.num_results);
-    task.Report(int64_t(i), int64_t(inputs.inputs.size()), "inputs");
+    if (task.cancelled()) throw stopped(i);
+    task.Report(i, num_inputs, "inputs");
     FaceResult face;
     try {
-      face = std::move(predictor.Predict(std::span(&named.input, 1), task).front());
+      face = std::move(predictor.Predict(std::span(&named.input, 1), silent).front());
     } catch (const Cancelled&) {
-      throw;
+      throw stopped(i);
     } catch (const std::exception& error) {  // Of LibTorch or JSON, too: the other inputs count.
       summary.failures.push_back(FailureOf(named.file, error));
       continue;
     }
     for (const std::string& warning : face.warnings) log::Warn("{}: {}", named.name, warning);
-    manifest.details["drawings"][named.name] = face.record;
+    // The manifest comes first: whenever the program is killed, the same command knows its files.
+    const std::vector<std::string> begun = FilesOf(named.name);
+    for (const std::string& file : begun) manifest.checksums.erase(file), unfinished.insert(file);
+    manifest.details["drawings"].erase(named.name);
     MakeDirectory(out_directory);
-    WriteResult(out_directory, named.name, face, manifest);
+    write_manifest();
+    for (const std::string& file : WriteResult(out_directory, named.name, face))
+      manifest.checksums[file] = Sha256OfFile(out_directory / file);
+    for (const std::string& file : begun) unfinished.erase(file);
+    Json& record = manifest.details["drawings"][named.name] = {{"file", named.file.filename().string()}};
+    record.update(face.record);
     ++summary.num_results;
     write_manifest();
   }
-  task.Report(int64_t(inputs.inputs.size()), int64_t(inputs.inputs.size()), "inputs");
+  task.Report(num_inputs, num_inputs, "inputs");
   if (summary.num_results > 0) write_manifest();  // With the failures that came last.
   return summary;
 }

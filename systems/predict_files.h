@@ -25,10 +25,13 @@ struct PredictionSummary {
 };
 
 /// `daumier predict`: for every input a mesh NAME.obj, a sheet NAME.png of input, front and side, of drawings also the
-/// strokes on the canvas NAME.svg, and a manifest (kind "predictions"), which is written after each result: what is
-/// finished when the program ends is whole. details.drawings.NAME holds the record of each result, details.failures
-/// {file, cause} of each input without one. Results of earlier predictions in the folder stay, and stay listed.
-/// `options`: of the predictor, every one present, for the manifest.
+/// strokes on the canvas NAME.svg, and a manifest (kind "predictions"), which is written before and after each result:
+/// what is finished when the program ends is whole, and what is not is listed as kUnfinishedFiles.
+/// details.drawings.NAME holds the record of each result and the name of its input's file, details.failures
+/// {file, cause} of each input without one. Results of earlier predictions in the folder stay, and stay listed; a record
+/// of another run or other options than the manifest's has its own `options` and `run_data_hash`.
+/// `options`: of the predictor, every one present, for the manifest. Progress is that of the inputs, not the
+/// predictor's own.
 /// An input that fails spoils only itself. Nothing is written if there is no result.
 /// @throws Error as CheckPredictionFolder; Cancelled if the task is.
 PredictionSummary PredictFiles(const System& system, const Predictor& predictor, const std::filesystem::path& run,

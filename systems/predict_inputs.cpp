@@ -1,12 +1,16 @@
 #include "systems/predict_inputs.h"
 
 #include "core/error.h"
+#include "core/files.h"
+
+#include "core/log.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <map>
 #include <set>
 
 namespace daumier::systems {
@@ -26,12 +30,16 @@ std::string FreeName(const std::string& stem, std::set<std::string>& taken) {
   return name;
 }
 
+bool IsInput(const System& system, const fs::path& file) {
+  return std::ranges::count(system.input_extensions, LowerCase(file.extension().string())) > 0;
+}
+
 std::vector<fs::path> InputsIn(const System& system, const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path& file = entry.path();
-    const bool is_input = std::ranges::count(system.input_extensions, LowerCase(file.extension().string())) > 0;
-    if (is_input && !file.filename().string().starts_with('.') && !entry.is_directory()) files.push_back(file);
+    if (IsInput(system, file) && !file.filename().string().starts_with('.') && !entry.is_directory())
+      files.push_back(file);
   }
   std::ranges::sort(files);
   DAUMIER_CHECK(!files.empty(), "{} holds no input (expected files {}). Name another folder, or the files",
@@ -50,8 +58,27 @@ std::vector<fs::path> ExpandInputFolders(const System& system, const std::vector
     }
     const std::vector<fs::path> inside = InputsIn(system, file);
     all.insert(all.end(), inside.begin(), inside.end());
+    if (const std::string skipped = SkippedFilesText(system, file); !skipped.empty())
+      log::Info("{}: {}; name a file to have it read", file.string(), skipped);
   }
   return all;
+}
+
+std::string SkippedFilesText(const System& system, const fs::path& folder) {
+  std::map<std::string, int> kinds;
+  int num_skipped = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const fs::path name = entry.path().filename();
+    if (entry.is_directory() || IsInput(system, name) || IsSystemFile(name) || name == "manifest.json") continue;
+    ++kinds[name.has_extension() ? LowerCase(name.extension().string()) : "without an extension"];
+    ++num_skipped;
+  }
+  if (num_skipped == 0) return "";
+  std::vector<std::string> counts;
+  for (const auto& [kind, count] : kinds) counts.push_back(fmt::format("{} {}", kind, count));
+  constexpr size_t kMaxKinds = 8;
+  if (counts.size() > kMaxKinds) counts.resize(kMaxKinds), counts.emplace_back("...");
+  return fmt::format("{} file{} skipped ({})", num_skipped, num_skipped == 1 ? "" : "s", fmt::join(counts, ", "));
 }
 
 PredictionFailure FailureOf(const fs::path& file, const std::exception& error) {

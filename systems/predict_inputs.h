@@ -31,10 +31,14 @@ struct PredictionInputs {
 };
 
 /// `files`, where a folder is replaced by the files in it, not in its subfolders, whose extension System::input_extensions
-/// lists, by name. Hidden files and the `._` files of macOS are skipped.
+/// lists, by name. Hidden files and the `._` files of macOS are skipped, and others with a line in the log.
 /// @throws Error naming a folder without such a file.
 std::vector<std::filesystem::path> ExpandInputFolders(const System& system,
                                                       const std::vector<std::filesystem::path>& files);
+
+/// The files of a folder that ExpandInputFolders skips, by kind: "3 files skipped (.pdf 2, .txt 1)"; empty if none.
+/// Hidden files, manifest.json and folders do not count.
+std::string SkippedFilesText(const System& system, const std::filesystem::path& folder);
 
 /// Reads every file. NAME is the file's; inputs of the same name are numbered -2, -3, ... A file that cannot be read is
 /// a failure. @throws Cancelled if the task is.

@@ -114,7 +114,7 @@ std::vector<EarlierTraining> EarlierTrainings(const std::filesystem::path& direc
       trainings.push_back({one.at("planned_epochs").get<int64_t>(), one.at("epochs").get<int64_t>()});
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: details.earlier_trainings of the manifest is malformed: {}. Train again",
-                            directory.string(), error.what()));
+                            directory.string(), TextOf(error)));
   }
   return trainings;
 }

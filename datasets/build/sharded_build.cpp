@@ -56,7 +56,7 @@ Journal ReadJournal(const fs::path& directory) {
                   json.at("format_version").dump());
     return {json.at("plan"), json.at("checksums").get<std::map<std::string, std::string>>()};
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: malformed: {}; delete the folder and start again", path.string(), error.what()));
+    throw Error(fmt::format("{}: malformed: {}; delete the folder and start again", path.string(), TextOf(error)));
   }
 }
 

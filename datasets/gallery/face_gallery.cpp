@@ -11,6 +11,7 @@
 #include "reports/face_surface.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 namespace daumier::datasets {
@@ -139,30 +140,42 @@ render::Image Curves(const faces::FaceTemplate& face_template) {
 }  // namespace
 
 void CheckGalleryFolder(const std::filesystem::path& out, const std::vector<std::filesystem::path>& inputs) {
-  CheckOutputFolder(out, {kGalleryKind, kFacePictures}, inputs);
-  if (!std::filesystem::exists(out / "manifest.json")) return;  // New, or of a version that wrote none.
+  CheckOutputFolder(out, {kGalleryKind}, inputs);
   CheckOwnFiles(out, kFacePictures);
   CheckOwnFiles(out, kSketchPictures);
 }
 
-void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches, const std::filesystem::path& folder) {
-  std::vector<std::string> names = kFacePictures;
-  render::WriteImage(folder / names[0], Identities(database));
-  render::WriteImage(folder / names[1], Expressions(database));
-  render::WriteImage(folder / names[2], Levels(database));
-  render::WriteImage(folder / names[3], Curves(database.face_template()));
-  if (sketches != nullptr) {
-    WriteSketchGallery(database, *sketches, folder);
-    names.insert(names.end(), kSketchPictures.begin(), kSketchPictures.end());
-  }
+void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches, const std::filesystem::path& folder,
+                  const Task& task) {
+  std::vector<GalleryPicture> pictures = {
+      {kFacePictures[0], [&] { return Identities(database); }},
+      {kFacePictures[1], [&] { return Expressions(database); }},
+      {kFacePictures[2], [&] { return Levels(database); }},
+      {kFacePictures[3], [&] { return Curves(database.face_template()); }},
+  };
+  if (sketches != nullptr) std::ranges::move(SketchPictures(database, *sketches), std::back_inserter(pictures));
   Manifest manifest{.kind = kGalleryKind, .verb = "dataset gallery"};
   manifest.sources = database.manifest().sources;
   manifest.counts = {{"faces", database.num_faces()}};
   // Pictures of sketches of an earlier gallery stay, and stay listed.
   for (const std::string& name : kSketchPictures)
-    if (sketches == nullptr && std::filesystem::exists(folder / name)) names.push_back(name);
-  for (const std::string& name : names) manifest.checksums[name] = Sha256OfFile(folder / name);
+    if (sketches == nullptr && std::filesystem::exists(folder / name))
+      manifest.checksums[name] = Sha256OfFile(folder / name);
+  Manifest begun = manifest;
+  Json& unfinished = begun.details[kUnfinishedFiles] = Json::array();
+  for (const GalleryPicture& picture : pictures) unfinished.push_back(picture.name);
+  WriteManifest(folder, begun);
+
+  const auto num_pictures = int64_t(pictures.size());
+  for (int64_t done = 0; done < num_pictures; ++done) {
+    task.ThrowIfCancelled("stopped after {} of {} pictures in {}; the same command makes all of them", done,
+                          num_pictures, folder.string());
+    task.Report(done, num_pictures, "pictures");
+    render::WriteImage(folder / pictures[done].name, pictures[done].draw());
+  }
+  for (const GalleryPicture& picture : pictures) manifest.checksums[picture.name] = Sha256OfFile(folder / picture.name);
   WriteManifest(folder, manifest);
+  task.Report(num_pictures, num_pictures, "pictures");
 }
 
 }  // namespace daumier::datasets

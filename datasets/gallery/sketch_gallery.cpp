@@ -120,15 +120,14 @@ render::Image Contours(const FaceDatabase& database) {
 
 }  // namespace
 
-void WriteSketchGallery(const FaceDatabase& database, const SketchDatabase& sketches,
-                        const std::filesystem::path& folder) {
+std::vector<GalleryPicture> SketchPictures(const FaceDatabase& database, const SketchDatabase& sketches) {
   DAUMIER_CHECK(sketches.num_faces() == database.num_faces(),
                 "there are {} sketches for {} faces: they belong to another database", sketches.num_faces(),
                 database.num_faces());
-  render::WriteImage(folder / "sketches.jpg", Sketches(database, sketches));
-  render::WriteImage(folder / "line_kinds.jpg", LineKinds(database, sketches));
-  render::WriteImage(folder / "augmentation.jpg", Augmentation(database, sketches));
-  render::WriteImage(folder / "contours.jpg", Contours(database));
+  return {{"sketches.jpg", [&] { return Sketches(database, sketches); }},
+          {"line_kinds.jpg", [&] { return LineKinds(database, sketches); }},
+          {"augmentation.jpg", [&] { return Augmentation(database, sketches); }},
+          {"contours.jpg", [&] { return Contours(database); }}};
 }
 
 }  // namespace daumier::datasets

@@ -33,7 +33,7 @@ PointDatabase::PointDatabase(const std::filesystem::path& directory, Checksums c
     frame_ = faces::ModelFrameFromJson(manifest_.details.at("model_from_cm"));
     attribute_names_ = manifest_.details.at("attributes").get<std::vector<std::string>>();
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
+    throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), TextOf(error)));
   }
   DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_samples_ >= 0 &&
                     num_faces_ >= int64_t(num_persons) * faces_per_shard_,

@@ -38,7 +38,7 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, Checksums
       ++num_curves_;
     }
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), error.what()));
+    throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), TextOf(error)));
   }
   DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_views_ > 0 &&
                     num_faces_ >= int64_t(num_persons) * faces_per_shard_,

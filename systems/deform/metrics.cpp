@@ -118,7 +118,7 @@ reports::MetricTable ReadDeformMetrics(const Json& metrics) {
     FlagBaselines(table);
     return table;
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("the metrics of a deformable model's run are malformed: {}", error.what()));
+    throw Error(fmt::format("the metrics of a deformable model's run are malformed: {}", TextOf(error)));
   }
 }
 

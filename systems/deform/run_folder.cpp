@@ -18,7 +18,7 @@ DeformRunFolder ReadDeformRunFolder(const std::filesystem::path& directory) {
     run.code_weight = run.config.at("loss").at("code_weight").get<double>();
     run.network_options = ParseOptions<DeformOptions>(run.config.at("network"), config_file.string());
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("{} is malformed: {}", config_file.string(), error.what()));
+    throw Error(fmt::format("{} is malformed: {}", config_file.string(), TextOf(error)));
   }
   return run;
 }

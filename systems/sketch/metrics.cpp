@@ -49,7 +49,7 @@ reports::MetricTable ReadSketchMetrics(const Json& metrics) {
     result->details["regions_mm"] = metrics.value("regions_mm", Json());
     return table;
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("the metrics of a sketch run are malformed: {}", error.what()));
+    throw Error(fmt::format("the metrics of a sketch run are malformed: {}", TextOf(error)));
   }
 }
 

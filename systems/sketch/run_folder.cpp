@@ -15,7 +15,7 @@ void ReadSketchFrame(SketchRunFolder& run) {
     run.feature_curves = sketches.at("feature_curves").get<std::vector<std::string>>();
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: the manifest does not hold the frame of the sketches ({}). Train again",
-                            run.directory.string(), error.what()));
+                            run.directory.string(), TextOf(error)));
   }
 }
 

@@ -84,6 +84,17 @@ TEST(Config, SyntaxErrorsNameFileLineAndCause) {
   EXPECT_THAT(LoadFailure(dir / "a.toml"), HasSubstr((dir / "a.toml").string() + ":2: dates and times are not used"));
 }
 
+TEST(Config, DeepKeysAreRefusedBeforeTheyAreParsed) {
+  const TempDir dir;
+  std::string key = "a";
+  for (int i = 0; i < 200; ++i) key += ".a";
+  WriteFileAtomically(dir / "a.toml", "b = 1\n[" + key + "]\n");
+  EXPECT_EQ(LoadFailure(dir / "a.toml"), (dir / "a.toml").string() + ": line 2: a key has more than 100 dots");
+  EXPECT_THAT(LoadFailure("", {key + "=1"}), HasSubstr("a key has more than 100 dots"));
+  EXPECT_THAT(LoadFailure("", {"b={" + key + "=1}"}), HasSubstr("a key has more than 100 dots"));
+  EXPECT_LT(LoadFailure("", {key + "=1"}).size(), 100u) << "the key is not repeated";
+}
+
 TEST(Config, BadParentsNameFileAndLine) {
   const TempDir dir;
   const std::string path = (dir / "a.toml").string();

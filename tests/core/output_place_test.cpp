@@ -143,6 +143,26 @@ TEST(CheckOwnFiles, AreAbsentOrAsTheManifestListsThem) {
   ExpectError([&] { CheckOwnFiles(folder / "bare", {"face.svg"}); }, "would be lost");
 }
 
+TEST(CheckOwnFiles, AnUnfinishedFileIsTheCommandsOwn) {
+  const TempDir folder;
+  WriteOutput(folder / "report", "report");
+  Manifest manifest = ReadManifest(folder / "report", "report");
+  manifest.details[kUnfinishedFiles] = {"plot.png"};
+  WriteManifest(folder / "report", manifest);
+  WriteLetter(folder / "report/plot.png");
+  WriteLetter(folder / "report/letter.txt");
+  EXPECT_NO_THROW(CheckOwnFiles(folder / "report", {"table.md", "plot.png"}));
+  ExpectError([&] { CheckOwnFiles(folder / "report", {"letter.txt"}); }, "is not listed");
+}
+
+TEST(CheckOutputFolder, FindsAtOnceThatNoFolderCanBeMade) {
+  if (!fs::is_directory("/proc/self")) GTEST_SKIP() << "no /proc";
+  ExpectError([] { CheckOutputFolder("/proc/daumier/out", kReport); }, "cannot write into /proc");
+  const TempDir folder;
+  EXPECT_NO_THROW(CheckOutputFolder(folder / "new/below/", kReport));
+  EXPECT_FALSE(fs::exists(folder / "new")) << "nothing is left of the trial";
+}
+
 TEST(CheckOutputFile, ReplacesNoInputAndNothingThatIsToBeKept) {
   const TempDir folder;
   const fs::path mesh = WriteLetter(folder / "head.obj");

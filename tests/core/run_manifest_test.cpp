@@ -36,6 +36,20 @@ TEST(ResumeCommand, IsACommandOfAShell) {
   EXPECT_EQ(ResumeCommand("it's"), R"(daumier train 'it'\''s/resolved.toml' --out 'it'\''s' --resume)");
 }
 
+TEST(CheckDataIsThere, NamesTheOptionOfDataThatHaveMoved) {
+  const testing::TempDir folder;
+  MakeDirectory(folder / "faces");
+  const std::string faces = (folder / "faces").string(), moved = (folder / "sketches").string();
+  EXPECT_NO_THROW(CheckDataIsThere({{"data", {{"faces", faces}}}}, "runs/a"));
+  ExpectError(
+      [&] {
+        CheckDataIsThere({{"data", {{"faces", faces}, {"sketches", moved}}}}, "runs/a");
+      },
+      moved +
+          " does not exist (expected the sketches that runs/a is trained on). If they have moved, add "
+          "data.sketches=FOLDER");
+}
+
 TEST(ReadRunConfig, RefusesTheConfigOfAnotherTask) {
   const testing::TempDir folder;
   WriteFileAtomically(ResolvedConfig(folder.path()), "system = \"deform\"\nseed = 3\n");

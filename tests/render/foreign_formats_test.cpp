@@ -30,6 +30,11 @@ TEST(RefuseForeignFormat, NamesTheFormatAndTheWayOut) {
       {FileOfBoxes("isom\0\0\2\0isommp41"s), "a movie", "ffmpeg"},
       {FileOfBoxes("qt  \0\0\0\0qt  "s), "a movie", "ffmpeg"},
       {"%PDF-1.7\n%....", "a PDF", "pdftocairo -svg"},
+      {"# Blender\nmtllib a.mtl\no Head\nv 1 2 3\n", "a mesh", "daumier draw"},
+      {"v -0.5 2 3\r\nv 1 2 3\r\n", "a mesh", "daumier draw"},
+      {"ply\nformat ascii 1.0\n", "a mesh", "daumier draw"},
+      {"solid head\nfacet normal 0 0 1\n", "a mesh", "daumier draw"},
+      {"glTF\2\0\0\0"s, "a mesh", "daumier draw"},
       {"%PDF-1.6\n<< /AIPrivateData1 7 0 R >>", "an Illustrator drawing", "SVG"},
       {"%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: Adobe Illustrator", "PostScript", "inkscape"},
       {"%!PS-Adobe-3.0\n%%Creator: Adobe Illustrator(R) 8", "an Illustrator drawing", "SVG"},
@@ -63,8 +68,9 @@ TEST(RefuseForeignFormat, NamesTheFormatAndTheWayOut) {
 TEST(RefuseForeignFormat, AcceptsWhatIsReadAndWhatIsUnknown) {
   for (const char* extension : {".png", ".jpg", ".webp", ".bmp", ".tiff"})
     EXPECT_NO_THROW(RefuseForeignFormat(testing::Encoded(extension, testing::SixBlocks()), extension));
-  for (const std::string& text : {""s, "<svg xmlns=\"http://www.w3.org/2000/svg\"><desc>%PDF-1.4</desc></svg>"s,
-                                  "{\"drawing\":[[[0],[0]]]}"s, "<ink/>"s, "some text"s, "<"s, "PK"s, "RIFF"s, "\0\0"s})
+  for (const std::string& text :
+       {""s, "<svg xmlns=\"http://www.w3.org/2000/svg\"><desc>%PDF-1.4</desc></svg>"s, "{\"drawing\":[[[0],[0]]]}"s,
+        "<ink/>"s, "some text"s, "v for victory"s, "o\n"s, "<"s, "PK"s, "RIFF"s, "\0\0"s})
     EXPECT_NO_THROW(RefuseForeignFormat(text, "file"));
 }
 

@@ -125,6 +125,18 @@ TEST(MetricTable, TextHasAColumnAMetricAndItsInterval) {
   EXPECT_EQ(text.rows[1], (std::vector<std::string>{"mean face", "-", "4.000", "4.000 to 4.000", "4.0", "-"}));
 }
 
+TEST(MetricTable, TextHasNoIntervalOfOnePerson) {
+  MetricTable table = TwoRows();
+  table.rows.push_back(MakeRow(table, "two faces", {{"error", {1, 3}}}, 1));
+  ReportTable text = TextTable(table);
+  EXPECT_EQ(text.rows[0][3], "1.500 to 3.500");
+  EXPECT_EQ(text.rows[2][2], "2.000");
+  EXPECT_EQ(text.rows[2][3], "-") << "both are of the first person";
+  table.groups = {1, 1, 1, 1};
+  text = TextTable(table);
+  EXPECT_EQ(text.rows[0][3], "-");
+}
+
 TEST(MetricTable, TextLeavesOutWhatNoRowHas) {
   MetricTable table = TwoRows();
   table.rows.erase(table.rows.begin());

@@ -31,6 +31,7 @@ class FacePredictor : public Predictor {
     std::vector<FaceResult> results;
     for (const Input& input : inputs) {
       task.ThrowIfCancelled("stopped");
+      task.Report(1, 1, "drawings");
       FaceResult result{.face_template = face_template_, .vertices = face_template_->neutral};
       if (const auto* drawing = std::get_if<render::Drawing>(&input)) {
         DAUMIER_CHECK(drawing->strokes.size() > 1, "no face was found");
@@ -142,6 +143,8 @@ TEST_F(PredictFilesTest, TheManifestHoldsSystemOptionsRunAndRecords) {
   EXPECT_EQ(manifest.details["run_data_hash"], DataHash(run()));
   EXPECT_EQ(manifest.details["drawings"]["anna"]["strokes"], 5);
   EXPECT_EQ(manifest.details["drawings"]["bert"]["strokes"], 3);
+  EXPECT_EQ(manifest.details["drawings"]["bert"]["file"], "bert.svg");
+  EXPECT_FALSE(manifest.details.contains(kUnfinishedFiles));
   EXPECT_EQ(manifest.checksums.size(), 6u);
   EXPECT_NO_THROW(VerifyChecksums(out(), manifest));
 }
@@ -210,7 +213,12 @@ TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
   EXPECT_NO_THROW(VerifyChecksums(out(), both));
   EXPECT_NO_THROW(Predict({folder_ / "anna.svg"}));
   Predict({folder_ / "anna.svg"}, {}, /*refine=*/false);
-  EXPECT_EQ(Details()["drawings"].size(), 1u) << "records are of the options of the manifest";
+  const Json records = Details()["drawings"];
+  EXPECT_EQ(records.size(), 3u);
+  EXPECT_FALSE(records["anna"].contains("options")) << "those of the manifest";
+  EXPECT_EQ(records["bert"]["options"], Json({{"refine", true}}));
+  EXPECT_EQ(records["bert"]["run_data_hash"], DataHash(run()));
+  EXPECT_EQ(records["bert"]["strokes"], 5);
   EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
   Draw("out/anna.svg", 2);
   ExpectError([&] { Predict({folder_ / "anna.svg"}); }, "anna.svg has changed since it was written");
@@ -235,6 +243,47 @@ TEST_F(PredictFilesTest, ACancelledTaskKeepsWhatIsFinished) {
   EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "anna.svg", "manifest.json"}));
   EXPECT_EQ(Details()["drawings"].size(), 1u);
   EXPECT_EQ(Predict(files).num_results, 2u);
+}
+
+TEST_F(PredictFilesTest, AKilledPredictionCanBeRunAgain) {
+  const std::vector<fs::path> files{Draw("anna.svg"), Draw("bert.svg")};
+  Predict(files);
+  // What a program leaves that is killed behind the first file of bert.
+  Manifest manifest = ReadManifest(out(), "predictions");
+  for (const char* file : {"bert.obj", "bert.png", "bert.svg"}) manifest.checksums.erase(file);
+  manifest.details[kUnfinishedFiles] = {"bert.obj", "bert.png", "bert.svg"};
+  WriteManifest(out(), manifest);
+  WriteFileAtomically(out() / "bert.obj", "half");
+  Predict({files[0]});
+  EXPECT_EQ(Details()[kUnfinishedFiles].size(), 3u) << "of other inputs they stay";
+  EXPECT_EQ(Predict(files).num_results, 2u);
+  EXPECT_FALSE(Details().contains(kUnfinishedFiles));
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 6u);
+}
+
+TEST_F(PredictFilesTest, TheManifestIsThereBeforeTheFirstFile) {
+  MakeDirectory(out());
+  MakeDirectory(out() / "anna.obj.tmp");  // The mesh cannot be written.
+  WriteManifest(out(), {.kind = "predictions", .verb = "predict"});
+  EXPECT_ANY_THROW(Predict({Draw("anna.svg")}));
+  EXPECT_EQ(Details()[kUnfinishedFiles], Json({"anna.obj", "anna.png", "anna.svg"}));
+}
+
+TEST_F(PredictFilesTest, ReportsTheInputsAndNothingOfOneOfThem) {
+  std::vector<std::string> reports;
+  const auto note = [&](const TaskProgress& progress) {
+    reports.push_back(fmt::format("{}/{} {}", progress.done, progress.total, progress.unit));
+  };
+  Predict({Draw("anna.svg"), Draw("bert.svg")}, Task({}, note));
+  EXPECT_EQ(reports, (std::vector<std::string>{"0/2 inputs", "1/2 inputs", "2/2 inputs"}));
+}
+
+TEST_F(PredictFilesTest, StoppedBeforeTheFirstNothingIsWritten) {
+  std::stop_source source;
+  const auto stop = [&](const TaskProgress&) { source.request_stop(); };
+  ExpectError([&] { Predict({Draw("anna.svg")}, Task(source.get_token(), stop)); },
+              "stopped after 0 of 1 inputs; nothing was written");
+  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(PredictFilesTest, WarningsOfAResultAreLogged) {

@@ -52,6 +52,17 @@ TEST_F(PredictInputsTest, AFolderStandsForItsInputsByName) {
   ExpectError([&] { ExpandInputFolders(system_, {folder_ / "empty"}); }, "holds no input (expected files .svg, .png)");
 }
 
+TEST_F(PredictInputsTest, SkippedFilesAreCountedByKind) {
+  for (const char* name : {"b.svg", "a.PNG", "._a.png", ".DS_Store", "deep/d.pdf", "manifest.json"})
+    Write(fs::path("drawings") / name);
+  EXPECT_EQ(SkippedFilesText(system_, folder_ / "drawings"), "");
+  Write("drawings/one.pdf");
+  EXPECT_EQ(SkippedFilesText(system_, folder_ / "drawings"), "1 file skipped (.pdf 1)");
+  for (const char* name : {"two.PDF", "notes.txt", "README"}) Write(fs::path("drawings") / name);
+  EXPECT_EQ(SkippedFilesText(system_, folder_ / "drawings"),
+            "4 files skipped (.pdf 2, .txt 1, without an extension 1)");
+}
+
 TEST_F(PredictInputsTest, InputsOfTheSameNameAreNumbered) {
   const PredictionInputs read =
       ReadPredictionInputs(system_, {Write("a/face.svg", "xx"), Write("b/Face.svg"), Write("c/face-2.svg")});

@@ -30,7 +30,7 @@ SketchRunData OpenSketchRunData(const std::filesystem::path& run_directory, Fold
     const auto sketch = ParseOptions<datasets::SketchVariation>(run.config.at("sketch"), "sketches of the run");
     return {std::move(run), faces, sketches, std::move(split), sketch};
   } catch (const Json::exception& error) {
-    throw Error(fmt::format("{} is not the folder of a sketch run: {}", run_directory.string(), error.what()));
+    throw Error(fmt::format("{} is not the folder of a sketch run: {}", run_directory.string(), TextOf(error)));
   }
 }
 

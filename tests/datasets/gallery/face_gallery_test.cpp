@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stop_token>
 
 namespace daumier::datasets {
 
@@ -48,9 +49,30 @@ TEST_F(Gallery, ListsItsPicturesAndIsReplacedByThem) {
   testing::ExpectError([&] { CheckGalleryFolder(out, {}); }, "sketches.jpg is not listed");
   std::filesystem::remove(out / "sketches.jpg");
   std::filesystem::remove(out / "manifest.json");
-  EXPECT_NO_THROW(CheckGalleryFolder(out, {})) << "of a version without manifests of galleries";
-  std::filesystem::remove(out / "levels.jpg");
   testing::ExpectError([&] { CheckGalleryFolder(out, {}); }, "is not empty and holds no earlier gallery");
+}
+
+TEST_F(Gallery, PicturesOfAnotherOriginAreNotOverwritten) {
+  const std::filesystem::path out = folder_ / "out";
+  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg"})
+    WriteFileAtomically(out / name, "mine");
+  testing::ExpectError([&] { CheckGalleryFolder(out, {}); }, "is not empty and holds no earlier gallery");
+}
+
+TEST_F(Gallery, AStoppedOneCanBeMadeAgain) {
+  const faces::FaceDatabase faces(folder_ / "faces");
+  const std::filesystem::path out = folder_ / "out";
+  std::stop_source source;
+  const auto stop_in_the_first = [&](const TaskProgress&) { source.request_stop(); };
+  testing::ExpectError([&] { WriteGallery(faces, nullptr, out, Task(source.get_token(), stop_in_the_first)); },
+                       "stopped after 1 of 4 pictures");
+  EXPECT_TRUE(std::filesystem::exists(out / "identities.jpg"));
+  EXPECT_FALSE(std::filesystem::exists(out / "levels.jpg"));
+  EXPECT_NO_THROW(CheckGalleryFolder(out, {})) << "what is there is its own";
+  WriteGallery(faces, nullptr, out);
+  const Manifest manifest = ReadManifest(out, "gallery");
+  EXPECT_EQ(manifest.checksums.size(), 4u);
+  EXPECT_TRUE(manifest.details.empty());
 }
 
 }  // namespace

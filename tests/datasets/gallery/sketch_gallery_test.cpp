@@ -1,6 +1,5 @@
 #include "datasets/gallery/sketch_gallery.h"
 
-#include "core/files.h"
 #include "render/image.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_database.h"
@@ -18,16 +17,18 @@ class SketchGallery : public ::testing::Test {
   void SetUp() override {
     testing::BuildSyntheticFaces(folder_ / "faces", 3);
     testing::BuildSyntheticSketches(folder_ / "faces", folder_ / "sketches");
-    MakeDirectory(folder_ / "out");
   }
 
   const testing::TempDir folder_;
 };
 
 TEST_F(SketchGallery, ShowsLinesAndWhatAugmentationMakesOfThem) {
-  WriteSketchGallery(faces::FaceDatabase(folder_ / "faces"), SketchDatabase(folder_ / "sketches"), folder_ / "out");
-  for (const char* name : {"sketches.jpg", "line_kinds.jpg", "augmentation.jpg", "contours.jpg"}) {
-    const render::Image picture = render::ReadImage(folder_ / "out" / name);
+  const faces::FaceDatabase faces(folder_ / "faces");
+  const SketchDatabase sketches(folder_ / "sketches");
+  const std::vector<GalleryPicture> pictures = SketchPictures(faces, sketches);
+  ASSERT_EQ(pictures.size(), 4u);
+  for (const auto& [name, draw] : pictures) {
+    const render::Image picture = draw();
     EXPECT_GT(picture.width, 300) << name;
     const auto [darkest, lightest] = std::minmax_element(picture.pixels.begin(), picture.pixels.end());
     EXPECT_GT(*lightest - *darkest, 100) << name << " shows nothing";
@@ -38,7 +39,7 @@ TEST_F(SketchGallery, RefusesSketchesOfAnotherDatabase) {
   testing::BuildSyntheticFaces(folder_ / "more", 4);
   const faces::FaceDatabase faces(folder_ / "more");
   const SketchDatabase sketches(folder_ / "sketches");
-  testing::ExpectError([&] { WriteSketchGallery(faces, sketches, folder_ / "out"); }, "belong to another database");
+  testing::ExpectError([&] { SketchPictures(faces, sketches); }, "belong to another database");
 }
 
 }  // namespace

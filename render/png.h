@@ -1,0 +1,13 @@
+#pragma once
+#include <string_view>
+
+namespace daumier::render {
+
+bool IsPng(std::string_view bytes);
+
+/// Checks the header chunk of a PNG file, IHDR (ISO/IEC 15948, 11.2.2): complete, its checksum, 1 to 2^20 pixels a side and
+/// at most 2^30 in all, and a bit depth and colour type that belong together. @throws Error naming `name` and what was
+/// found.
+void CheckPngHeader(std::string_view bytes, std::string_view name);
+
+}  // namespace daumier::render
