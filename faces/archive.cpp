@@ -56,7 +56,10 @@ void ForEachFile(const std::filesystem::path& folder_or_archive,
   for (int code = archive_read_next_header(reader.get(), &entry); code != ARCHIVE_EOF;
        code = archive_read_next_header(reader.get(), &entry)) {
     check(code);
-    const std::string path = archive_entry_pathname(entry);
+    const char* const name = archive_entry_pathname(entry);  // Null where it is no text in the file's encoding.
+    DAUMIER_CHECK(name != nullptr, "{}: the name of an entry is not readable; the archive is damaged",
+                  folder_or_archive.string());
+    const std::string path = name;
     if (archive_entry_filetype(entry) != AE_IFREG || IsSystemFile(path) || !wanted(path)) continue;
     const int64_t size = archive_entry_size(entry);
     constexpr int64_t kLargest = int64_t{1} << 32;  // far above any face data; a hostile header may claim more

@@ -2,8 +2,8 @@
 
 #include "tests/support/synthetic_face.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 namespace daumier::datasets {
 namespace {
