@@ -9,7 +9,7 @@ namespace daumier::render {
 /// the drawing alone where it does not clearly hold several. Groups are strokes whose bounding boxes are nearer to each
 /// other than an eighth of the longer side of the larger box, joined until no two are. Groups are faces if each has at
 /// least four strokes (kFewestStrokes), half the size (two fifths if it and the largest have an outline with more than
-/// three strokes beside it) and a third of the line length of the largest, is neither wider
+/// three further strokes) and a third of the line length of the largest, is neither wider
 /// nor higher than 2.5 times its other side, and together they have 85 % of the length of all lines: so that hair,
 /// ears, eyes and shoulders of one face stay with it. What else is on the sheet belongs to the nearest face. Each
 /// drawing has the sheet of the whole. Titles, dates and signatures are left out: rows of at least four strokes smaller

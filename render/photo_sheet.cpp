@@ -41,7 +41,7 @@ constexpr double kSideTolerance = 1.5, kMinSideShare = 0.55;
 /// Distances beyond the side, in halves of a profile's length, in which the desk is compared with the sheet, and the
 /// share of profiles that must show it.
 constexpr double kDeskFrom = 1.0, kDeskTo = 1.8, kMinDeskShare = 0.6;
-/// The share of all profiles that must show the desk where other sheets lie beside or below, up to
+/// The share of all profiles that must show the desk where other sheets lie next to it or below it, up to
 /// where, so that lines that rule the paper are none, the shares of the picture that such a sheet covers, of it that
 /// its outline fills, and of profiles on a side that must agree.
 constexpr double kMinDeskAmongSheets = 0.3, kDeskToAmongSheets = 4.0, kMinAreaAmongSheets = 0.12,

@@ -135,7 +135,7 @@ class GroundReader {
     return facts;
   }
 
-  /// The inside of an area, made when it is first asked for.
+  /// The inside of an area, made when it is first needed.
   const SvgClip& InsideOf(size_t index) {
     auto& inside = insides_[index];
     if (!inside) {

@@ -164,7 +164,7 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
       continue;
     }
     for (const std::string& warning : face.warnings) log::Warn("{}: {}", named.name, warning);
-    // The manifest comes first: whenever the program is killed, the same command knows its files.
+    // The manifest comes first: whenever the program is killed, the same command recognises its files.
     const std::vector<std::string> begun = FilesOf(named.name);
     for (const std::string& file : begun) manifest.checksums.erase(file), unfinished.insert(file);
     manifest.details["drawings"].erase(named.name);

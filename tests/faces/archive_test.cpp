@@ -84,5 +84,12 @@ TEST_F(ArchiveTest, WhatIsMissingOrNoArchiveIsRefused) {
   ExpectError([&] { ReadAll(directory_ / "note.tar"); }, "cannot be read as a tar or zip archive");
 }
 
+TEST_F(ArchiveTest, AnEntryWithoutAReadableNameIsAnError) {
+  // A zip whose name is marked as UTF-8 and is not: one stored byte, "x".
+  const std::string zip("PK\3\4\x14\0\0\x08\0\0\0\0\0\0\x83\x16\xdc\x8c\1\0\0\0\1\0\0\0\6\0\0\0\xff\xfe.txtx", 37);
+  WriteFileAtomically(directory_ / "name.zip", zip);
+  ExpectError([&] { ReadAll(directory_ / "name.zip"); }, "the name of an entry is not readable");
+}
+
 }  // namespace
 }  // namespace daumier::faces

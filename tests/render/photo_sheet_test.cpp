@@ -106,9 +106,9 @@ double CornerError(const PhotoSheet& found, const TurnedSheet& sheet) {
 
 TEST(FindSheets, OnAnotherWhiteSheetOrBesideIt) {
   const TurnedSheet sheet{{300, 400}, {220, 310}, 0.02}, below{{310, 410}, {225, 315}, 0.16},
-      beside{{620, 350}, {150, 210}, 0.25};
+      aside{{620, 350}, {150, 210}, 0.25};
   for (const uint8_t desk : {40, 110}) {
-    for (const TurnedSheet& other : {below, beside}) {
+    for (const TurnedSheet& other : {below, aside}) {
       Image photo(800, other.middle.x() > 500 ? 900 : 600, 1, desk);
       LaySheet(photo, other, 245, 0.4);
       LaySheet(photo, sheet, 245, 0.4);

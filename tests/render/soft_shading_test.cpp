@@ -51,14 +51,14 @@ TEST(SoftShading, FaintSmudgesWithFewStepsOfGreyAreSoft) {
   EXPECT_FALSE(SoftShading(ShadedPicture(0.24, 1.0))) << "a wash with an edge";
 }
 
-/// Thin lines, and beside one of them a horizontal band of a darkness in [0, 1] with a blurred profile.
+/// Thin lines, and next to one of them a horizontal band of a darkness in [0, 1] with a blurred profile.
 Image PictureWithBand(double darkness, double blur) {
   Image image = RasteriseStrokes(
       {{0, {{30, 140}, {226, 140}}}, {0, {{30, 180}, {226, 200}}}, {0, {{30, 60}, {226, 30}}}}, 400, {.width = 2.0});
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
-      const double beside = std::max({0.0, 130.0 - column, column - 270.0});
-      const double distance = std::hypot(row - 190.0, beside);
+      const double aside = std::max({0.0, 130.0 - column, column - 270.0});
+      const double distance = std::hypot(row - 190.0, aside);
       image.at(row, column) = static_cast<uint8_t>(
           std::lround(image.at(row, column) * (1.0 - darkness * std::exp(-0.5 * distance * distance / blur / blur))));
     }
