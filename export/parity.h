@@ -28,7 +28,7 @@ struct OtherRuntime {
 
 struct ParityReport {
   std::optional<std::string> runtime;  ///< Absent: there is no ONNX Runtime here, and nothing was compared.
-  std::vector<int64_t> batch_sizes;
+  std::vector<int64_t> batch_sizes;    ///< Of the comparison; empty without a runtime.
   std::vector<std::string> output_names;
   std::vector<double> max_abs_diffs;  ///< One an output, over all batch sizes; empty without a runtime.
   std::vector<OtherRuntime> others = {};

@@ -152,8 +152,8 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
   const Task silent(task.stop);  // What a predictor reports of one input is no progress of them all.
   for (int64_t i = 0; i < num_inputs; ++i) {
     const PredictionInput& named = inputs.inputs[i];
-    if (task.cancelled()) throw stopped(i);
     task.Report(i, num_inputs, "inputs");
+    if (task.cancelled()) throw stopped(i);
     FaceResult face;
     try {
       face = std::move(predictor.Predict(std::span(&named.input, 1), silent).front());

@@ -168,9 +168,9 @@ void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches, 
 
   const auto num_pictures = int64_t(pictures.size());
   for (int64_t done = 0; done < num_pictures; ++done) {
+    task.Report(done, num_pictures, "pictures");
     task.ThrowIfCancelled("stopped after {} of {} pictures in {}; the same command makes all of them", done,
                           num_pictures, folder.string());
-    task.Report(done, num_pictures, "pictures");
     render::WriteImage(folder / pictures[done].name, pictures[done].draw());
   }
   for (const GalleryPicture& picture : pictures) manifest.checksums[picture.name] = Sha256OfFile(folder / picture.name);

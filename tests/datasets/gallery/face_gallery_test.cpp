@@ -63,8 +63,10 @@ TEST_F(Gallery, AStoppedOneCanBeMadeAgain) {
   const faces::FaceDatabase faces(folder_ / "faces");
   const std::filesystem::path out = folder_ / "out";
   std::stop_source source;
-  const auto stop_in_the_first = [&](const TaskProgress&) { source.request_stop(); };
-  testing::ExpectError([&] { WriteGallery(faces, nullptr, out, Task(source.get_token(), stop_in_the_first)); },
+  const auto stop_after_the_first = [&](const TaskProgress& progress) {
+    if (progress.done == 1) source.request_stop();
+  };
+  testing::ExpectError([&] { WriteGallery(faces, nullptr, out, Task(source.get_token(), stop_after_the_first)); },
                        "stopped after 1 of 4 pictures");
   EXPECT_TRUE(std::filesystem::exists(out / "identities.jpg"));
   EXPECT_FALSE(std::filesystem::exists(out / "levels.jpg"));
