@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 /// Width of a pen as a share of the sheet's longer side.
 constexpr double kMaxPenShare = 0.06;
-/// Length of the middle lines of a dot, in its widths, from which they replace it.
+/// Length of the middle lines of a dot, in its widths, from which they replace its outline.
 constexpr double kLeastDotLength = 0.5;
 /// Pixels in all, and pairs of an area and paper over it, from which on all areas are traced in one picture.
 constexpr double kMaxPixelsInAll = 1.5e8;

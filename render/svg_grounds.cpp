@@ -120,7 +120,8 @@ class GroundReader {
       if (CoversSheet(scene_, scene_.shapes[ground]) || facts_[ground].box.contains(facts.box))
         facts.ground = scene_.shapes[ground].fill->rgb;
     if (shape.fill) facts.thickness = RoughWidth(FilledAreaOf(shape));
-    if (shape.fill && facts.thickness > 0.0) facts.contrast = PaintContrast(*shape.fill, facts.ground);
+    if (shape.fill && std::ranges::any_of(shape.polylines, HasInside))
+      facts.contrast = PaintContrast(*shape.fill, facts.ground);
     if (shape.stroke) {
       facts.thickness = std::max(facts.thickness, shape.stroke_width);
       facts.contrast = std::max(facts.contrast, PaintContrast(*shape.stroke, facts.ground));
@@ -131,11 +132,20 @@ class GroundReader {
            return RectangleOf(polyline) && BoxOfLine(polyline).sizes().minCoeff() > kSheetSide * side_;
          }));
     constexpr size_t kMaxGrounds = 64;
-    if (facts.is_ground && shape.fill->alpha >= 0.5 && grounds_.size() < kMaxGrounds) grounds_.push_back(index);
+    if (facts.is_ground && shape.fill->alpha >= 0.5 && grounds_.size() < kMaxGrounds && IsFull(index, facts.box))
+      grounds_.push_back(index);
     return facts;
   }
 
-  /// The inside of an area, made when it is first needed.
+  /// Whether an area has no hole where a frame has it.
+  bool IsFull(size_t index, const AlignedBox2d& box) {
+    for (const double x : {0.25, 0.5, 0.75})
+      for (const double y : {0.25, 0.5, 0.75})
+        if (!InsideOf(index).Contains(box.min() + Vector2d(x, y).cwiseProduct(box.sizes()))) return false;
+    return true;
+  }
+
+  /// The inside of an area, made once.
   const SvgClip& InsideOf(size_t index) {
     auto& inside = insides_[index];
     if (!inside) {

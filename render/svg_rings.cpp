@@ -1,5 +1,6 @@
 #include "render/svg_rings.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace daumier::render {
@@ -10,8 +11,8 @@ using Eigen::Vector2d;
 
 /// Share of its box that a rectangle covers at least, its corners being rounded.
 constexpr double kRectangleShare = 0.94;
-/// Area, in squares of the box's diagonal, from which there is an inside: less is the rounding of coordinates.
-constexpr double kLeastInside = 1e-9;
+/// Distance of a point from a chord, in lengths of the chord, from which a line is bent: less is rounding.
+constexpr double kLeastBend = 1e-6;
 
 double TwiceAreaOf(const SvgPolyline& polyline) {
   const auto& points = polyline.points;
@@ -38,8 +39,16 @@ AlignedBox2d BoxOfLines(const std::vector<SvgPolyline>& polylines) {
 }
 
 bool HasInside(const SvgPolyline& polyline) {
-  if (polyline.points.empty()) return false;
-  return TwiceAreaOf(polyline) > kLeastInside * BoxOfLine(polyline).sizes().squaredNorm();
+  // The signed area of a line that crosses itself may be 0.
+  Vector2d chord(0, 0);
+  for (const Vector2d& point : polyline.points) {
+    const Vector2d other = point - polyline.points[0];
+    if (other.squaredNorm() > chord.squaredNorm()) chord = other;
+  }
+  return std::ranges::any_of(polyline.points, [&](const Vector2d& point) {
+    const Vector2d other = point - polyline.points[0];
+    return std::abs(chord.x() * other.y() - chord.y() * other.x()) > kLeastBend * chord.squaredNorm();
+  });
 }
 
 std::optional<AlignedBox2d> RectangleOf(const SvgPolyline& polyline) {

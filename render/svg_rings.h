@@ -12,7 +12,7 @@ namespace daumier::render {
 Eigen::AlignedBox2d BoxOfLine(const SvgPolyline& polyline);
 Eigen::AlignedBox2d BoxOfLines(const std::vector<SvgPolyline>& polylines);
 
-/// Whether a line that is closed by its first point surrounds more than rounding does.
+/// Whether a line that is closed by its first point surrounds anything: its points are not all on one straight line.
 bool HasInside(const SvgPolyline& polyline);
 
 /// The box of a line that is a closed rectangle with sides along the axes, its corners rounded or not.

@@ -53,6 +53,11 @@ TEST(SvgGrounds, AreasOfTheGroundAreHolesUnlessTheInkIsThick) {
             (Expected{kNothing, kPen, kNothing}));
 }
 
+TEST(SvgGrounds, AFrameIsNoGround) {
+  EXPECT_EQ(Readings("<path fill-rule='evenodd' d='M0 0H200V200H0ZM4 4V196H196V4Z'/><path d='M40 100H160V106H40Z'/>"),
+            (Expected{kNothing, kPen}));
+}
+
 TEST(SvgGrounds, LayersOfOneTranslucentColourAreReadByTheDarkest) {
   const auto layer = [](const std::string& opacity, double radius) {
     return fmt::format("<circle cx='100' cy='100' r='{}' fill-opacity='{}'/>", radius, opacity);

@@ -166,6 +166,11 @@ TEST(SvgInk, PaperOnInkIsAHole) {
   }
 }
 
+TEST(SvgInk, AreasInAFrameAreLines) {
+  EXPECT_EQ(NumStrokes("<path fill-rule='evenodd' d='M4 4H196V196H4ZM8 8V192H192V8Z'/><path d='M40 100H160V106H40Z'/>"),
+            1U);
+}
+
 TEST(SvgInk, AWashIsNoLine) {
   const std::string face = "<circle cx='100' cy='100' r='90' fill='#ffe0bd'";
   EXPECT_EQ(NumStrokes(face + "/>" + kTwoCurves), 2U) << "ink inside";

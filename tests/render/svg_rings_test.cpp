@@ -27,6 +27,7 @@ TEST(SvgRings, StraightLinesHaveNoInside) {
   EXPECT_FALSE(HasInside({}));
   EXPECT_FALSE(HasInside({{{0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}, {0.1, 0.1}}}));
   EXPECT_TRUE(HasInside({{{0, 0}, {10, 0.01}, {20, 0}}}));
+  EXPECT_TRUE(HasInside({{{0, 0}, {2, 2}, {2, 0}, {0, 2}, {0, 0}}})) << "an eight, whose signed area is 0";
 }
 
 }  // namespace
