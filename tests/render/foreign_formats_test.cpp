@@ -60,8 +60,8 @@ TEST(RefuseForeignFormat, NamesTheFormatAndTheWayOut) {
       {"\xD7\xCD\xC6\x9A\0\0"s, "a Windows metafile", "inkscape"},
   };
   for (const auto& [bytes, what, way_out] : cases) {
-    testing::ExpectError([&] { RefuseForeignFormat(bytes, "face.x"); }, "face.x: this is " + what);
-    testing::ExpectError([&] { RefuseForeignFormat(bytes, "face.x"); }, way_out);
+    testing::ExpectError([&bytes = bytes] { RefuseForeignFormat(bytes, "face.x"); }, "face.x: this is " + what);
+    testing::ExpectError([&bytes = bytes] { RefuseForeignFormat(bytes, "face.x"); }, way_out);
   }
 }
 
