@@ -187,12 +187,13 @@ TEST(ParseObj, DamagedTextsAreReadOrRefused) {
   const std::string whole =
       "\xEF\xBB\xBF# a\r\n" + kFour +
       "v nan 1.#IND -2\r\nvt 0 0\rvt 1 1\nvn 0 0 1\nl 1 2\nf 1/1 2/2 \\\n 3/1 4/2\r\nf -1// -2//1 -3\nf 1 1 2\n";
+  constexpr std::string_view kBytes = "0123456789-+.e/\\\r\n\t #vftnlp\xFF";
   Rng rng(3);
   int num_refused = 0;
   for (int i = 0; i < 20'000; ++i) {
     std::string damaged = whole.substr(0, whole.size() - (i % 2 == 0 ? 0 : rng.Below(whole.size())));
     for (uint64_t flip = 0; flip <= rng.Below(3) && !damaged.empty(); ++flip)
-      damaged[rng.Below(damaged.size())] = "0123456789-+.e/\\\r\n\t #vftnlp\xFF"[rng.Below(30)];
+      damaged[rng.Below(damaged.size())] = kBytes[rng.Below(kBytes.size())];
     try {
       const PolygonMesh mesh = ParseObj(damaged, "a.obj");
       for (const int v : mesh.corners)
