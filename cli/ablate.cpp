@@ -37,16 +37,18 @@ Verb AblateVerb() {
         auto arguments = std::make_shared<Arguments>();
         systems::AblationRequest& request = arguments->request;
         command.add_option("config", request.config, "TOML file of the table")->required();
-        command.add_option("overrides", request.overrides,
-                           "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
+        command.add_option(
+            "overrides", request.overrides,
+            "key=value or table.key=value, in TOML syntax: options of every run, or seeds, splits, eval.*");
         command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
         command
             .add_option("--only", request.only,
-                        "The name of one row to make, with what it needs; repeat --only for more rows")
+                        "Name of a row to make, with the rows that it needs; repeat --only for more rows")
             ->allow_extra_args(false);
         command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-        command.add_flag("--dry-run", request.dry_run, "Print what is done and what would be, and do nothing");
-        command.add_flag("--json", arguments->as_json, "Machine-readable");
+        command.add_flag("--dry-run", request.dry_run,
+                         "Print which rows are finished and which would be made; make none");
+        command.add_flag("--json", arguments->as_json, "Print the result as JSON");
         command.footer(
             "[config] and [eval] of the table or of a row override the base config and the defaults of `daumier eval`; "
             "docs/formats.md lists the options of the table and of its [[rows]].");

@@ -62,9 +62,10 @@ std::function<void()> AddStats(CLI::App& parent) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = parent.add_subcommand("stats", "Counts, licences, principal components for 99 % of the variance");
   command->add_option("directory", arguments->directory, "A folder of faces")->required();
-  command->add_option("--rebuild", arguments->rebuild,
-                      "Another folder of faces of the same topology: how well these components rebuild it");
-  command->add_flag("--json", arguments->as_json, "Machine-readable");
+  command->add_option(
+      "--rebuild", arguments->rebuild,
+      "Another folder of faces of the same topology; measures how well the components of the first rebuild it");
+  command->add_flag("--json", arguments->as_json, "Print the result as JSON");
   return [arguments] {
     Json result = datasets::FaceStatistics(arguments->directory);
     if (!arguments->rebuild.empty()) {

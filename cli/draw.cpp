@@ -75,7 +75,7 @@ Verb DrawVerb() {
   return {"draw", "A line drawing of a mesh: occluding and suggestive contours, borders",
           [](CLI::App& command) {
             auto arguments = std::make_shared<DrawArguments>();
-            command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh, in the frame of --up")->required();
+            command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh; --up names its upward axis")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");
             command.add_option("--out", arguments->out, "FILE.svg or FILE.png")->required();
             command
@@ -84,12 +84,13 @@ Verb DrawVerb() {
                 ->check(CLI::IsMember(AxisDirections()))
                 ->capture_default_str();
             command
-                .add_option("--front", arguments->front,
-                            "The axis that the face looks along; by default z with --up y, x or -x, -y with --up z, "
-                            "-z with --up -y, y with --up -z")
+                .add_option(
+                    "--front", arguments->front,
+                    "The mesh's axis along which the face looks; by default z with --up y, x or -x; -y with --up z; "
+                    "-z with --up -y; y with --up -z")
                 ->check(CLI::IsMember(AxisDirections()));
             command.add_flag("--force", arguments->force,
-                             "Overwrite --out, whatever it is; an SVG of an earlier `draw` is overwritten without it");
+                             "Overwrite any existing file; an SVG that `draw` wrote is overwritten without this flag");
             command.add_option("--yaw", arguments->yaw,
                                "Degrees by which the camera moves to the face's own left: 90 shows its left side");
             command.add_option("--pitch", arguments->pitch, "Degrees by which the camera moves up");

@@ -22,17 +22,18 @@ struct OptionFlag {
 
 const std::vector<OptionFlag>& OptionFlags() {
   static const std::vector<OptionFlag> flags = {
-      {"--split", "split", "Side of the run's split: test (default), validation or train"},
-      {"--faces", "faces", "Measure on all of these faces instead, which the run was not trained on"},
-      {"--sketches", "sketches", "The sketches of these faces, for a sketch run"},
-      {"--strength", "strength", "Augment the sketches: 0 not, 1 as in training, 2 strongly"},
+      {"--split", "split", "Subset of the run's split: test (default), validation or train"},
+      {"--faces", "faces", "Measure all faces of this folder, on which the run was not trained, instead of the split"},
+      {"--sketches", "sketches", "Of a sketch run: the sketches of the faces of --faces"},
+      {"--strength", "strength", "Of a sketch run: augmentation of the sketches: 0 none, 1 as in training, 2 strong"},
       {"--recover-with", "recover_with",
-       "Run whose faces curve coefficients are recovered from, where a network reads them"},
-      {"--max-faces", "max_faces", "Of a deformable model: number of faces, evenly spaced in the subset"},
+       "Of a network that reads curve coefficients: the run from whose faces they are recovered"},
+      {"--max-faces", "max_faces", "Of a deformable model: largest number of faces, evenly spaced in the subset"},
       {"--adam-faces", "adam_faces", "Of a deformable model: also find the codes of this many faces by Adam"},
-      {"--fit", "fit", "Also fit the bilinear model to the labelled strokes", false},
-      {"--refine", "refine", "Also match the contours of the predicted faces with the strokes", false},
-      {"--deform", "deform", "Also do that and then move the surfaces onto the strokes", false}};
+      {"--fit", "fit", "Of a sketch run: also fit the bilinear model to the labelled strokes", false},
+      {"--refine", "refine", "Of a sketch run: also match the contours of the predicted faces with the strokes", false},
+      {"--deform", "deform", "Of a sketch run: match the contours, and then also move the surfaces onto the strokes",
+       false}};
   return flags;
 }
 
@@ -104,9 +105,9 @@ Verb EvalVerb() {
             command.add_flag_callback(
                 "--no-baselines", [arguments] { arguments->baselines = false; },
                 "Leave out the training-free baselines");
-            command.add_option("overrides", arguments->overrides, "key=value, any option of the evaluation");
-            command.add_option("--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
-            command.add_flag("--json", arguments->as_json, "Machine-readable");
+            command.add_option("overrides", arguments->overrides, "key=value: any option of the evaluation");
+            command.add_option("--out", arguments->out, "Report folder; by default RUN/report, with --faces RUN/other");
+            command.add_flag("--json", arguments->as_json, "Print the result as JSON");
             std::string footer;
             for (const systems::System& system : Systems())
               footer +=

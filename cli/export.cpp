@@ -43,11 +43,12 @@ Verb ExportVerb() {
             };
             auto arguments = std::make_shared<Arguments>();
             command.add_option("run", arguments->run, "Run folder")->required();
-            command.add_option("overrides", arguments->overrides,
-                               "data.faces=FOLDER and the like, if the run's data have moved: only compared, for an "
-                               "export reads no data");
+            command.add_option(
+                "overrides", arguments->overrides,
+                "data.faces=FOLDER and the like, if the run's data have moved; only their data hashes are compared, "
+                "since an export reads no data");
             command.add_option("--out", arguments->out, "Folder to write")->required();
-            command.add_flag("--json", arguments->as_json, "Machine-readable");
+            command.add_flag("--json", arguments->as_json, "Print the result as JSON");
             return [arguments] {
               SystemOfRun(arguments->run);  // What is no run of a known task is refused before the library is loaded.
               CheckData(arguments->run, ConfigArguments{{}, arguments->overrides}.Load());

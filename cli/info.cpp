@@ -11,7 +11,7 @@ Verb InfoVerb() {
       "info", "Versions, device, BLAS library and kernel, threads, measured speed",
       [](CLI::App& command) {
         auto as_json = std::make_shared<bool>(false);
-        command.add_flag("--json", *as_json, "Machine-readable");
+        command.add_flag("--json", *as_json, "Print the result as JSON");
         return [as_json] {
           Json info = systems::LoadTrainingLibrary().describe();
           const BlasInfo blas = DescribeBlas();

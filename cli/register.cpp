@@ -71,24 +71,26 @@ Verb RegisterVerb() {
         command
             .add_option(
                 "--landmarks", arguments->inputs.landmarks,
-                "68 landmarks (iBUG order), or the 51 without the contour: a file with vertex indices (0-based, -1: "
-                "absent) for all meshes of one topology, or a folder with a file for each mesh (NAME.txt, .json, "
-                ".pts, .pp, .csv, .tsv, .fcsv, .mrk.json) of indices or of x y z (nan nan nan: absent). Text in "
-                "rows, iBUG .pts, MeshLab .pp, CSV, 3D Slicer, JSON")
+                "68 landmarks in iBUG order, or the 51 without the contour. Either one file with vertex indices "
+                "(0-based, -1: absent) for all meshes of one topology, or a folder with a file for each mesh: "
+                "NAME.txt, "
+                ".json, .pts, .pp, .csv, .tsv, .fcsv, .mrk.json or .xml, with vertex indices or with x y z (nan nan "
+                "nan: "
+                "absent). docs/formats.md lists the forms")
             ->required();
         command.add_flag("--zero-is-absent", arguments->zero_is_absent,
-                         "Landmarks at 0 0 0, or at vertex 0, are absent ones");
+                         "Landmarks at 0 0 0, or at vertex 0, count as absent");
         command.add_option("--vertex-map", arguments->inputs.vertex_map,
-                           "Line i: the number by which the landmark file calls vertex i of the meshes");
+                           "File whose line i is the number of vertex i of the meshes in the landmark file");
         command.add_option("--template", arguments->template_name,
-                           "makehuman, ict (with source.path=...), or a folder of faces whose template is taken");
+                           "makehuman, ict (with source.path=...), or a folder of faces, whose template is used");
         command.add_option("--licence", arguments->licence, "Licence of the meshes, copied to the manifest");
         command.add_option("--config", arguments->config.file, "TOML file of options; key=value overrides it");
         command.add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
         command.add_flag("--meshes", arguments->write_meshes, "Also write meshes/NAME.obj");
         command.add_flag_callback(
             "--no-pictures", [arguments] { arguments->write_pictures = false; }, "Write no pictures/NAME.jpg");
-        command.add_flag("--json", arguments->as_json, "Machine-readable summary");
+        command.add_flag("--json", arguments->as_json, "Print the summary as JSON");
         command.footer("Options:\n" + HelpText<datasets::RegisterOptions>());
         return [arguments] {
           // key=value follow the meshes.

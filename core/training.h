@@ -21,15 +21,16 @@ struct OptimiserOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("kind", kind, Choices{{"adamw", "sgd"}}, "AdamW, or gradient descent with momentum.");
-    visit("learning_rate", learning_rate, Range{0, 10}, "Step size at its peak, after the warm-up.");
+    visit("learning_rate", learning_rate, Range{0, 10}, "Learning rate at its peak, after the warm-up.");
     visit("weight_decay", weight_decay, Range{0, 10},
-          "Share of a weight (not of a bias) that a step of rate 1 takes away.");
-    visit("beta1", beta1, Range{0, 0.9999}, "Memory of the mean gradient; the momentum of sgd.");
-    visit("beta2", beta2, Range{0, 0.999999}, "Memory of the mean squared gradient, of adamw alone.");
+          "Decay rate: a step at learning rate 1 removes this share of each weight; biases do not decay.");
+    visit("beta1", beta1, Range{0, 0.9999}, "Decay of the running mean of gradients; the momentum of sgd.");
+    visit("beta2", beta2, Range{0, 0.999999}, "Decay of the running mean of squared gradients; adamw alone.");
     visit("clip_norm", clip_norm, Range{0, 1e6},
-          "Gradients are scaled down to this norm where they exceed it; 0: never.");
+          "Largest norm of the gradient; larger gradients are scaled down to it. 0: no limit.");
     visit("warm_up", warm_up, Range{0, 1}, "Share of all steps in which the rate climbs linearly to its peak.");
-    visit("final_rate", final_rate, Range{0, 1}, "The rate at the end as a share of the peak; a cosine leads there.");
+    visit("final_rate", final_rate, Range{0, 1},
+          "Learning rate at the end, as a share of the peak; between peak and end it follows a cosine.");
   }
 };
 
@@ -47,22 +48,24 @@ struct TrainerOptions {
   void Visit(V&& visit) {
     visit("epochs", epochs, Range{1, 1e6}, "Number of passes through the training samples.");
     visit("batch", batch, Range{1, 65536},
-          "Samples of a batch; those left over at the end of an epoch are skipped in it.");
+          "Samples in a batch. Samples that do not fill a last batch are skipped in that epoch.");
     visit("accumulate", accumulate, Range{1, 65536},
-          "Batches a step, whose gradients are averaged: without batch norm equal to one batch of their total size.");
-    visit(
-        "precision", precision, Choices{{"float32", "bfloat16", "auto", "force-bfloat16"}},
-        "Of the network's convolutions and matrix products in a step. bfloat16 is for GPUs and for processors with AMX "
-        "or AVX-512 bfloat16; others are slow and inexact at it and refuse it unless it is forced. auto: bfloat16 on "
-        "such a processor, else float32; a run keeps what it began with. Weights, losses, validation and all that "
-        "reads a run are float32.");
+          "Batches in a step; their gradients are averaged. Without batch norm this equals one batch of their total "
+          "size.");
+    visit("precision", precision, Choices{{"float32", "bfloat16", "auto", "force-bfloat16"}},
+          "Number format of the network's convolutions and matrix products in a training step. bfloat16 needs a GPU or "
+          "a processor with AMX or AVX-512 bfloat16; on other processors it is slow and inexact, and the program "
+          "refuses it. force-bfloat16: bfloat16 without this check. auto: bfloat16 on a processor with these "
+          "instructions, else float32 (also on a GPU); a resumed run keeps its format. Weights, losses, validation, "
+          "evaluation and prediction are always in float32.");
     visit("validate_every", validate_every, Range{1, 1e6},
-          "Epochs between validations, of which best weights are chosen; the last epoch is validated too.");
+          "Epochs between validations; the last epoch is always validated. The run keeps the weights of the best "
+          "validation.");
     visit("patience", patience, Range{0, 1e6},
-          "Stop after this number of epochs of the last stage without a better validation; 0: never.");
-    visit("log_every", log_every, Range{1, 1e6}, "Steps over which a line of training loss is averaged.");
+          "Stop once this number of epochs of the last stage bring no better validation; 0: never stop early.");
+    visit("log_every", log_every, Range{1, 1e6}, "Steps in one line of the log; its training loss is their mean.");
     visit("checkpoint_every", checkpoint_every, Range{0, 1e6},
-          "Steps between checkpoints, in addition to the one after every validation; 0: none.");
+          "Steps between checkpoints, in addition to the checkpoint after every validation; 0: only those.");
   }
 };
 

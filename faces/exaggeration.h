@@ -15,13 +15,14 @@ struct ExaggerationOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("gammas", gammas, Range{0.0, 0.8},
-          "Exponent of normalised |Gaussian curvature| that scales gradients, a level each.");
+    visit(
+        "gammas", gammas, Range{0.0, 0.8},
+        "One exponent of normalised |Gaussian curvature| for each level; it scales the gradients of the coordinates.");
     visit("smoothing_rings", smoothing_rings, Range{0, 20}, "Rings over which |K| is averaged before use.");
     visit("clamp_ratio", clamp_ratio, Range{1.0, 1e6}, "|K| is clamped to [Kbar / ratio, ratio * Kbar].");
     visit("ear_damping", ear_damping, Range{0.0, 1.0}, "Multiplier of gamma on the ears.");
     visit("blend_rings", blend_rings, Range{0, 20},
-          "Rings over which the scaling fades in around what is fixed, and from the ears' damping to none.");
+          "Rings over which the exaggeration fades in around fixed regions and around the damped ears.");
   }
 };
 

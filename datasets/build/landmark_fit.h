@@ -21,7 +21,8 @@ struct RegistrationLimits {
   template <class V>
   void Visit(V&& visit) {
     visit("max_landmark_misfit", max_landmark_misfit, Range{0.0, 10.0},
-          "Mean distance of the landmarks from the template's after a robust similarity, as a share of their spread.");
+          "Mean distance between the landmarks of mesh and template after a robust similarity, as a share of their "
+          "spread.");
     visit("max_landmarks_off_mesh", max_landmarks_off_mesh, Range{0.0, 1e3},
           "Median distance of the landmarks from the mesh, as a share of their spread.");
     visit("min_normal_agreement", min_normal_agreement, Range{-1.0, 1.0},

@@ -18,12 +18,13 @@ struct PointsOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("faces", faces, Text{}, "Folder of the faces whose surfaces are sampled.");
-    visit("num_samples", num_samples, Range{0, 1e7}, "Points drawn on each face, in addition to its vertices.");
+    visit("num_samples", num_samples, Range{0, 1e7},
+          "Number of points sampled on each face, in addition to its vertices.");
     visit("head_height", head_height, Range{0.01, 1000},
-          "Height of the template's head in model units, from the chin to its top; a SIREN's frequencies and the "
-          "weights of losses assume 2.1.");
-    visit("mouth_gap", mouth_gap, Range{0, 10}, "How far the template's lips are apart in the middle, model units.");
-    visit("seed", seed, Range{0, 9e15}, "Of all that is drawn at random.");
+          "Height of the template's head from chin to top, in model units. The frequencies of a SIREN and the weights "
+          "of the losses assume 2.1.");
+    visit("mouth_gap", mouth_gap, Range{0, 10}, "Gap between the template's lips in the middle, in model units.");
+    visit("seed", seed, Range{0, 9e15}, "Seed of all random numbers.");
   }
 };
 

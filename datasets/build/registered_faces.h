@@ -26,7 +26,7 @@ struct RegisterOptions {
     visit("source", source, Table{}, "The template, where it is not that of a database.");
     visit("licence", licence, Text{}, "Licence of the meshes, copied to everything made of them.");
     visit("contour_weight", contour_weight, Range{1e-3, 1.0},
-          "Trust in the landmarks 0 .. 16 of the contour, which depends on the view; the others have 1.");
+          "Weight of the contour landmarks 0 .. 16, whose places depend on the view; the other landmarks weigh 1.");
     visit("registration", registration, Table{}, "How the template is brought onto a mesh.");
     visit("limits", limits, Table{}, "When a registration has failed.");
   }

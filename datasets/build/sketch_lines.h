@@ -18,7 +18,8 @@ struct WrinkleOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("drawn", drawn, Flag{}, "Draw suggestive contours in the wrinkle region.");
-    visit("clearance_mm", clearance_mm, Range{0, 50}, "Least distance from a feature curve, on the mean face.");
+    visit("clearance_mm", clearance_mm, Range{0, 50},
+          "Least distance of a wrinkle from a feature curve, on the mean face.");
     visit("contours", contours, Table{}, "Which of them.");
   }
 };

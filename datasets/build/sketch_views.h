@@ -22,11 +22,11 @@ struct ViewNoise {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("yaw", yaw, Range{0, 30}, "Turn to a side, degrees (standard deviation).");
-    visit("pitch", pitch, Range{0, 30}, "Nod, degrees.");
-    visit("roll", roll, Range{0, 30}, "Turn in the picture, degrees.");
-    visit("scale", scale, Range{0, 0.3}, "Relative size.");
-    visit("shift", shift, Range{0, 32}, "Along x and along y, pixels of the canvas.");
+    visit("yaw", yaw, Range{0, 30}, "Standard deviation of the turn to a side, degrees.");
+    visit("pitch", pitch, Range{0, 30}, "Standard deviation of the nod, degrees.");
+    visit("roll", roll, Range{0, 30}, "Standard deviation of the rotation in the picture plane, degrees.");
+    visit("scale", scale, Range{0, 0.3}, "Standard deviation of the relative size.");
+    visit("shift", shift, Range{0, 32}, "Standard deviation of the shift along x and along y, pixels of the canvas.");
   }
 };
 

@@ -20,9 +20,11 @@ struct SketchesOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("faces", faces, Text{}, "Folder of the faces that are drawn.");
-    visit("view", view, Choices{{"frontal", "side"}}, "From where; orthographic.");
-    visit("curve_height", curve_height, Range{0.2, 1.0}, "Height of the mean head's curves as a share of the canvas.");
-    visit("num_views", num_views, Range{1, 100}, "Sketches a face; the first is exact, all others have `noise`.");
+    visit("view", view, Choices{{"frontal", "side"}}, "View of the orthographic camera.");
+    visit("curve_height", curve_height, Range{0.2, 1.0},
+          "Height of the mean head's curves on the canvas, as a share of its side.");
+    visit("num_views", num_views, Range{1, 100},
+          "Number of sketches of a face; the first view is exact, the others have `noise`.");
     visit("noise", noise, Table{}, "Random deviation of views.");
     visit("wrinkles", wrinkles, Table{}, "Lines in addition to the annotation's curves.");
   }

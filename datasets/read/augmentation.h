@@ -29,25 +29,32 @@ struct AugmentationOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("strength", strength, Range{0, 4},
-          "Multiplies shares and sizes below; 0: sketches are unchanged, 1: for training, 2: strong.");
-    visit("removal", removal, Range{0, 1}, "Strokes left out, at most this share.");
+          "Factor of the shares and sizes below, except where marked. 0: sketches are unchanged, 1: for training, 2: "
+          "strong.");
+    visit("removal", removal, Range{0, 1}, "Largest share of removed strokes.");
     visit("removal_order_weight", removal_order_weight, Range{0, 10},
-          "Later strokes are left out first: log-probability a place in the list. Not multiplied.");
+          "Late strokes are removed more often: each later position in the list multiplies the weight of a stroke in "
+          "the draw by e to this power. Not scaled by strength.");
     visit("removal_length_weight", removal_length_weight, Range{0, 100},
-          "Short strokes are left out first: log-probability a width of the canvas. Not multiplied.");
+          "Short strokes are removed more often: each canvas width of length divides the weight of a stroke in the "
+          "draw by e to this power. Not scaled by strength.");
     visit("stroke_shift_px", stroke_shift_px, Range{0, 64},
-          "Points that bend a stroke move by this, if it is straight.");
-    visit("drawing_shift_px", drawing_shift_px, Range{0, 64}, "Points that bend the whole drawing move by this.");
-    visit("width", width, Range{0, 2}, "Log of the greatest factor of the stroke width.");
-    visit("retrace", retrace, Range{0, 1}, "Strokes drawn twice, at most this share.");
-    visit("retrace_px", retrace_px, Range{0, 32}, "How far apart both are.");
-    visit("tremor_px", tremor_px, Range{0, 16}, "Trembling of the hand, at most this root mean square.");
-    visit("tremor_length_px", tremor_length_px, Range{1, 256}, "Nothing much shorter trembles. Not multiplied.");
-    visit("gaps", gaps, Range{0, 1}, "Strokes with a gap, at most this share.");
-    visit("gap_px", gap_px, Range{0.1, 256}, "Mean length of a gap. Not multiplied.");
-    visit("shift_px", shift_px, Range{0, 128}, "The drawing is shifted by at most this along each axis.");
-    visit("scale", scale, Range{0, 1}, "Log of the greatest factor of the drawing's size.");
-    visit("rotation_degrees", rotation_degrees, Range{0, 180}, "The drawing is turned by at most this.");
+          "Root mean square shift, along each axis, of the handles that bend a straight stroke; curved strokes are "
+          "bent less.");
+    visit("drawing_shift_px", drawing_shift_px, Range{0, 64},
+          "Standard deviation, along each axis, of the shift of the four extreme points that bend the whole drawing.");
+    visit("width", width, Range{0, 2}, "Logarithm of the largest factor of the stroke width.");
+    visit("retrace", retrace, Range{0, 1}, "Largest share of strokes that are drawn twice.");
+    visit("retrace_px", retrace_px, Range{0, 32},
+          "Distance of the second line from the first, root mean square along each axis.");
+    visit("tremor_px", tremor_px, Range{0, 16}, "Largest tremor of the hand, root mean square along each axis.");
+    visit("tremor_length_px", tremor_length_px, Range{1, 256},
+          "Approximate length of the shortest tremor along a stroke. Not scaled by strength.");
+    visit("gaps", gaps, Range{0, 1}, "Largest share of strokes with a gap.");
+    visit("gap_px", gap_px, Range{0.1, 256}, "Mean length of a gap. Not scaled by strength.");
+    visit("shift_px", shift_px, Range{0, 128}, "Largest shift of the drawing along each axis.");
+    visit("scale", scale, Range{0, 1}, "Logarithm of the largest factor of the drawing's size.");
+    visit("rotation_degrees", rotation_degrees, Range{0, 180}, "Largest rotation of the drawing.");
   }
 };
 

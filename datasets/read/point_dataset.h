@@ -18,9 +18,10 @@ struct PointReading {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("num_points", num_points, Range{0, 1e7}, "Points of each face in a step; 0: all, in order.");
+    visit("num_points", num_points, Range{0, 1e7},
+          "Number of points of each face in a step; 0: all points, in their order.");
     visit("sampling", sampling, Choices{{"hybrid", "vertices"}},
-          "Vertices and surface samples in the proportion of the database, or vertices alone.");
+          "hybrid: vertices and surface samples, in the proportion of the database; vertices: vertices alone.");
   }
 };
 

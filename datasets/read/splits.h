@@ -16,9 +16,10 @@ struct SplitOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("kind", kind, Choices{{"person", "random"}},
-          "person: all faces of a person on one side; random: any face anywhere, as in the paper.");
-    visit("validation", validation, Range{0.0, 0.5}, "Share of persons (or faces) on which choices are made.");
-    visit("test", test, Range{0.01, 0.5}, "Share of persons (or faces) that only `daumier eval` reads.");
+          "person: all faces of a person are in one subset; random: faces are assigned one by one, as in the paper.");
+    visit("validation", validation, Range{0.0, 0.5},
+          "Share of persons (or faces) for validation, by which weights and options are chosen.");
+    visit("test", test, Range{0.01, 0.5}, "Share of persons (or faces) for the test; only `daumier eval` reads them.");
   }
 };
 

@@ -12,7 +12,8 @@ struct DeformEvalData {
   template <class V>
   void Visit(V&& visit) {
     visit("faces", faces, Text{}, "Folder of the faces that the run was trained on, if they have moved.");
-    visit("points", points, Text{}, "Folder of their points; an evaluation compares its data hash and reads no point.");
+    visit("points", points, Text{},
+          "Folder of their points, if they have moved. Only its data hash is compared; an evaluation reads no points.");
   }
 };
 
@@ -27,14 +28,14 @@ struct DeformEvalOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("split", split, Choices{{"test", "validation", "train"}}, "The subset of the run's split that is measured.");
+    visit("split", split, Choices{{"test", "validation", "train"}}, "Subset of the run's split that is measured.");
     visit("faces", faces, Text{},
-          "Folder of other faces of the same topology, which the run was not trained on; all of them are measured.");
+          "Folder of other faces of the same topology, on which the run was not trained. All of them are measured.");
     visit("data", data, Table{}, "The run's own data, found by their data hash.");
-    visit("max_faces", max_faces, Range{1, 1e6}, "Largest number of faces of the subset, evenly spaced.");
+    visit("max_faces", max_faces, Range{1, 1e6}, "Largest number of measured faces, evenly spaced in the subset.");
     visit("adam_faces", adam_faces, Range{0, 1e6},
-          "Number of faces, the first ones, whose codes are also found as in the paper.");
-    visit("adam_steps", adam_steps, Range{1, 1e6}, "Steps of that.");
+          "Number of faces, from the first one on, whose codes are also found by Adam as in the paper.");
+    visit("adam_steps", adam_steps, Range{1, 1e6}, "Adam steps for each of these codes.");
     visit("baselines", baselines, Flag{}, "Also measure the training-free baselines.");
   }
 };

@@ -19,14 +19,15 @@ struct DeformOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("kind", kind, Choices{{"hypernetwork", "conditioning", "displacements", "positions", "linear"}},
-          "How a code becomes a surface: a SIREN whose parameters a hypernetwork makes, a SIREN that reads the code, "
-          "arrays of vertex displacements or positions, or a linear model by principal components.");
+          "How a code becomes a surface. hypernetwork: a SIREN whose parameters a hypernetwork makes; conditioning: a "
+          "SIREN that reads the code; displacements, positions: an array of vertex displacements or positions; linear: "
+          "principal components.");
     visit("latent", latent, Range{1, 4096}, "Length of a code.");
-    visit("width", width, Range{16, 1024}, "Features of a layer of the SIREN; a multiple of 16.");
+    visit("width", width, Range{16, 1024}, "Features in a layer of the SIREN; a multiple of 16.");
     visit("hidden_layers", hidden_layers, Range{1, 16}, "Layers of the SIREN between its first and its last.");
     visit("omega", omega, Range{0.1, 1000}, "Frequency of the SIREN's sines.");
-    visit("hyper_width", hyper_width, Range{1, 4096}, "Neurons of a layer of the hypernetwork.");
-    visit("array_width", array_width, Range{1, 16384}, "Neurons of the hidden layer of vertex arrays.");
+    visit("hyper_width", hyper_width, Range{1, 4096}, "Neurons in a layer of the hypernetwork.");
+    visit("array_width", array_width, Range{1, 16384}, "Neurons in the hidden layer of displacements and positions.");
   }
 
   runtime::SirenLayout siren() const { return {width, hidden_layers, omega}; }

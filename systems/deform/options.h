@@ -25,8 +25,8 @@ struct DeformLossOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("data_weight", data_weight, Range{1e-6, 1e12},
-          "Weight of the mean squared coordinate of what points miss by, in model units.");
-    visit("code_weight", code_weight, Range{0, 1e12}, "Weight of the mean square of the codes' numbers.");
+          "Weight of the mean squared error of the coordinates, in model units.");
+    visit("code_weight", code_weight, Range{0, 1e12}, "Weight of the mean square of the numbers of the codes.");
   }
 };
 
@@ -37,7 +37,8 @@ struct DeformValidationOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("faces", faces, Range{1, 100000}, "Number of validation faces, evenly spaced.");
-    visit("newton_steps", newton_steps, Range{1, 1000}, "Steps in which the code of each is found.");
+    visit("newton_steps", newton_steps, Range{1, 1000},
+          "Gauss-Newton steps that find the code of each validation face.");
   }
 };
 
@@ -64,7 +65,8 @@ struct DeformTrainingOptions {
     visit("validation", validation, Table{}, "On which faces the best weights are chosen.");
     visit("optimiser", optimiser, Table{}, "The optimiser and its schedule.");
     trainer.Visit(visit);
-    visit("seed", seed, Range{0, 9e15}, "Of the split, the first weights, the order of faces and their points.");
+    visit("seed", seed, Range{0, 9e15},
+          "Seed of the split, the initial weights, the order of the faces and their points.");
   }
 };
 

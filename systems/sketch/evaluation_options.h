@@ -26,23 +26,27 @@ struct SketchEvalOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("split", split, Choices{{"train", "validation", "test"}}, "The subset of the run's split that is measured.");
-    visit("strength", strength, Range{0, 4}, "Augment the sketches: 0 not, 1 as in training, 2 strongly.");
+    visit("split", split, Choices{{"train", "validation", "test"}}, "Subset of the run's split that is measured.");
+    visit("strength", strength, Range{0, 4},
+          "Strength of the augmentation of the sketches: 0 none, 1 as in training, 2 strong.");
     visit("recover_with", recover_with, Text{},
-          "Folder of another run on the same data whose network reads no curve coefficients. A network that reads them "
-          "gets those recovered from that run's faces. Empty: it gets given ones only.");
+          "For a network that reads curve coefficients: folder of another run on the same data whose network reads "
+          "none. The coefficients are then also recovered from the faces of that run. Empty: given coefficients only.");
     visit("faces", faces, Text{},
-          "Folder of faces that the run was not trained on, in place of a subset of its split; all are measured.");
-    visit("sketches", sketches, Text{}, "Folder of the sketches of these faces.");
+          "Folder of other faces, on which the run was not trained. All of them are measured, instead of a subset of "
+          "the run's split.");
+    visit("sketches", sketches, Text{}, "Folder of the sketches of these other faces.");
     visit("data", data, Table{}, "The run's own data, found by their data hash.");
     visit("baselines", baselines, Flag{},
-          "Also measure the training-free baselines and the upper bound of the model. They depend on data, split and "
-          "strength only. Of other faces: those that read the run's training faces.");
+          "Also measure the training-free baselines and the limit of the model (its projection error). They depend on "
+          "data, split and strength only. With other faces: also measure ridge regression and the nearest neighbour, "
+          "fitted on the run's training faces; mean face and limit of the model are then always measured.");
     visit("fit", fit, Flag{}, "Also fit the bilinear model to the labelled strokes, with and without its prior.");
     visit("refine", refine, Flag{},
-          "Also match the contours of the network's faces with the strokes; of other faces always done.");
+          "Also match the contours of the network's faces with the strokes. With other faces this is always done.");
     visit("deform", deform, Flag{},
-          "Also do that and then move the faces' surfaces onto the strokes; of other faces always done.");
+          "Match the contours as refine does, and then also move the surfaces of the faces onto the strokes. With "
+          "other faces this is always done.");
   }
 };
 

@@ -26,28 +26,29 @@ struct SketchNetworkOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("trunk", trunk, Choices{{"compact", "alexnet", "residual", "points", "shape"}},
-          "What turns a sketch into features: convolutions of its picture, a point network of its strokes, or its "
-          "curve coefficients alone (models/sketch_trunks.h).");
+          "What turns a sketch into features. compact, alexnet, residual: convolutions of its picture; points: a point "
+          "network on its strokes; shape: its curve coefficients alone (models/sketch_trunks.h).");
     visit("shape_input", shape_input, Choices{{"none", "late", "early"}},
-          "Where the curve coefficients are concatenated to trunk features: before the output of each branch, as "
-          "published, or "
-          "before the branches.");
-    visit("branches", branches, Choices{{"two", "one"}}, "Branches of their own for u and v, or one for both.");
+          "Where the curve coefficients join the features of the trunk. none: nowhere; late: before the output of each "
+          "branch, as published; early: before the branches.");
+    visit("branches", branches, Choices{{"two", "one"}}, "Two branches, one each for u and v, or one branch for both.");
     visit("resolution", resolution, Range{32, 512}, "Side of the square input sketch, in pixels.");
     visit("width", width, Range{1, kMaxWidth},
-          "Channels of the first convolution; the others follow from it. So that all are multiples of 8, a training "
-          "takes multiples of 8 alone, of trunk alexnet 24, of trunk points 4.");
-    visit("batch_norm", batch_norm, Flag{}, "Normalise after each convolution of trunk alexnet; the others always do.");
-    visit("hidden", hidden, Range{1, 8192}, "Trunk output features.");
-    visit("branch", branch, Range{1, 8192}, "Neurons of a layer in the branches.");
+          "Channels of the first convolution; those of the others scale with it. A training requires a multiple of 8 "
+          "(trunk alexnet: 24, trunk points: 4), so that every convolution has a multiple of 8 channels.");
+    visit("batch_norm", batch_norm, Flag{},
+          "Batch normalisation after each convolution of trunk alexnet; the other trunks always have it.");
+    visit("hidden", hidden, Range{1, 8192}, "Number of features that the trunk returns.");
+    visit("branch", branch, Range{1, 8192}, "Neurons in a layer of the branches.");
     visit("identity_layers", identity_layers, Range{0, 8},
-          "Fully connected layers of the u branch (or of the one branch) before its output.");
-    visit("expression_layers", expression_layers, Range{0, 8}, "The same of the v branch.");
+          "Fully connected layers before the output of the u branch (or of the one branch).");
+    visit("expression_layers", expression_layers, Range{0, 8},
+          "Fully connected layers before the output of the v branch.");
     visit("shape_hidden", shape_hidden, Range{1, 8192}, "Neurons of the layer that reads the curve coefficients.");
-    visit("num_points", num_points, Range{16, 4096}, "Points of the strokes that trunk points reads.");
+    visit("num_points", num_points, Range{16, 4096}, "Number of stroke points that trunk points reads.");
     visit("residual", residual, Range{0, 1000},
-          "Size of a linear basis of faces in which a small residual is added to the bilinear face, which is then made "
-          "in that basis too; 0: no residual.");
+          "Number of vectors of a linear basis of faces. The network predicts a residual in this basis, which is added "
+          "to the bilinear face; the bilinear face is projected onto the basis, too. 0: no residual.");
   }
 
   bool reads_image() const { return trunk == "compact" || trunk == "alexnet" || trunk == "residual"; }

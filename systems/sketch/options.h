@@ -31,10 +31,14 @@ struct SketchStageOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("classification", classification, Range{0, 1},
-          "Share of the steps that classify identities (a person at a level) and expressions.");
-    visit("regression", regression, Range{0, 1}, "Share that learns u and v themselves, convolutions frozen.");
-    visit("classification_rate", classification_rate, Range{0, 1}, "Factor of the learning rate in these steps.");
-    visit("regression_rate", regression_rate, Range{0, 1}, "Factor of the learning rate in these steps.");
+          "Share of all steps, at the beginning, in which identities (a person at a level) and expressions are "
+          "classified.");
+    visit("regression", regression, Range{0, 1},
+          "Share of all steps, after these, in which u and v are regressed while the convolutions are frozen. The last "
+          "steps tune all weights by the vertex loss.");
+    visit("classification_rate", classification_rate, Range{0, 1},
+          "Factor of the learning rate in the steps of classification.");
+    visit("regression_rate", regression_rate, Range{0, 1}, "Factor of the learning rate in the steps of regression.");
     visit("tuning_rate", tuning_rate, Range{0, 1}, "Factor of the learning rate in the last steps.");
   }
 };
@@ -65,11 +69,12 @@ struct SketchTrainingOptions {
     visit("optimiser", optimiser, Table{}, "The optimiser and its schedule.");
     trainer.Visit(visit);
     visit("loss", loss, Choices{{"gram", "vertices"}},
-          "How the vertex loss is computed; gram reads no vertex in a step and gives the same number.");
+          "How the vertex loss is computed. gram: as a quadratic form of the coefficients, without reading a vertex in "
+          "a step; vertices: from the vertices. Both give the same number.");
     visit("curve_weight", curve_weight, Range{1, 1000},
           "Weight of the vertices of feature curves in the vertex loss; all others weigh 1.");
     visit("seed", seed, Range{0, 9e15},
-          "Of the split, the first weights, the order of the samples and their augmentation.");
+          "Seed of the split, the initial weights, the order of the samples and their augmentation.");
   }
 };
 

@@ -22,9 +22,17 @@ std::vector<std::string> Words(const std::string& text) {
 /// docs/cli.md: the help of every command.
 std::string CommandLineDocument() {
   std::string document =
-      "# Command line\n\nThe help of every command, as `daumier COMMAND --help` prints it. A test compares this page "
-      "with the "
-      "program;\n`DAUMIER_WRITE_DOCS=1 ctest --test-dir build/release -R '^cli$'` writes it.\n";
+      "# Command line\n\nThe help of every command, as `daumier COMMAND --help` prints it. Every command also takes "
+      "`--quiet` and\n`--threads N` (`daumier --help`).\n\n"
+      "| exit code | meaning |\n|---|---|\n"
+      "| 0 | done |\n"
+      "| 1 | the work failed or was interrupted, or at least one of several inputs failed; the others are written |\n"
+      "| 2 | the command line or a config is wrong |\n\n"
+      "Results go to stdout; progress, warnings and errors go to stderr. A warning does not change the exit code. For "
+      "example,\n`predict` warns if a sheet holds several faces: it predicts the largest one, and each with "
+      "`--all`.\n\n"
+      "A test compares this page with the program; `DAUMIER_WRITE_DOCS=1 ctest --test-dir build/release -R '^cli$'` "
+      "writes it.\n";
   for (const std::string& command : kCommands) {
     std::vector<std::string> arguments = Words(command);
     arguments.push_back("--help");
