@@ -59,7 +59,7 @@ std::string HeadlineTable() {
       "| system | predictor | shape input | unseen persons, mm | 95 % interval | random split, mm | paper, mm |\n"
       "|---|---|---|---:|---:|---:|---:|\n";
   for (const char* name : {"mean face", "ridge regression", "PixelShapeCNN", "PixelShapeCNN, recovered", "ShapeNN",
-                           "PixelCNN", "Residual"}) {
+                           "PixelCNN", "PixelCNN-Wrinkle", "Residual"}) {
     const Json row = RowOf(persons, name);
     double sum = 0;
     for (const Json& record : at_random) sum += RowOf(record, name).at("error").get<double>();
