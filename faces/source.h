@@ -18,7 +18,7 @@ struct SourceOptions {
   std::string annotation = "";
   std::string template_mesh = "";
   std::string person = "file";
-  std::string licence = "not told; set source.licence";
+  std::string licence = "unknown; set source.licence";
 
   template <class V>
   void Visit(V&& visit) {

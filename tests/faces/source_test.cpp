@@ -44,7 +44,7 @@ TEST(Source, MeshesAreFacesAndNoModel) {
   EXPECT_EQ(given.groups, std::vector<std::string>{"bob"});
   EXPECT_EQ(given.face_template.provenance.at("licence"), "CC0");
   EXPECT_THROW(LoadFaceModel(options), UsageError);
-  EXPECT_EQ(ParseOptions<SourceOptions>(Json::object()).licence, "not told; set source.licence");
+  EXPECT_EQ(ParseOptions<SourceOptions>(Json::object()).licence, "unknown; set source.licence");
 }
 
 TEST(Source, OptionsListTheSources) {
