@@ -56,6 +56,13 @@ struct Expression {
   Eigen::VectorXf weights;  ///< num_expression_shapes
 };
 
+/// The numbers and unit of a source's own files, so that further files of it can be read.
+struct SourceNumbering {
+  std::vector<int> vertices;  ///< V: the number of each vertex of the template; empty where it is not known.
+  int num_vertices = 0;       ///< Of the source's mesh.
+  double cm_per_unit = 1;
+};
+
 /// A linear face: vertices = neutral + sum_s a_s identity_shape_s + sum_e b_e expression_shape_e.
 struct FaceModel {
   FaceTemplate face_template;
@@ -67,6 +74,7 @@ struct FaceModel {
   std::vector<std::string> expression_shape_names;
   Eigen::MatrixXf expression_shapes;    ///< 3V x E
   std::vector<Expression> expressions;  ///< The first is "neutral".
+  SourceNumbering numbering = {};
 };
 
 /// Identity weights of a random person, S. `spread` multiplies every sigma.

@@ -82,6 +82,7 @@ FaceModel LoadIct(const std::filesystem::path& folder_or_archive) {
         {.name = name, .kind = IdentityControl::Kind::kGaussian, .shapes = {i}, .sigma = 1.0});
   }
 
+  model.numbering = {annotated.vertices.old_from_new, kNumIctVertices};
   std::vector<Eigen::VectorXf> columns;
   for (const auto& [name, points] : meshes.shapes) {
     if (name.starts_with("identity")) continue;

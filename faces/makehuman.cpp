@@ -258,6 +258,7 @@ FaceModel LoadMakeHuman(const std::filesystem::path& folder) {
   model.face_template = annotated.face_template;
   AddIdentities(files, annotated.vertices, model);
   AddExpressions(files, annotated.vertices, model);
+  model.numbering = {annotated.vertices.old_from_new, kNumMakeHumanVertices, kCmPerDecimetre};
   model.face_template.provenance = files.provenance;
   model.face_template.provenance["checksum"] = ModelChecksum(model);
   return model;

@@ -2,13 +2,13 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "faces/morph_target.h"
 #include "geometry/obj.h"
 #include "geometry/polygon_collector.h"
 #include "geometry/submesh.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -18,16 +18,16 @@ namespace daumier::faces {
 
 namespace {
 
-constexpr int kNumMeshVertices = 19158, kNumBodyVertices = 13380, kNumBodyPolygons = 13378;
+constexpr int kNumBodyVertices = 13380, kNumBodyPolygons = 13378;
 constexpr double kTargetUnit = 1e-3;  // of the package's 16-bit integers, in decimetres
 
 geometry::PolygonMesh BodyOf(const geometry::PolygonMesh& mesh, const std::string& name) {
-  DAUMIER_CHECK(mesh.vertices.rows() == kNumMeshVertices, "{} has {} vertices, MakeHuman's base mesh has {}", name,
-                mesh.vertices.rows(), kNumMeshVertices);
+  DAUMIER_CHECK(mesh.vertices.rows() == kNumMakeHumanVertices, "{} has {} vertices, MakeHuman's base mesh has {}", name,
+                mesh.vertices.rows(), kNumMakeHumanVertices);
   geometry::CheckFinite(mesh.vertices, name);
   std::vector<int> body(kNumBodyVertices);
   std::iota(body.begin(), body.end(), 0);
-  geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(body, kNumMeshVertices));
+  geometry::PolygonMesh result = geometry::Submesh(mesh, geometry::MapKept(body, kNumMakeHumanVertices));
   DAUMIER_CHECK(result.num_polygons() == kNumBodyPolygons, "{}: the body has {} polygons, MakeHuman's has {}", name,
                 result.num_polygons(), kNumBodyPolygons);
   return result;
@@ -109,7 +109,7 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
   std::sort(files.target_names.begin(), files.target_names.end());  // "a" before "a-b", though "a-b.x" before "a.x"
 
   const auto binary = std::make_shared<const MappedFile>(binary_file);
-  const size_t expected = paths.size() * kNumMeshVertices * 3 * sizeof(int16_t);
+  const size_t expected = paths.size() * kNumMakeHumanVertices * 3 * sizeof(int16_t);
   DAUMIER_CHECK(binary->bytes().size() == expected,
                 "{} has {} bytes, expected {}: it is truncated or of another version; install it again",
                 binary_file.string(), binary->bytes().size(), expected);
@@ -117,7 +117,7 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
     const auto found = rows.find(name);
     DAUMIER_CHECK(found != rows.end(), "MakeHuman has no target '{}'", name);
     std::vector<int16_t> numbers(3 * kNumBodyVertices);
-    const size_t row_bytes = sizeof(int16_t) * 3 * kNumMeshVertices;
+    const size_t row_bytes = sizeof(int16_t) * 3 * kNumMakeHumanVertices;
     std::memcpy(numbers.data(), binary->bytes().data() + found->second * row_bytes, sizeof(int16_t) * numbers.size());
     using Row = Eigen::Matrix<int16_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
     return geometry::Points(kTargetUnit * Eigen::Map<const Row>(numbers.data(), kNumBodyVertices, 3).cast<double>());
@@ -127,40 +127,6 @@ MakeHumanFiles OpenPackage(const std::filesystem::path& folder) {
       {"version", version},
       {"licence", "CC0-1.0 upstream since September 2020; this snapshot carries the older label AGPL-3.0"}};
   return files;
-}
-
-/// A .target text: lines of "vertex dx dy dz", and comments.
-geometry::Points ParseTarget(const std::filesystem::path& file) {
-  const std::string text = ReadFile(file);
-  geometry::Points displacement = geometry::Points::Zero(kNumBodyVertices, 3);
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (int line = 1; at < end; ++line) {
-    const char* const line_end = std::find(at, end, '\n');
-    const auto skip_space = [&] {
-      at = std::find_if(at, line_end, [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
-    };
-    const auto read = [&](auto& number) {
-      skip_space();
-      const auto result = std::from_chars(at, line_end, number);
-      DAUMIER_CHECK(result.ec == std::errc(), "{}:{}: expected a vertex and three numbers", file.string(), line);
-      at = result.ptr;
-    };
-    skip_space();
-    if (at != line_end && *at != '#') {
-      int vertex = 0;
-      geometry::Vector3 d;
-      read(vertex);
-      read(d.x());
-      read(d.y());
-      read(d.z());
-      DAUMIER_CHECK(vertex >= 0 && vertex < kNumMeshVertices && d.allFinite(),
-                    "{}:{}: vertex {} is out of range or moves nowhere finite", file.string(), line, vertex);
-      if (vertex < kNumBodyVertices) displacement.row(vertex) = d.transpose();
-    }
-    at = line_end == end ? end : line_end + 1;
-  }
-  return displacement;
 }
 
 MakeHumanFiles OpenCheckout(const std::filesystem::path& data) {
@@ -175,7 +141,10 @@ MakeHumanFiles OpenCheckout(const std::filesystem::path& data) {
       files.target_names.push_back(TargetName(path.generic_string()));
   }
   std::sort(files.target_names.begin(), files.target_names.end());
-  files.target = [targets](const std::string& name) { return ParseTarget(targets / (name + ".target")); };
+  files.target = [targets](const std::string& name) {
+    return geometry::Points(
+        ReadMorphTarget(targets / (name + ".target"), kNumMakeHumanVertices).topRows(kNumBodyVertices));
+  };
   files.provenance = {{"name", "MakeHuman"}, {"version", "checkout"}, {"licence", "CC0-1.0"}};
   return files;
 }

@@ -9,6 +9,9 @@
 
 namespace daumier::faces {
 
+/// Vertices of MakeHuman's base mesh, helpers and joints included: what its targets number.
+inline constexpr int kNumMakeHumanVertices = 19158;
+
 /// MakeHuman's base mesh and morph targets as they lie on disk, in the source's decimetres and vertex numbers.
 struct MakeHumanFiles {
   geometry::PolygonMesh body;  ///< The body alone, with its UV, without clothes helpers and joints: vertices 0..13379.

@@ -58,8 +58,8 @@ void BuildFaces(const faces::FaceModel& model, const FacesOptions& options, cons
   for (const faces::Expression& expression : expressions) names.push_back(expression.name);
   ShardedBuild build = PlanFaces(model.face_template, options, options.num_persons, names);
   build.manifest.details["identity_controls"] = IdentityControlsToJson(model.identity_controls);
-  if (options.levels == "parts") build.manifest.details["parts"] = faces::FacePartNames();
   const PersonFacesMaker maker(model, expressions, options);
+  build.manifest.details.update(maker.Details());
   build.write_shard = [&](int person, const std::filesystem::path& file) {
     return WritePersonShard(file, build.manifest, maker.Make(person));
   };

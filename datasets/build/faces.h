@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 #include "core/task.h"
+#include "faces/controls/caricature_generator.h"
 #include "faces/exaggeration.h"
 #include "faces/face_model.h"
 #include "faces/part_exaggeration.h"
@@ -23,6 +24,8 @@ struct FacesOptions {
   std::string levels = "whole";
   faces::ExaggerationOptions exaggeration;
   faces::PartExaggerationOptions parts;
+  faces::CaricatureOptions caricature;
+  std::vector<std::string> own_controls;
   int num_interpolated = 0;
   int family_size = 5;
 
@@ -40,11 +43,15 @@ struct FacesOptions {
     visit("expression_variation", expression_variation, Range{0.0, 0.5},
           "Standard deviation of the strength with which a person shows an expression. The mean is 1; strengths are "
           "cut off at two deviations.");
-    visit("levels", levels, Choices{{"whole", "parts"}},
+    visit("levels", levels, Choices{{"whole", "parts", "controls"}},
           "whole: a level exaggerates the whole face by its gamma. parts: a level exaggerates each part of the face by "
-          "its own random strength, in proportion to the gamma.");
+          "its own random strength, in proportion to the gamma. controls: a level is a caricature by named controls, "
+          "of an amount of its own.");
     visit("exaggeration", exaggeration, Table{}, "Levels of exaggeration; the first gamma has to be 0.");
     visit("parts", parts, Table{}, "How strengths of parts are drawn.");
+    visit("caricature", caricature, Table{}, "How values of controls are drawn.");
+    visit("own_controls", own_controls, Text{},
+          "Further controls, each NAME=FILE.target (in the source's vertex numbers) or NAME=FROM.obj,TO.obj.");
     visit("num_interpolated", num_interpolated, Range{0, 10000000},
           "Number of faces that are interpolated, each between two persons of a family.");
     visit("family_size", family_size, Range{2, 1000},
@@ -53,9 +60,14 @@ struct FacesOptions {
   }
 };
 
+/// The strength of each level: gammas of the exaggeration, or amounts of caricature where levels are by controls.
+const std::vector<double>& LevelStrengths(const FacesOptions& options);
+
 /// Writes a faces::FaceDatabase.
 /// - Person p is DrawIdentity from Stream(seed, "identity", p).
-/// - Levels of its neutral face are Exaggerate, or ExaggerateParts with strengths from Stream(seed, "parts", p).
+/// - Levels of its neutral face are Exaggerate, ExaggerateParts with strengths from Stream(seed, "parts", p), or
+///   caricatures of CaricatureGenerator with values from Stream(seed, "caricature", p), which knows what distinguishes
+///   a person from 200 identities of Stream(seed, "population", i).
 /// - Every expression is carried to every level by ExpressionTransfer; its displacement is multiplied by the person's
 ///   strength of that expression, from Stream(seed, "expression strengths", p), so that the faces are no plain
 ///   bilinear product of persons and expressions.

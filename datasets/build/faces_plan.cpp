@@ -30,13 +30,20 @@ std::vector<int> ChooseExpressions(const std::vector<std::string>& available, co
   return chosen;
 }
 
+const std::vector<double>& LevelStrengths(const FacesOptions& options) {
+  return options.levels == "controls" ? options.caricature.amounts : options.exaggeration.gammas;
+}
+
 ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
                        const std::vector<std::string>& expressions) {
-  const std::vector<double>& gammas = options.exaggeration.gammas;
-  if (gammas.empty() || gammas.front() != 0.0) throw UsageError("the first of exaggeration.gammas has to be 0");
+  const std::vector<double>& gammas = LevelStrengths(options);
+  if (gammas.empty() || gammas.front() != 0.0) {
+    throw UsageError(fmt::format("the first of {} has to be 0",
+                                 options.levels == "controls" ? "caricature.amounts" : "exaggeration.gammas"));
+  }
   if (gammas.size() > 1) {
     for (const char* region : {"eyes", "mouth", "neck_border", "nose", "ears"})
-      faces::RegionFor(face_template.annotation, region, "exaggeration (every gamma but 0)");
+      faces::RegionFor(face_template.annotation, region, "exaggeration (every level but the first)");
   }
   ShardedBuild build;
   build.manifest.kind = "faces";
@@ -75,6 +82,9 @@ std::string WritePersonShard(const std::filesystem::path& file, const Manifest& 
     add(name, {count("levels"), static_cast<int64_t>(values.size()) / row_size / count("levels"), row_size}, values);
   };
   add_rows("part_strengths", 4, arrays.part_strengths);
+  if (!arrays.control_values.empty())
+    add("control_values", {count("levels"), static_cast<int64_t>(arrays.control_values.size()) / count("levels")},
+        arrays.control_values);
   add_rows("lumps", 5, arrays.bumps);
   return writer.Write(file);
 }

@@ -16,7 +16,7 @@ std::vector<int> ChooseExpressions(const std::vector<std::string>& available, co
 
 /// What every build of faces has in common: the manifest with counts, sources and details, the shards' names, and the
 /// template next to them; write_shard is left empty. Keeps a reference to `face_template`.
-/// @throws UsageError if gamma 0 is not the first; Error if a gamma is above 0 and the annotation lacks a region that
+/// @throws UsageError if strength 0 is not the first; Error if one is above 0 and the annotation lacks a region that
 /// exaggeration needs, so that nothing is begun that cannot end.
 ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
                        const std::vector<std::string>& expressions);
@@ -27,6 +27,7 @@ struct PersonArrays {
   std::vector<float> identity_weights;      ///< (S)
   std::vector<float> expression_strengths;  ///< (expressions)
   std::vector<float> part_strengths;        ///< (levels, P, 4): gamma, then log_stretch of width, height, depth.
+  std::vector<float> control_values;        ///< (levels, K): values of details.controls.
   std::vector<float> bumps;                 ///< (levels, N, 5): vertex, radius and offset in cm.
 };
 

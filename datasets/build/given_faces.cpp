@@ -1,19 +1,21 @@
 #include "datasets/build/given_faces.h"
 
 #include "core/error.h"
+#include "datasets/build/face_levels.h"
 #include "datasets/build/faces_plan.h"
-#include "datasets/build/person_faces.h"
+
+#include <algorithm>
 
 namespace daumier::datasets {
 namespace {
 
-PersonArrays MakePerson(const faces::GivenFaces& given, const faces::FaceParts& parts, int person,
-                        const std::vector<int>& expressions, const FacesOptions& options) {
+PersonArrays MakePerson(const faces::GivenFaces& given, const LevelMaker& levels, int person,
+                        const std::vector<int>& expressions) {
   const geometry::Points neutral = given.face(person, 0);
   std::vector<geometry::Points> offsets;
   for (const int expression : expressions) offsets.push_back(given.face(person, expression) - neutral);
   PersonArrays arrays;
-  for (const geometry::Points& level : MakeLevels(given.face_template, parts, neutral, options, person, arrays)) {
+  for (const geometry::Points& level : levels.Make(neutral, person, arrays)) {
     for (const geometry::Points& offset : offsets) {
       const geometry::Points face = level + offset;
       arrays.vertices.insert(arrays.vertices.end(), face.data(), face.data() + face.size());
@@ -37,13 +39,13 @@ void BuildGivenFaces(const faces::GivenFaces& given, const FacesOptions& options
   build.manifest.config["num_persons"] = given.names.size();
   build.manifest.details["names"] = given.names;
   build.manifest.details["groups"] = given.groups;
-  faces::FaceParts parts;
-  if (options.levels == "parts") {
-    parts = faces::MakeFaceParts(given.face_template, options.parts.blend_rings);
-    build.manifest.details["parts"] = faces::FacePartNames();
-  }
+  constexpr int kMaxPopulation = 200;
+  const LevelMaker levels(given.face_template, options,
+                          {std::min(kMaxPopulation, static_cast<int>(given.names.size())),
+                           [&](int person) { return given.face(person, 0); }});
+  build.manifest.details.update(levels.Details());
   build.write_shard = [&](int person, const std::filesystem::path& file) {
-    return WritePersonShard(file, build.manifest, MakePerson(given, parts, person, chosen, options));
+    return WritePersonShard(file, build.manifest, MakePerson(given, levels, person, chosen));
   };
   BuildShards(directory, build, task);
 }

@@ -8,7 +8,7 @@ namespace daumier::datasets {
 
 /// Writes a faces::FaceDatabase of registered meshes, used unmodified, a person an identity. Level g of person p in
 /// expression e is
-///   MakeLevels(p neutral)_g + (p in e - p neutral);
+///   LevelMaker(p neutral)_g + (p in e - p neutral);
 /// with gamma 0 alone nothing is exaggerated, and the annotation needs landmarks only. The number of persons and their
 /// expressions are given, not drawn; details.names and details.groups identify each person.
 /// @throws Error as BuildShards and given.face, and naming the region that exaggeration lacks; UsageError on an unknown

@@ -13,39 +13,23 @@ Eigen::VectorXf DrawExpressionStrengths(int num_expressions, double deviation, R
   return strengths;
 }
 
-void Append(const faces::PartStrengths& strengths, PersonArrays& arrays) {
-  for (Eigen::Index p = 0; p < strengths.gammas.size(); ++p) {
-    arrays.part_strengths.push_back(static_cast<float>(strengths.gammas[p]));
-    for (int k = 0; k < 3; ++k) arrays.part_strengths.push_back(static_cast<float>(strengths.log_stretches(p, k)));
-  }
-  for (const faces::GaussianBump& bump : strengths.bumps) {
-    arrays.bumps.insert(arrays.bumps.end(), {static_cast<float>(bump.vertex), static_cast<float>(bump.radius)});
-    for (const double offset : bump.offset) arrays.bumps.push_back(static_cast<float>(offset));
-  }
+/// The persons of whom a model's mean and deviations are measured.
+Population PopulationOf(const faces::FaceModel& model, const FacesOptions& options) {
+  constexpr int kNumFaces = 200;
+  return {kNumFaces, [&](int i) {
+            Rng rng = Stream(options.seed, "population", i);
+            return faces::IdentityFace(model, faces::DrawIdentity(model, rng, options.identity_spread));
+          }};
 }
 
 }  // namespace
 
 PersonFacesMaker::PersonFacesMaker(const faces::FaceModel& model, const std::vector<faces::Expression>& expressions,
                                    const FacesOptions& options)
-    : model_(model), options_(options), transfer_(model, expressions) {
-  if (options.levels == "parts") parts_ = faces::MakeFaceParts(model.face_template, options.parts.blend_rings);
-}
-
-std::vector<geometry::Points> MakeLevels(const faces::FaceTemplate& face_template, const faces::FaceParts& parts,
-                                         const geometry::Points& neutral, const FacesOptions& options, int person,
-                                         PersonArrays& arrays) {
-  if (options.levels == "whole" && options.exaggeration.gammas == std::vector<double>{0.0}) return {neutral};
-  if (options.levels == "whole") return faces::Exaggerate(face_template, neutral, options.exaggeration);
-  Rng rng = Stream(options.seed, "parts", person);
-  std::vector<geometry::Points> levels;
-  for (const double gamma : options.exaggeration.gammas) {
-    const faces::PartStrengths strengths = faces::DrawPartStrengths(face_template, parts, gamma, options.parts, rng);
-    Append(strengths, arrays);
-    levels.push_back(faces::ExaggerateParts(face_template, parts, neutral, strengths, options.exaggeration));
-  }
-  return levels;
-}
+    : model_(model),
+      options_(options),
+      transfer_(model, expressions),
+      levels_(model.face_template, options, PopulationOf(model, options), model.numbering) {}
 
 PersonArrays PersonFacesMaker::Make(int person) const {
   Rng identity_rng = Stream(options_.seed, "identity", person);
@@ -58,7 +42,7 @@ PersonArrays PersonFacesMaker::Make(int person) const {
   arrays.identity_weights.assign(identity.begin(), identity.end());
   arrays.expression_strengths.assign(strengths.begin(), strengths.end());
   const geometry::Points neutral = faces::IdentityFace(model_, identity);
-  for (const geometry::Points& level : MakeLevels(model_.face_template, parts_, neutral, options_, person, arrays)) {
+  for (const geometry::Points& level : levels_.Make(neutral, person, arrays)) {
     const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
     const Eigen::MatrixXf offsets = transfer_.Offsets(level);
     for (Eigen::Index e = 0; e < offsets.cols(); ++e) {

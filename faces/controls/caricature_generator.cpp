@@ -1,0 +1,117 @@
+#include "faces/controls/caricature_generator.h"
+
+#include "core/error.h"
+#include "faces/landmark_order.h"
+#include "geometry/alignment.h"
+#include "geometry/flips.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace daumier::faces {
+namespace {
+
+double CutNormal(Rng& rng) {
+  return std::clamp(rng.Normal(), -2.0, 2.0);
+}
+
+/// Student's t with four degrees of freedom, scaled to a variance of 1 before the cut.
+double HeavyTailed(Rng& rng) {
+  constexpr int kDegrees = 4;
+  double squares = 0;
+  for (int i = 0; i < kDegrees; ++i) squares += std::pow(rng.Normal(), 2);
+  const double t = rng.Normal() / std::sqrt(squares / kDegrees);
+  return std::clamp(t * std::sqrt((kDegrees - 2.0) / kDegrees), -3.0, 3.0);
+}
+
+/// Of each vertex by how much it belongs to landmarks that an alignment uses.
+Eigen::VectorXd AlignmentWeights(const FaceTemplate& face_template) {
+  constexpr double kContourWeight = 0.1;
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(face_template.num_vertices());
+  for (int i = 0; i < kNumLandmarks; ++i)
+    weights[face_template.annotation.landmarks[i]] = i < kNumContourLandmarks ? kContourWeight : 1.0;
+  return weights;
+}
+
+}  // namespace
+
+CaricatureGenerator::CaricatureGenerator(const FaceTemplate& face_template,
+                                         const std::vector<geometry::Points>& population, CaricatureOptions options,
+                                         ExaggerationOptions exaggeration, std::vector<GivenControl> given)
+    : face_template_(face_template),
+      options_(std::move(options)),
+      exaggeration_(std::move(exaggeration)),
+      controls_(face_template, std::move(given)),
+      fit_(controls_, face_template, population) {
+  if (options_.amounts.empty() || options_.amounts.front() != 0)
+    throw UsageError("the first of caricature.amounts has to be 0");
+}
+
+Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral, double amount, Rng& rng) const {
+  const Eigen::VectorXd own = fit_.ValuesOf(neutral);
+  const double whole = amount * std::exp(0.25 * CutNormal(rng));
+  const bool inconsistent = rng.Uniform(0.0, 1.0) < options_.inconsistent;
+  std::vector<double> strength, shared;
+  for (size_t g = 0; g < controls_.group_names().size(); ++g) {
+    const double consistent = std::exp(options_.group_spread * CutNormal(rng)), free = rng.Uniform(-0.5, 2.5);
+    strength.push_back(inconsistent ? free : consistent);
+    shared.push_back(HeavyTailed(rng));
+  }
+  Eigen::VectorXd values(controls_.num_values());
+  const auto value = [&](int k, double invented) {
+    const int group = controls_.value_groups()[k];
+    const double unusual = std::max(0.5, std::abs(own[k]) / std::max(fit_.deviations()[k], 1e-9));
+    const double exaggerated = strength[group] * options_.own * own[k] * std::pow(unusual, options_.emphasis);
+    return kGreatestControlValue *
+           std::tanh(whole * (exaggerated + options_.invention * invented) / kGreatestControlValue);
+  };
+  for (int k = 0; k < controls_.num_values(); ++k) values[k] = 0;
+  const auto invent = [&](int k) { return 0.6 * shared[controls_.value_groups()[k]] + 0.8 * HeavyTailed(rng); };
+  int num_anatomical = 0;
+  for (const FaceControls::Entry& entry : controls_.entries()) {
+    const int k = entry.first_value;
+    num_anatomical = k + entry.num_values();
+    const double invented = invent(k);
+    if (entry.control.sides == FaceControl::Sides::kSideways) {
+      values[k] = value(k, options_.asymmetry * 2 * invented);
+    } else if (entry.num_values() == 1) {
+      values[k] = value(k, invented);
+    } else {
+      const double difference = options_.asymmetry * HeavyTailed(rng);
+      values[k] = value(k, invented + difference);
+      values[k + 1] = value(k + 1, invented - difference);
+    }
+  }
+  for (int k = num_anatomical; k < controls_.num_values(); ++k) values[k] = value(k, invent(k));
+  return values;
+}
+
+CaricatureGenerator::Caricature CaricatureGenerator::Make(const geometry::Points& neutral, double amount,
+                                                          Eigen::VectorXd values) const {
+  constexpr int kMaxRounds = 20;
+  constexpr double kReduction = 0.8, kLeastMotion = 0.05;  // cm at value 1: what has no part in a flip.
+  geometry::Points crisp = neutral;
+  if (amount * options_.crispness > 0) {
+    ExaggerationOptions curvature = exaggeration_;
+    curvature.gammas = {amount * options_.crispness};
+    crisp = Exaggerate(face_template_, neutral, curvature).front();
+  }
+  const std::vector<int>& face = RegionFor(face_template_.annotation, "face", "a caricature");
+  geometry::Points moved = controls_.Apply(crisp, values);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<int> flipped = geometry::FlippedTriangles(neutral, moved, face_template_.triangles, face);
+    if (flipped.empty()) break;
+    for (int k = 0; k < controls_.num_values(); ++k) {
+      const auto moves = [&](int triangle) {
+        const int v = face_template_.triangles(triangle, 0);
+        return controls_.Jacobian().col(k).segment<3>(3 * v).norm() > kLeastMotion;
+      };
+      if (std::any_of(flipped.begin(), flipped.end(), moves)) values[k] *= kReduction;
+    }
+    moved = controls_.Apply(crisp, values);
+  }
+  moved = geometry::AlignSimilarity(moved, neutral, AlignmentWeights(face_template_)).Apply(moved);
+  return {std::move(moved), std::move(values)};
+}
+
+}  // namespace daumier::faces

@@ -1,0 +1,80 @@
+#pragma once
+#include "core/options.h"
+#include "core/random.h"
+#include "faces/controls/control_fit.h"
+#include "faces/exaggeration.h"
+
+#include <vector>
+
+namespace daumier::faces {
+
+struct CaricatureOptions {
+  std::vector<double> amounts = {0.0, 1.0, 2.0, 3.0};
+  double own = 0.8;
+  double emphasis = 0.4;
+  double group_spread = 0.5;
+  double invention = 0.28;
+  double asymmetry = 0.15;
+  double inconsistent = 0.2;
+  double crispness = 0.02;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("amounts", amounts, Range{0.0, 10.0}, "Amount of caricature, one for each level; the first is 0.");
+    visit("own", own, Range{0.0, 5.0}, "How many times a person's own deviation from the mean an amount of 1 adds.");
+    visit("emphasis", emphasis, Range{0.0, 2.0},
+          "A control that deviates z times as far as usual is exaggerated z^emphasis times as strongly.");
+    visit("group_spread", group_spread, Range{0.0, 2.0},
+          "Standard deviation of the logarithm of the strength of each group of controls.");
+    visit("invention", invention, Range{0.0, 3.0},
+          "Standard deviation of the control values that do not come from the person, for an amount of 1.");
+    visit("asymmetry", asymmetry, Range{0.0, 1.0}, "Left and right differ, and sideways controls act, by this share.");
+    visit("inconsistent", inconsistent, Range{0.0, 1.0},
+          "Share of caricatures whose groups of controls are exaggerated independently of each other, some reversed.");
+    visit("crispness", crispness, Range{0.0, 0.2},
+          "Exponent of curvature (see exaggeration.gammas) for an amount of 1: details become sharper.");
+  }
+};
+
+/// Draws caricatures of persons as artists do: what distinguishes a person from the mean is exaggerated [Brennan 1985],
+/// part by part, together with some invention. For a person whose controls deviate from the mean by values u
+/// (ControlFit), with z = u / deviations, a caricature of amount a has the values
+///   v_k = 3 tanh(a T (G_g own u_k max(|z_k|, 1/2)^emphasis + invention R_k) / 3)
+/// with T = exp(0.25 n) the strength of the whole, G_g = exp(group_spread n_g) that of the group g of k, n and n_g of a
+/// normal distribution cut at two deviations, and R_k = 0.6 t_g + 0.8 t_k, where t are of Student's t distribution with
+/// four degrees of freedom, cut at 3: groups move together. In a share of caricatures (`inconsistent`) G_g is uniform in
+/// [-0.5, 2.5]. A pair has the same t_k left and right, up to asymmetry.
+class CaricatureGenerator {
+ public:
+  /// @throws Error as ControlFit and RegionFor; UsageError unless the first amount is 0.
+  CaricatureGenerator(const FaceTemplate& face_template, const std::vector<geometry::Points>& population,
+                      CaricatureOptions options, ExaggerationOptions exaggeration,
+                      std::vector<GivenControl> given = {});
+
+  /// num_values: the values of a caricature; an amount of 0 gives 0.
+  Eigen::VectorXd DrawValues(const geometry::Points& neutral, double amount, Rng& rng) const;
+
+  struct Caricature {
+    geometry::Points face;   ///< V x 3, cm.
+    Eigen::VectorXd values;  ///< num_values: those applied, after corrections.
+  };
+  /// The neutral face (V x 3, cm), its curvature exaggerated by amount * crispness (faces::Exaggerate), with the
+  /// controls applied, similarity-aligned to the face it came from by the 68 landmarks, those of the contour with a
+  /// tenth of the others' weight (as registered faces are). Controls that move a triangle of the face whose normal
+  /// turns by more than 90 degrees are reduced by a fifth, again and again.
+  /// Promises: values of 0 and an amount of 0 return the face; no triangle of the face flips.
+  Caricature Make(const geometry::Points& neutral, double amount, Eigen::VectorXd values) const;
+
+  const FaceControls& controls() const { return controls_; }
+  const ControlFit& fit() const { return fit_; }
+  const CaricatureOptions& options() const { return options_; }
+
+ private:
+  FaceTemplate face_template_;
+  CaricatureOptions options_;
+  ExaggerationOptions exaggeration_;
+  FaceControls controls_;
+  ControlFit fit_;
+};
+
+}  // namespace daumier::faces
