@@ -65,12 +65,23 @@ Json CoverageResult(const datasets::Coverage& coverage) {
 }
 
 Json TwoSampleResult(const datasets::TwoSampleTest& test) {
-  return {{"sample_size", test.sample_size},
-          {"draws", test.num_draws},
-          {"accuracy", test.accuracy},
+  return {{"accuracy", test.accuracy},
           {"accuracy_spread", test.accuracy_spread},
           {"accuracy_of_compared", test.first_accuracy},
           {"accuracy_of_these", test.second_accuracy}};
+}
+
+Json ComparisonResult(const datasets::LandmarkComparison& comparison) {
+  Json result = {{"sample_size", comparison.neutral.sample_size},
+                 {"draws", comparison.neutral.num_draws},
+                 {"neutral", TwoSampleResult(comparison.neutral)},
+                 {"all_expressions", TwoSampleResult(comparison.all_expressions)}};
+  if (comparison.neutral_matched && comparison.all_expressions_matched) {
+    result["matched_landmarks"] = comparison.matched.size();
+    result["neutral_matched"] = TwoSampleResult(*comparison.neutral_matched);
+    result["all_expressions_matched"] = TwoSampleResult(*comparison.all_expressions_matched);
+  }
+  return result;
 }
 
 Json LevelsResult(const std::vector<datasets::LevelMeasures>& levels) {
@@ -109,7 +120,7 @@ std::function<void()> AddStats(CLI::App& parent) {
                           "test; 0.5: the folders agree)");
   command
       ->add_option("--compare-levels", arguments->compared_levels,
-                   "Levels of the neutral faces that --compare takes, 1 the regular face (default: all others)")
+                   "Levels that --compare takes, 1 the regular faces (default: all others)")
       ->needs(compare);
   command->add_flag("--by-level", arguments->by_level,
                     "What each level does: displacement, persons recognised, flipped triangles, crossed lips and lids");
@@ -125,7 +136,7 @@ std::function<void()> AddStats(CLI::App& parent) {
       std::vector<int> levels;
       for (const int level : arguments->compared_levels) levels.push_back(level - 1);
       const faces::FaceDatabase compared(arguments->compare);
-      result["compared"] = TwoSampleResult(datasets::CompareLandmarks(compared, database, levels));
+      result["compared"] = ComparisonResult(datasets::CompareLandmarks(compared, database, levels));
     }
     if (arguments->by_level) result["levels_compared"] = LevelsResult(datasets::MeasureLevels(database));
     PrintResult(result, arguments->as_json);

@@ -70,22 +70,46 @@ void CheckShapes(const ShapeGroups& groups, Eigen::Index num_points) {
   }
 }
 
-/// Landmarks of the neutral faces, by group.
-ShapeGroups LandmarkShapes(const faces::FaceDatabase& database, const std::vector<int>& levels) {
+/// Landmarks of some levels and of the first expressions, by group.
+ShapeGroups LandmarkShapes(const faces::FaceDatabase& database, const std::vector<int>& levels, int num_expressions) {
   const auto& landmarks = database.face_template().annotation.landmarks;
   const std::vector<int>& groups = database.groups();
   ShapeGroups shapes(size_t(*std::max_element(groups.begin(), groups.end())) + 1);
   for (int person = 0; person < database.num_persons(); ++person) {
     for (const int level : levels) {
-      const auto all = database.vertices(database.index({person, level, 0}));
-      geometry::Points points(landmarks.size(), 3);
-      for (size_t l = 0; l < landmarks.size(); ++l) {
-        for (int k = 0; k < 3; ++k) points(Eigen::Index(l), k) = all[3 * size_t(landmarks[l]) + k];
+      for (int expression = 0; expression < num_expressions; ++expression) {
+        const auto all = database.vertices(database.index({person, level, expression}));
+        geometry::Points points(landmarks.size(), 3);
+        for (size_t l = 0; l < landmarks.size(); ++l) {
+          for (int k = 0; k < 3; ++k) points(Eigen::Index(l), k) = all[3 * size_t(landmarks[l]) + k];
+        }
+        shapes[groups[person]].push_back(points);
       }
-      shapes[groups[person]].push_back(points);
     }
   }
   return shapes;
+}
+
+ShapeGroups SelectRows(ShapeGroups groups, const std::vector<int>& rows) {
+  for (auto& group : groups) {
+    for (geometry::Points& shape : group) shape = geometry::Points(shape(rows, Eigen::all));
+  }
+  return groups;
+}
+
+/// The landmarks that at least half of registered faces have matches for; all of faces that were not registered.
+std::vector<int> MatchedLandmarks(const faces::FaceDatabase& database) {
+  const auto& landmarks = database.face_template().annotation.landmarks;
+  std::vector<int> matched;
+  for (int l = 0; l < int(landmarks.size()); ++l) {
+    int num_matches = 0;
+    for (int face = 0; face < database.num_grid_faces(); ++face) {
+      const auto distances = database.match_distances(face);
+      num_matches += distances.empty() || !std::isnan(distances[landmarks[l]]);
+    }
+    if (2 * num_matches >= database.num_grid_faces()) matched.push_back(l);
+  }
+  return matched;
 }
 
 }  // namespace
@@ -124,9 +148,9 @@ TwoSampleTest TestTwoSamples(const ShapeGroups& first, const ShapeGroups& second
   return test;
 }
 
-TwoSampleTest CompareLandmarks(const faces::FaceDatabase& real, const faces::FaceDatabase& database,
-                               std::vector<int> levels) {
-  constexpr int kSampleSize = 30, kNumDraws = 200;
+LandmarkComparison CompareLandmarks(const faces::FaceDatabase& real, const faces::FaceDatabase& database,
+                                    std::vector<int> levels) {
+  constexpr int kSampleSize = 30, kNumDraws = 200, kLeastLandmarks = 4;
   const auto all_levels = [](const faces::FaceDatabase& faces) {
     std::vector<int> numbers(faces.num_levels());
     std::iota(numbers.begin(), numbers.end(), 0);
@@ -139,8 +163,24 @@ TwoSampleTest CompareLandmarks(const faces::FaceDatabase& real, const faces::Fac
     levels = all_levels(database);
     if (levels.size() > 1) levels.erase(levels.begin());
   }
-  return TestTwoSamples(LandmarkShapes(real, all_levels(real)), LandmarkShapes(database, levels), kSampleSize,
-                        kNumDraws);
+  const ShapeGroups real_shapes = LandmarkShapes(real, all_levels(real), real.num_expressions()),
+                    neutral = LandmarkShapes(database, levels, 1),
+                    all = LandmarkShapes(database, levels, database.num_expressions());
+  LandmarkComparison comparison;
+  comparison.neutral = TestTwoSamples(real_shapes, neutral, kSampleSize, kNumDraws);
+  comparison.all_expressions = TestTwoSamples(real_shapes, all, kSampleSize, kNumDraws);
+  comparison.matched = MatchedLandmarks(real);
+  if (comparison.matched.size() < size_t(real_shapes.front().front().rows())) {
+    DAUMIER_CHECK(comparison.matched.size() >= kLeastLandmarks,
+                  "{}: {} landmarks have a match on half of the meshes, expected {} or more", real.directory().string(),
+                  comparison.matched.size(), kLeastLandmarks);
+    const ShapeGroups matched = SelectRows(real_shapes, comparison.matched);
+    comparison.neutral_matched =
+        TestTwoSamples(matched, SelectRows(neutral, comparison.matched), kSampleSize, kNumDraws);
+    comparison.all_expressions_matched =
+        TestTwoSamples(matched, SelectRows(all, comparison.matched), kSampleSize, kNumDraws);
+  }
+  return comparison;
 }
 
 }  // namespace daumier::datasets

@@ -1,6 +1,7 @@
 #pragma once
 #include "faces/face_database.h"
 
+#include <optional>
 #include <vector>
 
 namespace daumier::datasets {
@@ -29,11 +30,21 @@ struct TwoSampleTest {
 /// sample_size is less than 2 or num_draws less than 1.
 TwoSampleTest TestTwoSamples(const ShapeGroups& first, const ShapeGroups& second, int sample_size, int num_draws);
 
-/// The test on the 68 landmarks of neutral faces: `database` at some levels (0-based; none: all levels above the
-/// first, of a database with one level that one) against all levels of `real`, 30 against 30, 200 draws; groups are
-/// FaceDatabase::groups. Topologies may differ. @throws Error naming a level that the database lacks, or as
+/// The test on landmarks of the faces of two databases.
+struct LandmarkComparison {
+  TwoSampleTest neutral, all_expressions;  ///< On all 68 landmarks.
+  /// Where `real` was registered: the landmarks that have a match on at least half of its meshes, and the tests on
+  /// these alone. The others' places come from the template and its smoothness, not from the meshes.
+  std::vector<int> matched;
+  std::optional<TwoSampleTest> neutral_matched, all_expressions_matched;
+};
+
+/// TestTwoSamples of all faces of the grid of `real` against those of `database` at some levels (0-based; none: all
+/// levels above the first, of a database with one level that one): its neutral faces, and all its expressions. 30
+/// against 30, 200 draws; groups are FaceDatabase::groups. Topologies may differ.
+/// @throws Error naming a level that the database lacks, if fewer than four landmarks have matches, or as
 /// TestTwoSamples.
-TwoSampleTest CompareLandmarks(const faces::FaceDatabase& real, const faces::FaceDatabase& database,
-                               std::vector<int> levels);
+LandmarkComparison CompareLandmarks(const faces::FaceDatabase& real, const faces::FaceDatabase& database,
+                                    std::vector<int> levels);
 
 }  // namespace daumier::datasets

@@ -7,7 +7,9 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
+#include <limits>
 
 namespace daumier::datasets {
 namespace {
@@ -106,13 +108,51 @@ TEST(CompareLandmarks, RegularFacesOfOneModelAgreeAndAreApartFromItsExaggeratedO
   options.levels = "whole";
   BuildFaces(testing::SyntheticModel(), options, folder / "others");
   const faces::FaceDatabase faces(folder / "faces"), others(folder / "others");
-  const TwoSampleTest regular = CompareLandmarks(others, faces, {0}), exaggerated = CompareLandmarks(others, faces, {});
-  EXPECT_EQ(regular.sample_size, 24);
-  EXPECT_NEAR(regular.accuracy, 0.5, 0.2);
-  EXPECT_GT(exaggerated.first_accuracy, regular.first_accuracy + 0.2) << "regular faces are nearest to regular ones";
-  EXPECT_LT(exaggerated.second_accuracy, 0.5) << "and so are faces that are far from each other";
-  EXPECT_EQ(CompareLandmarks(others, faces, {1}).accuracy, exaggerated.accuracy) << "all levels above the first";
+  const LandmarkComparison regular = CompareLandmarks(others, faces, {0}),
+                           exaggerated = CompareLandmarks(others, faces, {});
+  EXPECT_EQ(regular.neutral.sample_size, 24);
+  EXPECT_NEAR(regular.neutral.accuracy, 0.5, 0.2);
+  EXPECT_EQ(regular.all_expressions.accuracy, regular.neutral.accuracy) << "there is one expression";
+  EXPECT_GT(exaggerated.neutral.first_accuracy, regular.neutral.first_accuracy + 0.2)
+      << "regular faces are nearest to regular ones";
+  EXPECT_LT(exaggerated.neutral.second_accuracy, 0.5) << "and so are faces that are far from each other";
+  EXPECT_EQ(CompareLandmarks(others, faces, {1}).neutral.accuracy, exaggerated.neutral.accuracy);
+  EXPECT_EQ(regular.matched.size(), 68u);
+  EXPECT_FALSE(regular.neutral_matched) << "nothing was registered";
   testing::ExpectError([&] { CompareLandmarks(others, faces, {2}); }, "no level 3");
+}
+
+TEST(CompareLandmarks, LeavesOutWhatMostMeshesDoNotHave) {
+  const testing::TempDir folder;
+  FacesOptions options = testing::SyntheticFacesOptions(6);
+  options.exaggeration.gammas = {0.0};
+  options.expressions = {"neutral"};
+  BuildFaces(testing::SyntheticModel(), options, folder / "faces");
+  const faces::FaceDatabase faces(folder / "faces");
+  const auto& landmarks = faces.face_template().annotation.landmarks;
+
+  std::filesystem::copy(folder / "faces", folder / "registered", std::filesystem::copy_options::recursive);
+  for (int person = 0; person < 6; ++person) {
+    std::vector<float> distances(size_t(faces.num_vertices()), 0.0f);
+    distances[landmarks[66]] = std::numeric_limits<float>::quiet_NaN();
+    if (person < 4) distances[landmarks[10]] = std::numeric_limits<float>::quiet_NaN();
+    if (person < 3) distances[landmarks[11]] = std::numeric_limits<float>::quiet_NaN();
+    SafetensorsWriter shard;
+    geometry::Points points = faces.points(person);
+    points(landmarks[66], 1) -= 5;  // A lip that no face of the model has.
+    const std::vector<float> vertices(points.data(), points.data() + points.size());
+    shard.Add<float>("vertices", {1, 1, faces.num_vertices(), 3}, vertices);
+    shard.Add<float>("distances", {faces.num_vertices()}, distances);
+    shard.Add<float>("identity_weights", {int64_t(faces.identity_weights(person).size())},
+                     faces.identity_weights(person));
+    shard.Write(folder / "registered" / faces::PersonShardName(person));
+  }
+  const LandmarkComparison comparison =
+      CompareLandmarks(faces::FaceDatabase(folder / "registered", Checksums::kSkip), faces, {});
+  EXPECT_EQ(comparison.matched.size(), 66u) << "without 10 and 66; half of the meshes have 11";
+  EXPECT_GT(comparison.neutral.accuracy, 0.9) << "the lip separates them";
+  ASSERT_TRUE(comparison.neutral_matched);
+  EXPECT_LT(comparison.neutral_matched->accuracy, 0.5) << "each one's nearest is its own copy in the other set";
 }
 
 }  // namespace
