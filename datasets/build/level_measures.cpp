@@ -68,14 +68,17 @@ void MeasureNeutrals(const faces::FaceDatabase& database, const std::vector<int>
   const double mm_per_cm = faces::MillimetresPerCm(database.face_template());
   for (LevelMeasures& row : rows) {
     row.num_persons = num_persons;
+    int num_by_angle = 0, num_by_distance = 0;
     for (int person = 0; person < num_persons; ++person) {
       const geometry::Points face = neutral(person, row.level);
       row.displacement_mm +=
           mm_per_cm / num_persons * MeanVertexDistance(AlignedOnto(regular[person], face), regular[person]);
       const auto [by_angle, by_distance] = candidates.Recognise(face);
-      row.own_by_angle += double(by_angle == size_t(person)) / num_persons;
-      row.own_by_distance += double(by_distance == size_t(person)) / num_persons;
+      num_by_angle += by_angle == size_t(person);
+      num_by_distance += by_distance == size_t(person);
     }
+    row.own_by_angle = double(num_by_angle) / num_persons;
+    row.own_by_distance = double(num_by_distance) / num_persons;
   }
 }
 

@@ -126,25 +126,28 @@ TwoSampleTest TestTwoSamples(const ShapeGroups& first, const ShapeGroups& second
   test.sample_size = int(std::min({size_t(sample_size), first.size(), second.size()}));
   test.num_draws = num_draws;
   const auto size = static_cast<size_t>(test.sample_size);
-  double sum_of_squares = 0;
+  int64_t num_right_first = 0, num_right_second = 0, sum_of_squares = 0;  // Counts, so that 1 is exactly 1.
   for (int draw = 0; draw < num_draws; ++draw) {
     Rng rng = Stream(0, "two samples", draw);
     std::vector<geometry::Points> shapes;
     DrawShapes(first, test.sample_size, rng, shapes);
     DrawShapes(second, test.sample_size, rng, shapes);
     AlignTogether(shapes);
-    int num_right_first = 0, num_right_second = 0;
+    int num_right = 0;
     for (size_t i = 0; i < shapes.size(); ++i) {
       const bool is_first = i < size;
-      if ((NearestOther(shapes, i) < size) == is_first) ++(is_first ? num_right_first : num_right_second);
+      if ((NearestOther(shapes, i) < size) != is_first) continue;
+      ++num_right;
+      ++(is_first ? num_right_first : num_right_second);
     }
-    const double accuracy = double(num_right_first + num_right_second) / double(shapes.size());
-    test.accuracy += accuracy / num_draws;
-    sum_of_squares += accuracy * accuracy / num_draws;
-    test.first_accuracy += double(num_right_first) / double(size) / num_draws;
-    test.second_accuracy += double(num_right_second) / double(size) / num_draws;
+    sum_of_squares += int64_t(num_right) * num_right;
   }
-  test.accuracy_spread = std::sqrt(std::max(0.0, sum_of_squares - test.accuracy * test.accuracy));
+  const double num_drawn = double(size) * num_draws;
+  test.first_accuracy = double(num_right_first) / num_drawn;
+  test.second_accuracy = double(num_right_second) / num_drawn;
+  const int64_t num_right = num_right_first + num_right_second;
+  test.accuracy = double(num_right) / (2 * num_drawn);
+  test.accuracy_spread = std::sqrt(double(num_draws * sum_of_squares - num_right * num_right)) / (2 * num_drawn);
   return test;
 }
 

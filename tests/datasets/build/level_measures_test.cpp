@@ -60,8 +60,8 @@ TEST(MeasureLevels, RegularFacesAreRecognisedAndDoNotMoveOrCross) {
   for (const LevelMeasures& row : rows) {
     EXPECT_EQ(row.num_persons, 5);
     EXPECT_NEAR(row.displacement_mm, 0, 1e-4);
-    EXPECT_NEAR(row.own_by_angle, 1, 1e-12);
-    EXPECT_NEAR(row.own_by_distance, 1, 1e-12);
+    EXPECT_EQ(row.own_by_angle, 1);
+    EXPECT_EQ(row.own_by_distance, 1);
     EXPECT_EQ(row.num_faces, 10);
     EXPECT_EQ(row.num_faces_flipped, 0);
     EXPECT_EQ(row.num_lips_crossed + row.num_lids_crossed, 0);
@@ -76,8 +76,8 @@ TEST(MeasureLevels, ASimilarityDoesNotMove) {
   });
   for (const LevelMeasures& row : faces.Measure()) {
     EXPECT_NEAR(row.displacement_mm, 0, 1e-3);
-    EXPECT_NEAR(row.own_by_angle, 1, 1e-12);
-    EXPECT_NEAR(row.own_by_distance, 1, 1e-12);
+    EXPECT_EQ(row.own_by_angle, 1);
+    EXPECT_EQ(row.own_by_distance, 1);
   }
 }
 
@@ -96,8 +96,8 @@ TEST(MeasureLevels, MultipliedDeviationsAreRecognisedByTheAngle) {
     return mean + (1 + 2 * level) * (face - mean);
   });
   const auto rows = faces.Measure();
-  EXPECT_NEAR(rows[0].own_by_angle, 1, 1e-12);
-  EXPECT_NEAR(rows[1].own_by_angle, 1, 1e-12);
+  EXPECT_EQ(rows[0].own_by_angle, 1);
+  EXPECT_EQ(rows[1].own_by_angle, 1);
   EXPECT_GT(rows[0].displacement_mm, 0);
   EXPECT_GT(rows[1].displacement_mm, 1.7 * rows[0].displacement_mm);
 }
@@ -106,8 +106,8 @@ TEST(MeasureLevels, OneFaceForAllIsRecognisedOnce) {
   const geometry::Points one = testing::SyntheticModel().face_template.neutral;
   const ChangedLevels faces(5, [&](const auto&, const geometry::Points&, int) { return one; });
   for (const LevelMeasures& row : faces.Measure()) {
-    EXPECT_NEAR(row.own_by_angle, 0.2, 1e-12);
-    EXPECT_NEAR(row.own_by_distance, 0.2, 1e-12);
+    EXPECT_EQ(row.own_by_angle, 0.2);
+    EXPECT_EQ(row.own_by_distance, 0.2);
   }
 }
 
