@@ -6,11 +6,15 @@
 #include "core/process_task.h"
 #include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
+#include "datasets/build/level_measures.h"
 #include "datasets/build/points.h"
 #include "datasets/build/sharded_build.h"
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
+#include "datasets/build/two_sample.h"
 #include "datasets/gallery/face_gallery.h"
+
+#include <fmt/core.h>
 
 #include <memory>
 #include <optional>
@@ -54,10 +58,56 @@ std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, cons
   };
 }
 
+Json CoverageResult(const datasets::Coverage& coverage) {
+  return {{"num_basis_faces", coverage.num_basis_faces},
+          {"components", coverage.components},
+          {"mean_vertex_error_mm", coverage.errors_mm}};
+}
+
+Json TwoSampleResult(const datasets::TwoSampleTest& test) {
+  return {{"accuracy", test.accuracy},
+          {"accuracy_spread", test.accuracy_spread},
+          {"accuracy_of_compared", test.first_accuracy},
+          {"accuracy_of_these", test.second_accuracy}};
+}
+
+Json ComparisonResult(const datasets::LandmarkComparison& comparison) {
+  Json result = {{"sample_size", comparison.neutral.sample_size},
+                 {"draws", comparison.neutral.num_draws},
+                 {"neutral", TwoSampleResult(comparison.neutral)},
+                 {"all_expressions", TwoSampleResult(comparison.all_expressions)}};
+  if (comparison.neutral_matched && comparison.all_expressions_matched) {
+    result["matched_landmarks"] = comparison.matched.size();
+    result["neutral_matched"] = TwoSampleResult(*comparison.neutral_matched);
+    result["all_expressions_matched"] = TwoSampleResult(*comparison.all_expressions_matched);
+  }
+  return result;
+}
+
+Json LevelsResult(const std::vector<datasets::LevelMeasures>& levels) {
+  Json result;
+  for (const datasets::LevelMeasures& row : levels) {
+    result[fmt::format("level_{}", row.level + 1)] = {{"gamma", row.gamma},
+                                                      {"persons", row.num_persons},
+                                                      {"displacement_mm", row.displacement_mm},
+                                                      {"own_person_by_angle", row.own_by_angle},
+                                                      {"own_person_by_distance", row.own_by_distance},
+                                                      {"faces", row.num_faces},
+                                                      {"faces_flipped", row.num_faces_flipped},
+                                                      {"most_flipped_triangles", row.most_flipped},
+                                                      {"faces_lips_crossed", row.num_lips_crossed},
+                                                      {"lips_crossed_mm", row.lips_crossed_mm},
+                                                      {"faces_lids_crossed", row.num_lids_crossed},
+                                                      {"lids_crossed_mm", row.lids_crossed_mm}};
+  }
+  return result;
+}
+
 std::function<void()> AddStats(CLI::App& parent) {
   struct Arguments {
-    fs::path directory, rebuild;
-    bool as_json = false;
+    fs::path directory, rebuild, compare;
+    std::vector<int> compared_levels;
+    bool by_level = false, as_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = parent.add_subcommand("stats", "Counts, licences, principal components for 99 % of the variance");
@@ -65,17 +115,31 @@ std::function<void()> AddStats(CLI::App& parent) {
   command->add_option(
       "--rebuild", arguments->rebuild,
       "Another folder of faces of the same topology; measures how well the components of the first rebuild it");
+  CLI::Option* compare =
+      command->add_option("--compare", arguments->compare,
+                          "Another folder of faces: how often the nearest landmarks are of the same folder (two-sample "
+                          "test; 0.5: the folders agree)");
+  command
+      ->add_option("--compare-levels", arguments->compared_levels,
+                   "Levels that --compare takes, 1 the regular faces (default: all others)")
+      ->needs(compare);
+  command->add_flag("--by-level", arguments->by_level,
+                    "What each level does: displacement, persons recognised, flipped triangles, crossed lips and lids");
   command->add_flag("--json", arguments->as_json, "Print the result as JSON");
   return [arguments] {
     Json result = datasets::FaceStatistics(arguments->directory);
+    const faces::FaceDatabase database(arguments->directory, Checksums::kSkip);  // Verified above.
     if (!arguments->rebuild.empty()) {
-      const faces::FaceDatabase basis(arguments->directory, Checksums::kSkip),
-          rebuilt(arguments->rebuild);  // Verified above.
-      const datasets::Coverage coverage = datasets::MeasureCoverage(basis, rebuilt);
-      result["rebuilt"] = {{"num_basis_faces", coverage.num_basis_faces},
-                           {"components", coverage.components},
-                           {"mean_vertex_error_mm", coverage.errors_mm}};
+      const faces::FaceDatabase rebuilt(arguments->rebuild);
+      result["rebuilt"] = CoverageResult(datasets::MeasureCoverage(database, rebuilt));
     }
+    if (!arguments->compare.empty()) {
+      std::vector<int> levels;
+      for (const int level : arguments->compared_levels) levels.push_back(level - 1);
+      const faces::FaceDatabase compared(arguments->compare);
+      result["compared"] = ComparisonResult(datasets::CompareLandmarks(compared, database, levels));
+    }
+    if (arguments->by_level) result["levels_compared"] = LevelsResult(datasets::MeasureLevels(database));
     PrintResult(result, arguments->as_json);
   };
 }

@@ -315,6 +315,25 @@ TEST_F(Pipeline, AKilledTrainingResumesToTheSameWeights) {
   EXPECT_EQ(resumed, uninterrupted);
 }
 
+TEST_F(Pipeline, StatsMeasureLevelsAndCompareFolders) {
+  const std::string faces = folder_ / "faces";
+  ASSERT_EQ(Daumier(FacesCommand(faces)).exit_code, 0);
+  const ProcessResult result = Daumier({"dataset", "stats", faces, "--by-level", "--rebuild", faces, "--compare", faces,
+                                        "--compare-levels", "1", "2", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json statistics = Json::parse(result.out);
+  EXPECT_EQ(statistics.at("rebuilt").at("num_basis_faces"), 36);
+  EXPECT_EQ(statistics.at("compared").at("sample_size"), 6);
+  EXPECT_FALSE(statistics.at("compared").contains("neutral_matched")) << "nothing was registered";
+  EXPECT_EQ(statistics.at("levels_compared").size(), 1u);
+  EXPECT_EQ(statistics.at("levels_compared").at("level_2").at("persons"), 6);
+  EXPECT_EQ(statistics.at("levels_compared").at("level_2").at("faces"), 18);
+
+  const ProcessResult wrong = Daumier({"dataset", "stats", faces, "--compare", faces, "--compare-levels", "3"});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_THAT(wrong.err, HasSubstr("no level 3 (found 1 to 2)"));
+}
+
 TEST_F(Pipeline, AFlippedByteInAShardIsFoundAndNamed) {
   BuildData();
   const std::filesystem::path shard = folder_ / "faces/shards/person-00002.safetensors";
