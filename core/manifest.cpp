@@ -79,7 +79,7 @@ void WriteManifest(const fs::path& directory, const Manifest& manifest) {
   json["counts"] = manifest.counts;
   json["details"] = manifest.details;
   json["checksums"] = Json(manifest.checksums);
-  WriteFileAtomically(directory / kFileName, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  WriteFileIfChanged(directory / kFileName, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Manifest ReadManifest(const fs::path& directory, const std::string& kind) {

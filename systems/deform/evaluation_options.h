@@ -21,7 +21,7 @@ struct DeformEvalOptions {
   std::string faces = {};
   DeformEvalData data = {};
   int max_faces = 128;
-  int adam_faces = 8;
+  int adam_faces = 0;
   int adam_steps = 1000;
   bool baselines = true;
 
@@ -33,8 +33,8 @@ struct DeformEvalOptions {
     visit("data", data, Table{}, "The run's own data, found by their data hash.");
     visit("max_faces", max_faces, Range{1, 1e6}, "Largest number of faces of the subset, evenly spaced.");
     visit("adam_faces", adam_faces, Range{0, 1e6},
-          "Number of faces, the first ones, whose codes are also found as in the paper.");
-    visit("adam_steps", adam_steps, Range{1, 1e6}, "Steps of that.");
+          "Number of faces, the first ones, whose codes are also found as in the paper, by Adam. ADAMTIME");
+    visit("adam_steps", adam_steps, Range{1, 1e6}, "Steps of that for each face.");
     visit("baselines", baselines, Flag{}, "Also measure the training-free baselines.");
   }
 };
