@@ -39,7 +39,7 @@ Verb AblateVerb() {
         command.add_option("config", request.config, "TOML file of the table")->required();
         command.add_option("overrides", request.overrides,
                            "key=value or table.key=value, in TOML syntax: of every run, or seeds, splits, eval.*");
-        command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
+        command.add_option("-o,--out", request.out, "Folder of runs, reports, table and pictures")->required();
         command
             .add_option("--only", request.only,
                         "The name of one row to make, with what it needs; repeat --only for more rows")

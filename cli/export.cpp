@@ -46,7 +46,7 @@ Verb ExportVerb() {
             command.add_option("overrides", arguments->overrides,
                                "data.faces=FOLDER and the like, if the run's data have moved: only compared, for an "
                                "export reads no data");
-            command.add_option("--out", arguments->out, "Folder to write")->required();
+            command.add_option("-o,--out", arguments->out, "Folder to write")->required();
             command.add_flag("--json", arguments->as_json, "Machine-readable");
             return [arguments] {
               SystemOfRun(arguments->run);  // What is no run of a known task is refused before the library is loaded.

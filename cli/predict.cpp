@@ -81,7 +81,7 @@ Verb PredictVerb() {
             command.add_flag("--deform", arguments->deform,
                              "Then move the face's surface onto the strokes, beyond the model of faces");
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.add_option("--out", arguments->out, "Folder to write")->required();
+            command.add_option("-o,--out", arguments->out, "Folder to write")->required();
             return [arguments] { Predict(*arguments); };
           },
           /*keeps_freed_memory=*/false};

@@ -82,6 +82,9 @@ Json ReadRunConfig(const fs::path& directory, const Manifest& run) {
 }
 
 Manifest ReadFinishedRun(const fs::path& directory, const std::string& system) {
+  DAUMIER_CHECK(!fs::exists(directory) || fs::is_directory(directory),
+                "{} is a file (expected a run folder, which `daumier train` writes). Name the folder",
+                directory.string());
   DAUMIER_CHECK(fs::exists(directory / "manifest.json"),
                 "{} is not a run folder (manifest.json is missing): make one with `daumier train CONFIG --out {}`",
                 directory.string(), directory.string());

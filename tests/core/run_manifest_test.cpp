@@ -86,6 +86,10 @@ TEST(ReadFinishedRun, NamesBothTasksAndEveryOtherCause) {
   const testing::TempDir folder;
   const auto run = folder.path();
   ExpectError([&] { ReadFinishedRun(run); }, "is not a run folder");
+  WriteFileAtomically(folder / "drawing.svg", "");
+  ExpectError([&] { ReadFinishedRun(folder / "drawing.svg"); }, "drawing.svg is a file (expected a run folder");
+  ExpectError([&] { ReadManifest(folder / "drawing.svg", "faces"); },
+              "drawing.svg is a file (expected a folder of faces). Name the folder");
   WriteManifest(run, RunOf({{"system", "deform"}}));
   ExpectError([&] { ReadFinishedRun(run, "sketch"); },
               "this is a run of the task 'deform' (expected a run of 'sketch')");
