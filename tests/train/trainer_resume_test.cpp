@@ -152,7 +152,8 @@ TEST(Trainer, OfAFinishedRunDoesNothing) {
   for (const auto& entry : fs::recursive_directory_iterator(run.path()))
     EXPECT_EQ(fs::last_write_time(entry.path()), long_ago) << entry.path();
   EXPECT_EQ(num_reports, 0) << "0 of 0 steps";
-  EXPECT_EQ(summary_again.seconds, summary.seconds);
+  EXPECT_GT(summary_again.seconds, 0);
+  EXPECT_LE(summary_again.seconds, summary.seconds) << "until the last checkpoint";
   EXPECT_EQ(again.num_calls, 0);
   EXPECT_EQ(summary_again.best, summary.best);
   EXPECT_EQ(summary_again.best_epoch, summary.best_epoch);
