@@ -77,7 +77,7 @@ TEST(Manifest, MissingFileIsNamedWithTheRepair) {
                 "--out " +
                 folder + "`, or name another folder");
   EXPECT_EQ(ReadFailure(absent, "run"), absent +
-                                            " does not exist (expected a folder of run). Make one with `daumier "
+                                            " does not exist (expected a run folder). Make one with `daumier "
                                             "train CONFIG --out " +
                                             absent + "`, or name another folder");
   EXPECT_EQ(ReadFailure(absent, ""),
