@@ -59,8 +59,13 @@ void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
 TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& options, const fs::path& directory) {
   if (ReadManifest(directory, "run").counts.contains("best_epoch")) {
     log::Info("{} is finished", directory.string());
-    const train::MetricsRecord last = train::ReadMetrics(directory).back();
-    return {.metric = recipe.metric(), .best = last.line.at(recipe.metric()).get<double>(), .seconds = last.seconds};
+    const std::vector<train::MetricsRecord> records = train::ReadMetrics(directory);
+    DAUMIER_CHECK(!records.empty() && records.back().line.contains(recipe.metric()),
+                  "{} does not hold the validation of the finished run. Restore it, or train again",
+                  (directory / train::RunLog::kMetricsFile).string());
+    return {.metric = recipe.metric(),
+            .best = records.back().line[recipe.metric()].get<double>(),
+            .seconds = records.back().seconds};
   }
   const Stopwatch stopwatch;
   FitLinear(recipe, options);
