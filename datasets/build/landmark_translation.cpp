@@ -62,7 +62,7 @@ TranslationTrial Descend(const geometry::TriangleMesh& mesh, const geometry::Tri
   return best;
 }
 
-/// Every so many of the places that kFewPlaces of them are left, at most.
+/// Evenly spaced places, kFewPlaces at most.
 geometry::Points FewOf(const geometry::Points& places) {
   const Eigen::Index stride = (places.rows() + kFewPlaces - 1) / kFewPlaces;
   return places(Eigen::seq(0, Eigen::last, stride), Eigen::all);
