@@ -40,7 +40,7 @@ Verb AblateVerb() {
         command.add_option(
             "overrides", request.overrides,
             "key=value or table.key=value, in TOML syntax: options of every run, or seeds, splits, eval.*");
-        command.add_option("--out", request.out, "Folder of runs, reports, table and pictures")->required();
+        command.add_option("-o,--out", request.out, "Folder of runs, reports, table and pictures")->required();
         command
             .add_option("--only", request.only,
                         "Name of a row to make, with the rows that it needs; repeat --only for more rows")

@@ -1,5 +1,6 @@
 #include "cli/config_kind.h"
 #include "cli/verb.h"
+#include "core/error.h"
 #include "core/files.h"
 #include "core/options.h"
 #include "core/output_place.h"
@@ -40,6 +41,16 @@ std::vector<fs::path> InputsOf(const Options& options) {
   return {options.faces};
 }
 
+void RequireInputs(const std::string&, const datasets::FacesOptions&) {}
+
+/// Of sketches and points. @throws UsageError without a folder of faces.
+template <class Options>
+void RequireInputs(const std::string& name, const Options& options) {
+  if (options.faces.empty())
+    throw UsageError(fmt::format(
+        "dataset {}: it needs faces=FOLDER, a folder of faces that `daumier dataset faces` or `register` wrote", name));
+}
+
 /// A builder of datasets: a config of type Options becomes the folder --out, of the manifest kind `name`.
 template <class Options>
 std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, const std::string& summary,
@@ -47,12 +58,13 @@ std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, cons
   auto arguments = std::make_shared<BuildArguments>();
   CLI::App* command = parent.add_subcommand(name, summary);
   AddConfigArguments(*command, arguments->config);
-  command->add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
+  command->add_option("-o,--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
   command->footer("Options:\n" + HelpText<Options>());
   return [arguments, build, name] {
     const auto options = ReadConfigOf("dataset " + name, arguments->config.file, [&] {
       return ParseOptions<Options>(arguments->config.Load(), arguments->config.Where());
     });
+    RequireInputs(name, options);
     CheckOutputFolder(arguments->out, datasets::BuildOutput(name), InputsOf(options));
     build(options, arguments->out, TaskOfProcess());
   };
@@ -153,7 +165,7 @@ std::function<void()> AddGallery(CLI::App& parent) {
       parent.add_subcommand("gallery", "Pictures of a database: identities, expressions, levels, curves, sketches");
   command->add_option("faces", arguments->faces, "A folder of faces")->required();
   command->add_option("sketches", arguments->sketches, "Its folder of sketches");
-  command->add_option("--out", arguments->out, "Folder to write")->required();
+  command->add_option("-o,--out", arguments->out, "Folder to write")->required();
   return [arguments] {
     const Task task = TaskOfProcess();
     datasets::CheckGalleryFolder(arguments->out, {arguments->faces, arguments->sketches});

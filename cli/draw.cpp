@@ -28,7 +28,7 @@ const std::map<std::string, render::AxisDirection>& AxisDirections() {
 
 struct DrawArguments {
   fs::path mesh, out;
-  std::string up = "y", front;
+  std::string up, front;
   bool force = false;
   double yaw = 0, pitch = 0, distance = 0;
   int size = 1024;
@@ -45,8 +45,8 @@ render::MeshView ViewOf(const DrawArguments& arguments) {
     if (std::abs(degrees) > 360)
       throw UsageError(fmt::format("{} {}: expected degrees from -360 to 360", option, degrees));
   }
-  render::MeshView view{
-      .up = AxisDirections().at(arguments.up), .yaw_degrees = arguments.yaw, .pitch_degrees = arguments.pitch};
+  render::MeshView view{.yaw_degrees = arguments.yaw, .pitch_degrees = arguments.pitch};
+  if (!arguments.up.empty()) view.up = AxisDirections().at(arguments.up);
   if (!arguments.front.empty()) view.front = AxisDirections().at(arguments.front);
   if (arguments.distance > 0) view.distance = arguments.distance;
   return view;
@@ -77,12 +77,13 @@ Verb DrawVerb() {
             auto arguments = std::make_shared<DrawArguments>();
             command.add_option("mesh", arguments->mesh, "OBJ or PLY mesh; --up names its upward axis")->required();
             command.add_option("overrides", arguments->config.overrides, "key=value");
-            command.add_option("--out", arguments->out, "FILE.svg or FILE.png")->required();
+            command.add_option("-o,--out", arguments->out, "FILE.svg or FILE.png")->required();
             command
-                .add_option("--up", arguments->up,
-                            "The mesh's axis that points upwards: z for Blender, CAD and most scanners, -y for cameras")
-                ->check(CLI::IsMember(AxisDirections()))
-                ->capture_default_str();
+                .add_option(
+                    "--up", arguments->up,
+                    "The mesh's axis that points upwards: z for Blender, CAD and most scanners, -y for cameras; "
+                    "by default y")
+                ->check(CLI::IsMember(AxisDirections()));
             command
                 .add_option(
                     "--front", arguments->front,

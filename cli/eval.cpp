@@ -29,7 +29,8 @@ const std::vector<OptionFlag>& OptionFlags() {
       {"--recover-with", "recover_with",
        "Of a network that reads curve coefficients: the run from whose faces they are recovered"},
       {"--max-faces", "max_faces", "Of a deformable model: largest number of faces, evenly spaced in the subset"},
-      {"--adam-faces", "adam_faces", "Of a deformable model: also find the codes of this many faces by Adam"},
+      {"--adam-faces", "adam_faces",
+       "Of a deformable model: also find the codes of this many faces by Adam, which takes minutes; none by default"},
       {"--fit", "fit", "Of a sketch run: also fit the bilinear model to the labelled strokes", false},
       {"--refine", "refine", "Of a sketch run: also match the contours of the predicted faces with the strokes", false},
       {"--deform", "deform", "Of a sketch run: match the contours, and then also move the surfaces onto the strokes",
@@ -90,31 +91,31 @@ void Evaluate(const EvalArguments& arguments) {
 }  // namespace
 
 Verb EvalVerb() {
-  return {"eval", "Errors of a run and of training-free baselines, with pictures", [](CLI::App& command) {
-            auto arguments = std::make_shared<EvalArguments>();
-            command.add_option("run", arguments->run, "Run folder")->required();
-            for (size_t i = 0; i < OptionFlags().size(); ++i) {
-              const OptionFlag& flag = OptionFlags()[i];
-              if (flag.value) {
-                command.add_option(flag.flag, arguments->texts[i], flag.help);
-              } else {
-                command.add_flag_callback(
-                    flag.flag, [arguments, i] { arguments->texts[i] = "true"; }, flag.help);
-              }
-            }
+  return {
+      "eval", "Errors of a run and of training-free baselines, with pictures", [](CLI::App& command) {
+        auto arguments = std::make_shared<EvalArguments>();
+        command.add_option("run", arguments->run, "Run folder")->required();
+        for (size_t i = 0; i < OptionFlags().size(); ++i) {
+          const OptionFlag& flag = OptionFlags()[i];
+          if (flag.value) {
+            command.add_option(flag.flag, arguments->texts[i], flag.help);
+          } else {
             command.add_flag_callback(
-                "--no-baselines", [arguments] { arguments->baselines = false; },
-                "Leave out the training-free baselines");
-            command.add_option("overrides", arguments->overrides, "key=value: any option of the evaluation");
-            command.add_option("--out", arguments->out, "Report folder; by default RUN/report, with --faces RUN/other");
-            command.add_flag("--json", arguments->as_json, "Print the result as JSON");
-            std::string footer;
-            for (const systems::System& system : Systems())
-              footer +=
-                  fmt::format("Options of an evaluation of a run of '{}':\n{}", system.name, system.evaluation_help());
-            command.footer(footer);
-            return [arguments] { Evaluate(*arguments); };
-          }};
+                flag.flag, [arguments, i] { arguments->texts[i] = "true"; }, flag.help);
+          }
+        }
+        command.add_flag_callback(
+            "--no-baselines", [arguments] { arguments->baselines = false; }, "Leave out the training-free baselines");
+        command.add_option("overrides", arguments->overrides, "key=value: any option of the evaluation");
+        command.add_option("-o,--out", arguments->out, "Report folder; RUN/report by default, with --faces RUN/other");
+        command.add_flag("--json", arguments->as_json, "Print the result as JSON");
+        std::string footer;
+        for (const systems::System& system : Systems())
+          footer +=
+              fmt::format("Options of an evaluation of a run of '{}':\n{}", system.name, system.evaluation_help());
+        command.footer(footer);
+        return [arguments] { Evaluate(*arguments); };
+      }};
 }
 
 }  // namespace daumier::cli

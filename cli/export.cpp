@@ -47,7 +47,7 @@ Verb ExportVerb() {
                 "overrides", arguments->overrides,
                 "data.faces=FOLDER and the like, if the run's data have moved; only their data hashes are compared, "
                 "since an export reads no data");
-            command.add_option("--out", arguments->out, "Folder to write")->required();
+            command.add_option("-o,--out", arguments->out, "Folder to write")->required();
             command.add_flag("--json", arguments->as_json, "Print the result as JSON");
             return [arguments] {
               SystemOfRun(arguments->run);  // What is no run of a known task is refused before the library is loaded.

@@ -83,7 +83,7 @@ Verb PredictVerb() {
         command.add_flag("--deform", arguments->deform,
                          "Also move the surface of the face onto the strokes, beyond what the model of faces can show");
         command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-        command.add_option("--out", arguments->out, "Folder to write")->required();
+        command.add_option("-o,--out", arguments->out, "Folder to write")->required();
         return [arguments] { Predict(*arguments); };
       },
       /*keeps_freed_memory=*/false};

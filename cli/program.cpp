@@ -20,16 +20,35 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kMisused = 2;
 
+std::vector<std::string> NamesOfCommands(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : command.get_subcommands(nullptr)) names.push_back(verb->get_name());
+  return names;
+}
+
 /// What to say of a word that is none of the command's own commands; empty if there is no such word.
 std::string UnknownVerb(const CLI::App& command) {
-  std::vector<std::string> verbs;
-  for (const CLI::App* verb : command.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+  const std::vector<std::string> verbs = NamesOfCommands(command);
   if (verbs.empty()) return "";
   for (const std::string& word : command.remaining()) {
     if (word.starts_with('-')) continue;
-    const std::string nearest = NearestWord(word, {verbs.begin(), verbs.end()});
+    std::string nearest = NearestWord(word, {verbs.begin(), verbs.end()});
+    for (const CLI::App* verb : command.get_subcommands(nullptr)) {
+      if (std::ranges::count(NamesOfCommands(*verb), word) > 0) nearest = verb->get_name() + " " + word;
+    }
     return fmt::format("there is no command '{}' (expected {}){}", word, fmt::join(verbs, ", "),
                        nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest));
+  }
+  return "";
+}
+
+/// Of a word such as --epochs that is no option of a command that takes key=value: how to write it.
+std::string KeyValueHint(const CLI::App& command) {
+  if (command.get_option_no_throw("overrides") == nullptr && command.get_option_no_throw("inputs") == nullptr)
+    return "";
+  for (const std::string& word : command.remaining()) {
+    if (word.starts_with("--"))
+      return fmt::format("  Options of a config have no dashes: {}=VALUE\n", word.substr(2, word.find('=') - 2));
   }
   return "";
 }
@@ -44,13 +63,15 @@ std::string FailureText(const CLI::App* app, const CLI::Error& error) {
   }
   if (const std::string unknown = UnknownVerb(*command); !unknown.empty())
     return fmt::format("{}: {}\nSee {} --help\n", name, unknown, name);
-  const std::string what = error.what();
+  std::string what = error.what();
+  if (what.find("subcommand is required") != std::string::npos)
+    what = fmt::format("a command is missing (expected {})", fmt::join(NamesOfCommands(*command), ", "));
   std::string text = fmt::format("{}: {}\n", name, what);
   for (const CLI::Option* option : command->get_options()) {
     if (what.starts_with(option->get_name() + ":") || what.starts_with(option->get_name() + " "))
       text += fmt::format("  {}  {}\n", option->get_name(), option->get_description());
   }
-  return text + fmt::format("See {} --help\n", name);
+  return text + KeyValueHint(*command) + fmt::format("See {} --help\n", name);
 }
 
 /// The words of the command line, last first. An axis such as -z behind an option is its value, not a short option.

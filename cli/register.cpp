@@ -86,7 +86,7 @@ Verb RegisterVerb() {
                            "makehuman, ict (with source.path=...), or a folder of faces, whose template is used");
         command.add_option("--licence", arguments->licence, "Licence of the meshes, copied to the manifest");
         command.add_option("--config", arguments->config.file, "TOML file of options; key=value overrides it");
-        command.add_option("--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
+        command.add_option("-o,--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
         command.add_flag("--meshes", arguments->write_meshes, "Also write meshes/NAME.obj");
         command.add_flag_callback(
             "--no-pictures", [arguments] { arguments->write_pictures = false; }, "Write no pictures/NAME.jpg");

@@ -37,7 +37,7 @@ Verb TrainVerb() {
             command.add_option("config", arguments->config.file, "TOML file of the run")->required();
             command.add_option("overrides", arguments->config.overrides,
                                "key=value or table.key=value, in TOML syntax");
-            command.add_option("--out", arguments->out, "Run folder")->required();
+            command.add_option("-o,--out", arguments->out, "Run folder")->required();
             command.add_flag("--resume", arguments->resume, "Resume from the last checkpoint of the run folder");
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
             std::string footer;

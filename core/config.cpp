@@ -78,6 +78,11 @@ Json LoadFile(const fs::path& path, std::vector<fs::path> children) {
   }
   children.push_back(canonical);
 
+  if (fs::is_directory(path)) {
+    const fs::path of_run = path / "resolved.toml";
+    throw UsageError(fmt::format("{} is a folder (expected a TOML file). Name the file{}", path.string(),
+                                 fs::exists(of_run) ? ": of a run it is " + of_run.string() : ""));
+  }
   toml::table table;
   try {
     const std::string text = ReadFile(path);
@@ -132,7 +137,9 @@ Json ParseValue(const std::string& text, const std::string& override_text) {
 
 void ApplyOverride(Json& config, const std::string& text) {
   const size_t equals = text.find('=');
-  if (equals == std::string::npos) throw UsageError(fmt::format("override '{}' is not of the form key=value", text));
+  if (equals == std::string::npos)
+    throw UsageError(fmt::format("override '{}' is not of the form key=value{}", text,
+                                 fs::exists(text) ? ". A file or folder follows its key, as in faces=FOLDER" : ""));
   if (const std::string deep = TooDeepInToml(text.substr(0, equals)); !deep.empty())
     throw UsageError(fmt::format("override '{} ...': {}", text.substr(0, kShownOverride), deep));
   Json* table = &config;

@@ -125,6 +125,13 @@ void WriteFileAtomically(const fs::path& path, std::string_view bytes) {
   if (directory.valid()) fsync(directory.get());  // Makes the rename last; some file systems cannot, and need not.
 }
 
+void WriteFileIfChanged(const fs::path& path, std::string_view bytes) {
+  std::error_code ignored;
+  const bool is_same =
+      fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) == bytes.size() && ReadFile(path) == bytes;
+  if (!is_same) WriteFileAtomically(path, bytes);
+}
+
 std::string Sha256(std::string_view bytes) {
   Sha256Hash hash;
   hash.Add(bytes);

@@ -14,6 +14,9 @@ std::string ReadFile(const std::filesystem::path& path);
 /// @throws Error naming the file and the cause (no such folder, no permission, disk full); nothing is left behind then.
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same, but a file that has these bytes already is not touched.
+void WriteFileIfChanged(const std::filesystem::path& path, std::string_view bytes);
+
 /// Lower-case hexadecimal SHA-256 of bytes / of a file's content.
 std::string Sha256(std::string_view bytes);
 std::string Sha256OfFile(const std::filesystem::path& path);

@@ -53,11 +53,18 @@ std::string Repair(const std::string& kind, const std::string& folder) {
   return "Name another folder";
 }
 
+/// "a folder of faces", "a run folder".
+std::string FolderOf(const std::string& kind) {
+  return kind == "run" ? "a run folder" : fmt::format("a folder of {}", kind);
+}
+
 /// @throws Error naming the folder, what is missing and the repair.
 void CheckIsThere(const fs::path& directory, const std::string& kind) {
   if (fs::exists(directory / kFileName)) return;
   const std::string folder = directory.string(),
-                    expected = kind.empty() ? "a folder that daumier wrote" : fmt::format("a folder of {}", kind);
+                    expected = kind.empty() ? "a folder that daumier wrote" : FolderOf(kind);
+  if (fs::exists(directory) && !fs::is_directory(directory))
+    throw Error(fmt::format("{} is a file (expected {}). Name the folder", folder, expected));
   if (!fs::exists(directory))
     throw Error(fmt::format("{} does not exist (expected {}). {}", folder, expected, Repair(kind, folder)));
   if (fs::exists(directory / kBuildJournal))
@@ -79,7 +86,7 @@ void WriteManifest(const fs::path& directory, const Manifest& manifest) {
   json["counts"] = manifest.counts;
   json["details"] = manifest.details;
   json["checksums"] = Json(manifest.checksums);
-  WriteFileAtomically(directory / kFileName, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  WriteFileIfChanged(directory / kFileName, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
@@ -91,14 +98,15 @@ Manifest ReadManifest(const fs::path& directory, const std::string& kind) {
   } catch (const Error& error) {
     throw Error(fmt::format("{}. {}", error.what(), kRestore));
   }
+  Manifest manifest;
   try {
-    Manifest manifest = Parse(json);
-    DAUMIER_CHECK(kind.empty() || manifest.kind == kind, "this is a folder of {}, expected one of {}", manifest.kind,
-                  kind);
-    return manifest;
+    manifest = Parse(json);
   } catch (const Error& error) {
     throw Error(fmt::format("cannot read {}: {}", path.string(), error.what()));
   }
+  DAUMIER_CHECK(kind.empty() || manifest.kind == kind, "{}: this is {}, expected {}. {}", directory.string(),
+                FolderOf(manifest.kind), FolderOf(kind), Repair(kind, "FOLDER"));
+  return manifest;
 }
 
 void VerifyChecksums(const fs::path& directory, const Manifest& manifest) {

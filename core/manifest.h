@@ -26,6 +26,7 @@ struct Manifest {
 /// What a builder keeps in the place of the manifest until its folder is finished.
 inline constexpr const char* kBuildJournal = "building.json";
 
+/// Atomic; a manifest that has the same bytes already is not touched.
 void WriteManifest(const std::filesystem::path& directory, const Manifest& manifest);
 
 /// @throws Error naming file, cause and repair: missing (also of a build that was stopped), malformed, of another kind (unless `kind` is empty), or of a newer

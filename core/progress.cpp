@@ -54,9 +54,9 @@ void ProgressPrinter::PrintLine(bool last) {
   std::fflush(stderr);
 }
 
-Progress::Progress(Task task, int64_t total, std::string unit)
-    : task_(std::move(task)), total_(total), unit_(std::move(unit)) {
-  task_.Report(0, total_, unit_);
+Progress::Progress(Task task, int64_t total, std::string unit, int64_t done)
+    : task_(std::move(task)), total_(total), unit_(std::move(unit)), done_(done) {
+  task_.Report(done_, total_, unit_);
 }
 
 Progress::Progress(std::string stage, int64_t total, std::string unit)

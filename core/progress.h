@@ -35,8 +35,9 @@ class ProgressPrinter {
 /// Counts the units of a stage and reports them to its task. Only Step is thread-safe.
 class Progress {
  public:
-  /// Reports 0 of `total`. `unit` is the plural of what is counted: "faces", "steps".
-  Progress(Task task, int64_t total, std::string unit);
+  /// Reports `done` of `total`: 0, or the units of an earlier session that this one resumes. `unit` is the plural of
+  /// what is counted: "faces", "steps".
+  Progress(Task task, int64_t total, std::string unit, int64_t done = 0);
   /// On stderr, for a function without a Task.
   Progress(std::string stage, int64_t total, std::string unit);
   Progress(const Progress&) = delete;
@@ -49,7 +50,7 @@ class Progress {
   const int64_t total_;
   const std::string unit_;
   std::mutex mutex_;
-  int64_t done_ = 0;
+  int64_t done_;
   std::string note_;
 };
 

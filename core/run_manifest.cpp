@@ -1,8 +1,11 @@
 #include "core/run_manifest.h"
 
 #include "core/config.h"
+#include "core/config_differences.h"
 #include "core/error.h"
 #include "core/training.h"
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,6 +25,20 @@ std::string ShellWord(const std::string& path) {
   std::string quoted = "'";
   for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+/// @throws Error unless the options of resolved.toml, but for the folders of data, are those of the manifest. An option
+/// that the manifest lacks is newer than the run.
+void CheckUnedited(const Json& config, const fs::path& directory, const Manifest& run) {
+  Json there = run.config, now = config;
+  for (const char* key : {"data", "system", "product"}) there.erase(key), now.erase(key);
+  const std::vector<std::string> lines = ConfigDifferences(there, now, now);
+  DAUMIER_CHECK(
+      lines.empty(),
+      "{} was edited: the run was trained with other options, which manifest.json in its folder holds "
+      "(there):\n  {}\nWrite the values of manifest.json into it; only data.* may change. To train with other "
+      "options, copy it and run `daumier train COPY.toml --out OTHER_FOLDER`",
+      ResolvedConfig(directory).string(), fmt::join(lines, "\n  "));
 }
 
 }  // namespace
@@ -54,6 +71,7 @@ void CheckDataIsThere(const Json& config, const fs::path& directory) {
 
 Json ReadRunConfig(const fs::path& directory, const Manifest& run) {
   Json config = LoadConfig(ResolvedConfig(directory));
+  CheckUnedited(config, directory, run);
   if (!config.contains("system") && !config.contains("product")) return config;  // Of an early version.
   const std::string expected = SystemOf(run), found = SystemOfConfig(config, ResolvedConfig(directory).string());
   DAUMIER_CHECK(found == expected,
@@ -64,6 +82,9 @@ Json ReadRunConfig(const fs::path& directory, const Manifest& run) {
 }
 
 Manifest ReadFinishedRun(const fs::path& directory, const std::string& system) {
+  DAUMIER_CHECK(!fs::exists(directory) || fs::is_directory(directory),
+                "{} is a file (expected a run folder, which `daumier train` writes). Name the folder",
+                directory.string());
   DAUMIER_CHECK(fs::exists(directory / "manifest.json"),
                 "{} is not a run folder (manifest.json is missing): make one with `daumier train CONFIG --out {}`",
                 directory.string(), directory.string());

@@ -58,7 +58,8 @@ std::string ResumeCommand(const std::filesystem::path& directory, const std::str
 /// option that names another.
 void CheckDataIsThere(const Json& config, const std::filesystem::path& directory);
 
-/// resolved.toml of a run. @throws UsageError as LoadConfig; Error if it names another task than the manifest.
+/// resolved.toml of a run. @throws UsageError as LoadConfig; Error if it names another task than the manifest, or if an
+/// option that the manifest holds, too, has another value or is missing: all but the folders of data.
 Json ReadRunConfig(const std::filesystem::path& directory, const Manifest& run);
 
 /// The manifest of the run folder `directory`, which has best weights.

@@ -56,7 +56,8 @@ struct Task {
     if (cancelled()) throw Cancelled(fmt::format(message, std::forward<Args>(args)...));
   }
 
-  /// Calls the callback, once a call. Counts of a stage begin at 0, before its first unit, and do not fall.
+  /// Calls the callback, once a call. Counts of a stage begin before its first unit, at 0 or at what an earlier
+  /// session has finished, and do not fall.
   void Report(int64_t done, int64_t total, std::string_view unit, std::string_view note = "") const {
     if (progress) (*progress)({stage, done, total, unit, note});
   }

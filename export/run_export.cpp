@@ -62,7 +62,7 @@ Json WriteExport(const RunExport& run, const fs::path& out_directory) {
 
 void StoreGraph(const RunExport& run) {
   const std::string bytes = ExportToOnnx(*run.module, run.function).SerializeAsString();
-  WriteFileAtomically(run.run_directory / kBestGraph, bytes);
+  WriteFileIfChanged(run.run_directory / kBestGraph, bytes);
   Manifest manifest = ReadManifest(run.run_directory, "run");
   manifest.checksums[kBestGraph] = Sha256(bytes);
   WriteManifest(run.run_directory, manifest);

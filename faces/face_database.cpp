@@ -275,7 +275,7 @@ std::string FaceDatabase::Describe(int face) const {
   const std::vector<int> shown = persons(face);
   if (shown.size() == 2) return fmt::format("between persons {} and {}", shown[0], shown[1]);
   const FaceId where = id(face);
-  return fmt::format("person {}, level {}, {}", where.person, where.level, expression_names_[where.expression]);
+  return fmt::format("person {}, level {}, {}", where.person, where.level + 1, expression_names_[where.expression]);
 }
 
 std::span<const float> FaceDatabase::vertices(int face) const {

@@ -10,7 +10,8 @@
 
 namespace daumier::faces {
 
-/// Which face of a database: all indices 0-based; level 0 is not exaggerated, expression 0 is neutral.
+/// Which face of a database: all indices 0-based; level 0 is not exaggerated, expression 0 is neutral. Texts and
+/// pictures count levels from 1 [Han et al. 2017, section 4.1: level 1 is the original shape].
 struct FaceId {
   int person;
   int level;
@@ -53,7 +54,7 @@ class FaceDatabase {
   std::vector<int> persons(int face) const;
   /// The group of these, which is always the same one.
   int group(int face) const { return groups_[persons(face).front()]; }
-  /// "person 3, level 1, smile", or of an interpolated face "between persons 3 and 4".
+  /// For people: "person 3, level 1, smile" of the person's regular face, or of an interpolated face "between persons 3 and 4".
   std::string Describe(int face) const;
   /// Vertices of a face, 3V floats (x0 y0 z0 x1 ...), mapped from disk.
   std::span<const float> vertices(int face) const;

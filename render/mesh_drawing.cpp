@@ -48,6 +48,15 @@ geometry::TriangleMesh UprightSurface(const geometry::PolygonMesh& mesh, const E
   return {upright.vertices, geometry::Triangulate(upright)};
 }
 
+/// Of a surface in the frame of its file.
+void HintAtUp(const geometry::TriangleMesh& surface, std::string_view name) {
+  constexpr double kDeep = 1.05;
+  const Eigen::RowVector3d extent = surface.vertices.colwise().maxCoeff() - surface.vertices.colwise().minCoeff();
+  if (extent.z() > kDeep * extent.y())
+    log::Info("{}: it is {:.1f} times as long along z as along y. If the drawing shows the top of a head, add --up z",
+              name, extent.z() / extent.y());
+}
+
 }  // namespace
 
 AxisDirection FrontFor(AxisDirection up) {
@@ -73,7 +82,8 @@ Eigen::Matrix3d UprightFromFile(AxisDirection up, AxisDirection front) {
 
 std::vector<Stroke> DrawMesh(const geometry::PolygonMesh& mesh, const MeshView& view, const ContourOptions& options,
                              std::string_view name) {
-  const Eigen::Matrix3d rotation = UprightFromFile(view.up, view.front.value_or(FrontFor(view.up)));
+  const AxisDirection up = view.up.value_or(AxisDirection::kY);
+  const Eigen::Matrix3d rotation = UprightFromFile(up, view.front.value_or(FrontFor(up)));
   geometry::TriangleMesh surface = UprightSurface(mesh, rotation, name);
   const auto rows = mesh.vertices.rowwise();
   const auto num_finite = std::count_if(rows.begin(), rows.end(), [](const auto& p) { return p.allFinite(); });
@@ -99,6 +109,8 @@ std::vector<Stroke> DrawMesh(const geometry::PolygonMesh& mesh, const MeshView& 
                                   surface.triangles.rows()));
   }
   if (!repairs.empty()) log::Warn("{}: {}", name, fmt::join(repairs, "; "));
+
+  if (!view.up && !view.front) HintAtUp(surface, name);
 
   const double half_height = FrameOf(surface.vertices).half_height;
   DAUMIER_CHECK(half_height > 0, "{}: all vertices lie in one point", name);

@@ -11,10 +11,6 @@
 
 namespace daumier::train {
 
-/// What differs between two configs, a line a dotted key: "optimiser.learning_rate is 0.001 there and 0.01 now". A key
-/// that is missing there counts as its value in `defaults`.
-std::vector<std::string> ConfigDifferences(const Json& there, const Json& now, const Json& defaults = Json::object());
-
 /// Prepares `directory` for a run. Returns true when resuming, i.e. when manifest.json exists. The manifest must then
 /// hold `config` (without paths) as `config` and `data` (the hash of every database) as `details.data`; options that
 /// are newer than the run count as in `defaults`, and a precision "auto" as that of the run.
@@ -35,7 +31,7 @@ void LengthenFinishedRun(const std::filesystem::path& directory, const Json& con
 std::vector<EarlierTraining> EarlierTrainings(const std::filesystem::path& directory);
 
 /// Says in the manifest of the run there how the training ended: parameters, steps, epochs, best epoch, the checksum of
-/// kBestFile. A run is finished once it holds `best_epoch`.
+/// kBestFile. A run is finished once it holds `best_epoch`. A manifest that holds all that is not written again.
 void FinishRun(const std::filesystem::path& directory, const TrainingSummary& summary, int64_t num_parameters);
 
 }  // namespace daumier::train

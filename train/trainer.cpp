@@ -47,12 +47,14 @@ class Training {
   TrainingSummary Run() {
     const bool has_time = Restore();
     EnterStage();
-    RunLog log(run_directory_, step_);
     if (!has_time) seconds_before_ = SecondsOfLog();
-    if (step_ >= total_steps_ || stopped_early_)
+    if (step_ >= total_steps_ || stopped_early_) {
       log::Info("{} is finished after {} epochs. To train it longer: {}", run_directory_.string(),
                 step_ / steps_per_epoch_, ResumeCommand(run_directory_, fmt::format("epochs={}", 2 * options_.epochs)));
-    Progress progress(task_.Stage("Training"), total_steps_ - step_, "steps");
+      return Summary(seconds_before_);
+    }
+    RunLog log(run_directory_, step_);
+    Progress progress(task_.Stage("Training"), total_steps_, "steps", step_);
     recipe_.module().train();
     BatchLoader loader(step_ * options_.accumulate, total_steps_ * options_.accumulate, [this](int64_t index) {
       return recipe_.Read(order_.Batch(index), order_.Epoch(index / options_.accumulate));
@@ -72,17 +74,21 @@ class Training {
                                     total_steps_,
                                     ResumeCommand(run_directory_, recipe_.device().is_cpu() ? "" : "--device cuda")));
     }
+    return Summary(Time().total);
+  }
+
+ private:
+  using BatchLoader = Prefetcher<SampleBatch>;
+
+  TrainingSummary Summary(double seconds) const {
     return {.steps = step_,
             .epochs = step_ / steps_per_epoch_,
             .stopped_early = stopped_early_,
             .metric = recipe_.metric(),
             .best = best_,
             .best_epoch = best_epoch_,
-            .seconds = Time().total};
+            .seconds = seconds};
   }
-
- private:
-  using BatchLoader = Prefetcher<SampleBatch>;
 
   TrainingTime Time() const {
     const double session = stopwatch_.seconds();

@@ -27,11 +27,11 @@ struct AttributeTable {
 };
 
 /// The measured attributes of each face of a database, and
-/// - exaggeration: the mean distance over the region `face` from the same person's level 0 with the same expression, as
-///   a share of h; 0 for regular faces.
+/// - exaggeration: the mean distance over the region `face` from the same person's regular face with the same expression,
+///   as a share of h; 0 for regular faces.
 /// - caricature: 1 where the face's level is exaggerated (its gamma is above 0), else 0.
 /// - the person's sliders (identity_sliders.h), of MakeHuman its own: "age", "nose/nose-hump-morehump" ...
-/// An interpolated face is compared to one that is interpolated like it between the level 0 of both persons; its
+/// An interpolated face is compared to one that is interpolated like it between the regular faces of both persons; its
 /// sliders are mixed by its share of identity, and it is a caricature if its parents are by at least half of that
 /// mixture.
 /// @throws Error as MeasureAttributes and SlidersOf.

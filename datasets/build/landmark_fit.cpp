@@ -9,6 +9,8 @@
 #include "geometry/normals.h"
 #include "geometry/triangle_tree.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -235,6 +237,29 @@ std::optional<std::string> FaultOfOnePlace(const MeshLandmarks& landmarks) {
       "all landmarks are in one place ({:.4g}, {:.4g}, {:.4g}), or one vertex. Some programs write zeros for absent "
       "ones: --zero-is-absent leaves these out, but six others have to be there",
       first->x(), first->y(), first->z());
+}
+
+std::optional<std::string> FaultOfPlane(const geometry::TriangleMesh& mesh, const MeshLandmarks& landmarks) {
+  constexpr double kFlat = 1e-6;  // As a share of the largest extent.
+  Eigen::AlignedBox3d box, of_mesh;
+  for (const auto& place : landmarks)
+    if (place) box.extend(*place);
+  if (box.isEmpty()) return std::nullopt;
+  for (const auto vertex : mesh.vertices.rowwise()) of_mesh.extend(Vector3(vertex.transpose()));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.sizes()[axis] > kFlat * box.sizes().maxCoeff()) continue;
+    const char name = "xyz"[axis];
+    const double value = box.min()[axis] + 0.0;  // Without the sign of -0.
+    if (of_mesh.sizes()[axis] <= kFlat * of_mesh.sizes().maxCoeff())
+      return fmt::format(
+          "the mesh is flat: {} of all its points is {:.4g}. Export it with its depth, or use another mesh", name,
+          value);
+    return fmt::format(
+        "{} of all landmarks is {:.4g}, but that of the mesh goes from {:.4g} to {:.4g}: the landmarks are those of a "
+        "picture, or {} was lost. Mark x y z on the mesh, or give the numbers of its vertices",
+        name, value, of_mesh.min()[axis], of_mesh.max()[axis], name);
+  }
+  return std::nullopt;
 }
 
 LandmarkFit MeasureLandmarkFit(const FitInput& input) {

@@ -56,6 +56,9 @@ struct FitInput {
   double contour_weight;
 };
 
+/// Why landmarks that all have the same x, y or z do so, of which no face has any; nothing where they do not.
+std::optional<std::string> FaultOfPlane(const geometry::TriangleMesh& mesh, const MeshLandmarks& landmarks);
+
 /// Why landmarks that all lie in one place, which no similarity fits, do so; nothing where they do not.
 std::optional<std::string> FaultOfOnePlace(const MeshLandmarks& landmarks);
 

@@ -83,6 +83,7 @@ Winding CheckAgainst(const faces::FaceTemplate& face, double contour_weight, con
   std::optional<std::string> fault;
   try {
     fault = FaultOfOnePlace(target.landmarks);
+    if (!fault) fault = FaultOfPlane(target.mesh, target.landmarks);
     if (!fault) {
       fit = MeasureLandmarkFit(input);
       fault = FaultOfLandmarks(input, fit, limits);

@@ -17,7 +17,7 @@ int NumPrincipalComponents(const faces::FaceDatabase& database, std::span<const 
 std::vector<int> SampleFaces(const faces::FaceDatabase& database, int count);
 
 /// The statistics of a folder of faces that `daumier dataset stats` prints: counts, source and licences, gammas,
-/// expressions, millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 0),
+/// expressions, millimetres_per_cm, data hash, and principal_components_99: {identities (neutral faces of level 1),
 /// faces (SampleFaces, at most 1,500), num_faces}.
 /// @throws Error as faces::FaceDatabase.
 Json FaceStatistics(const std::filesystem::path& directory);

@@ -90,7 +90,8 @@ fs::path FindTMesh(const fs::path& folder) {
 
 geometry::PolygonMesh ReadMesh(const fs::path& path) {
   const std::string name = path.string(), extension = LowerExtension(path);
-  DAUMIER_CHECK(!fs::is_directory(path), "{}: a folder (expected an OBJ or PLY mesh)", name);
+  DAUMIER_CHECK(!fs::is_directory(path), "{}: a folder (expected an OBJ or PLY mesh). Name its files: {}/*.obj", name,
+                path.string());
   const std::string bytes = ReadFile(path);
   constexpr std::string_view kAppleDouble("\0\x05\x16\x07", 4);
   DAUMIER_CHECK(

@@ -41,6 +41,17 @@ render::Drawing DrawingOf(const systems::Input& input) {
       "a mesh is no input of a sketch run (expected a drawing or an image of one). Draw it first: daumier draw");
 }
 
+std::string BadFit(double distance_px, bool is_framed) {
+  return fmt::format(
+      "the predicted face fits the drawing badly: its lines are {:.1f} pixels from the drawn ones, of a canvas of {} "
+      "(faces have {} or less). {}",
+      distance_px, render::kSketchCanvas, kBadFitPx,
+      is_framed
+          ? "Is it one frontal face, drawn by lines?"
+          : "Is it a face in the frame of the training sketches? Without framing=keep (--keep-frame) its frame is "
+            "found");
+}
+
 }  // namespace
 
 render::Placement SheetPlacement(const render::Drawing& drawing) {
@@ -130,6 +141,10 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
   const std::vector<fitting::PredictedFace> faces = FromStrokes({before, strokes});
   fitting::PredictedFace face = options_.refine ? Refined(faces[1], strokes) : faces[1];
   task.ThrowIfCancelled("stopped before the face was complete");
+  const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
+    return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
+  };
+  const double fit_px = distance(strokes, face);
   if (options_.deform) face = Deformed(std::move(face), strokes);
 
   systems::FaceResult result;
@@ -141,9 +156,6 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
   result.frame = placement;
   result.drawn = render::MapToCanvas(drawn, placement);
   result.curves = CurvesOf(face);
-  const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
-    return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
-  };
   const fitting::FrameSearchOptions& search = options_.search;
   if (on_sheet.size() > 1)
     result.warnings.push_back(fmt::format(
@@ -151,12 +163,13 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
         on_sheet.size()));
   if (const size_t num_left_out = render::NumLeftOut(sheet, on_sheet); num_left_out > 0)
     result.warnings.push_back(fmt::format("{} strokes apart from the face are left out", num_left_out));
+  if (fit_px > kBadFitPx) result.warnings.push_back(BadFit(fit_px, fit));
   result.record = {
       {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
       {"two_way_distance_px",
        {{"before", distance(before, faces[0])},
         {"framed", distance(strokes, faces[1])},
-        {"after", distance(strokes, face)},
+        {"after", options_.deform ? distance(strokes, face) : fit_px},
         {"after_trimmed",
          fitting::DistanceBetween(strokes, result.curves, search.drawn_trim, search.projected_trim).two_way()}}}};
   return result;

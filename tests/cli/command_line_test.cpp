@@ -109,6 +109,12 @@ TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {
   EXPECT_EQ(of_dataset.exit_code, 2);
   EXPECT_THAT(of_dataset.err, AllOf(HasSubstr("there is no command 'face'"), HasSubstr("did you mean 'faces'?")));
   EXPECT_EQ(Daumier({"dataset", "faces"}).exit_code, 2);  // --out is missing
+  EXPECT_THAT(Daumier({"gallery", "x"}).err, HasSubstr("did you mean 'dataset gallery'?"));
+  EXPECT_THAT(Daumier({}).err, HasSubstr("a command is missing (expected dataset, register, train"));
+  EXPECT_THAT(Daumier({"dataset"}).err, HasSubstr("a command is missing (expected faces, sketches"));
+  EXPECT_THAT(Daumier({"train", "a.toml", "--out", "x", "--epochs", "3"}).err,
+              HasSubstr("Options of a config have no dashes: epochs=VALUE"));
+  EXPECT_THAT(Daumier({"dataset", "sketches", "-o", "x"}).err, HasSubstr("it needs faces=FOLDER"));
 
   const TempDir folder;
   const std::string out = folder / "faces";

@@ -62,6 +62,8 @@ TEST(Config, OverrideValuesAreTomlElseText) {
 
 TEST(Config, BadOverridesAreNamed) {
   EXPECT_EQ(LoadFailure("", {"word"}), "override 'word' is not of the form key=value");
+  EXPECT_EQ(LoadFailure("", {"/"}),
+            "override '/' is not of the form key=value. A file or folder follows its key, as in faces=FOLDER");
   EXPECT_EQ(LoadFailure("", {"=1"}), "override '=1': '' is no key");
   EXPECT_EQ(LoadFailure("", {"a..b=1"}), "override 'a..b=1': '' is no key");
   EXPECT_EQ(LoadFailure("", {"a=1", "a.b=2"}), "override 'a.b=2': 'a' is no table");

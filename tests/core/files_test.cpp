@@ -70,6 +70,20 @@ TEST(Files, OpenReaderKeepsTheOldFile) {
   EXPECT_EQ(mapped.bytes(), "old");
 }
 
+TEST(Files, WriteIfChangedTouchesNoFileThatHasTheBytes) {
+  const testing::TempDir dir;
+  WriteFileIfChanged(dir / "a", "one");
+  EXPECT_EQ(ReadFile(dir / "a"), "one");
+  const std::filesystem::file_time_type long_ago{};
+  std::filesystem::last_write_time(dir / "a", long_ago);
+  WriteFileIfChanged(dir / "a", "one");
+  EXPECT_EQ(std::filesystem::last_write_time(dir / "a"), long_ago);
+  for (const char* other : {"two", "", "longer"}) {
+    WriteFileIfChanged(dir / "a", other);
+    EXPECT_EQ(ReadFile(dir / "a"), other);
+  }
+}
+
 TEST(Files, WriteIntoAnAbsentFolderNamesFileAndCause) {
   const TempDir dir;
   const std::string path = (dir / "absent/file").string();

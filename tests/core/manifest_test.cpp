@@ -77,7 +77,7 @@ TEST(Manifest, MissingFileIsNamedWithTheRepair) {
                 "--out " +
                 folder + "`, or name another folder");
   EXPECT_EQ(ReadFailure(absent, "run"), absent +
-                                            " does not exist (expected a folder of run). Make one with `daumier "
+                                            " does not exist (expected a run folder). Make one with `daumier "
                                             "train CONFIG --out " +
                                             absent + "`, or name another folder");
   EXPECT_EQ(ReadFailure(absent, ""),
@@ -90,7 +90,9 @@ TEST(Manifest, MissingFileIsNamedWithTheRepair) {
 TEST(Manifest, AnotherKindIsRefused) {
   const TempDir dir;
   WriteManifest(dir.path(), Example());
-  EXPECT_THAT(ReadFailure(dir.path(), "sketches"), HasSubstr("this is a folder of faces, expected one of sketches"));
+  EXPECT_THAT(ReadFailure(dir.path(), "sketches"),
+              AllOf(HasSubstr("this is a folder of faces, expected a folder of sketches. Make one with"),
+                    HasSubstr("or name another folder")));
   EXPECT_EQ(ReadFailure(dir.path(), ""), "no error");
 }
 

@@ -116,6 +116,16 @@ TEST(Progress, ReportsCountsInOrderToItsTask) {
                                                "sketches 5/5 faces loss 0.5"}));
 }
 
+TEST(Progress, OfAResumedStageBeginsAtWhatIsFinished) {
+  std::vector<std::string> reports;
+  const Task task({}, [&](const TaskProgress& report) {
+    reports.push_back(fmt::format("{}/{} {}", report.done, report.total, report.unit));
+  });
+  Progress progress(task, 80, "steps", 60);
+  progress.Step(5);
+  EXPECT_EQ(reports, (std::vector<std::string>{"60/80 steps", "65/80 steps"}));
+}
+
 /// What a printer writes to stderr in `calls`, a line an element.
 template <class Calls>
 std::vector<std::string> PrintedLines(const Calls& calls) {

@@ -65,10 +65,31 @@ TEST(ReadRunConfig, RefusesTheConfigOfAnotherTask) {
   ExpectError([&] { ReadRunConfig(folder.path(), RunOf({})); }, "resolved.toml: system is 7, expected a text");
 }
 
+TEST(ReadRunConfig, RefusesOptionsThatWereEdited) {
+  const testing::TempDir folder;
+  Manifest run = RunOf({{"system", "deform"}});
+  run.config = {{"system", "deform"}, {"seed", 3}, {"network", {{"width", 64}, {"rate", 1e-3}}}};
+  const auto read = [&](const std::string& text) {
+    WriteFileAtomically(ResolvedConfig(folder.path()), "system = \"deform\"\n" + text);
+    return ReadRunConfig(folder.path(), run);
+  };
+  EXPECT_NO_THROW(read("seed = 3\nnetwork.width = 64\nnetwork.rate = 0.001\ndata.faces = \"elsewhere\"\n"));
+  EXPECT_NO_THROW(read("seed = 3\nnetwork.width = 64\nnetwork.rate = 0.001\nnetwork.newer = 7\n"))
+      << "an option that is newer than the run";
+  ExpectError([&] { read("seed = 3\nnetwork.width = 32\nnetwork.rate = 0.001\n"); },
+              "resolved.toml was edited: the run was trained with other options, which manifest.json in its folder "
+              "holds (there):\n  network.width is 64 there and 32 now\n");
+  ExpectError([&] { read("network.width = 64\nnetwork.rate = 0.001\n"); }, "seed is 3 there and missing now");
+}
+
 TEST(ReadFinishedRun, NamesBothTasksAndEveryOtherCause) {
   const testing::TempDir folder;
   const auto run = folder.path();
   ExpectError([&] { ReadFinishedRun(run); }, "is not a run folder");
+  WriteFileAtomically(folder / "drawing.svg", "");
+  ExpectError([&] { ReadFinishedRun(folder / "drawing.svg"); }, "drawing.svg is a file (expected a run folder");
+  ExpectError([&] { ReadManifest(folder / "drawing.svg", "faces"); },
+              "drawing.svg is a file (expected a folder of faces). Name the folder");
   WriteManifest(run, RunOf({{"system", "deform"}}));
   ExpectError([&] { ReadFinishedRun(run, "sketch"); },
               "this is a run of the task 'deform' (expected a run of 'sketch')");

@@ -132,7 +132,7 @@ TEST_F(InterpolatedFacesTest, FollowTheGridAndBelongToTheirParentsGroup) {
   EXPECT_EQ(database.persons(11), (std::vector<int>{1}));
   EXPECT_EQ(database.group(12), 0);
   EXPECT_EQ(database.Describe(12), "between persons 0 and 1");
-  EXPECT_EQ(database.Describe(11), "person 1, level 1, frown");
+  EXPECT_EQ(database.Describe(11), "person 1, level 2, frown");
   ExpectError([&] { database.id(12); }, "not one of the grid of 12 faces");
   ExpectError([&] { database.persons(13); }, "face 13 of a database of 13");
 }

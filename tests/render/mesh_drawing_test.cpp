@@ -187,5 +187,26 @@ TEST(UprightFromFile, TakesUpAndFrontToTheirAxes) {
   EXPECT_THROW(UprightFromFile(kZ, kMinusZ), UsageError);
 }
 
+/// What DrawMesh says of a torus that is stretched along z.
+std::string HintsOf(double depth, const MeshView& view) {
+  PolygonMesh mesh = TorusMesh();
+  mesh.vertices.col(2) *= depth;
+  ::testing::internal::CaptureStderr();
+  Draw(mesh, view);
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(DrawMesh, HintsAtUpZOfAMeshThatIsDeeperThanHigh) {
+  const std::string hint = "a.obj: it is 1.5 times as long along z as along y. If the drawing shows the top of a head";
+  const MeshView view = kTiltedView;
+  EXPECT_NE(HintsOf(6, view).find(hint), std::string::npos) << "8 high, 12 deep";
+  EXPECT_EQ(HintsOf(4, view).find("--up z"), std::string::npos) << "8 high, 8 deep";
+  MeshView with_up = view, with_front = view;
+  with_up.up = AxisDirection::kY;
+  with_front.front = AxisDirection::kZ;
+  EXPECT_EQ(HintsOf(6, with_up).find("--up z"), std::string::npos);
+  EXPECT_EQ(HintsOf(6, with_front).find("--up z"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace daumier::render

@@ -35,29 +35,6 @@ TEST(WithAbsoluteData, MakesFoldersAbsoluteOrNamesTheMissingOnes) {
                        "row 'a': it needs data.faces=FOLDER and data.points=FOLDER");
 }
 
-TEST(ConfigDifferences, NamesDottedKeysAndBothValues) {
-  Json now = kConfig;
-  now["optimiser"]["learning_rate"] = 0.01;
-  now["optimiser"].erase("beta1");
-  now["epochs"] = 3;
-  EXPECT_EQ(
-      ConfigDifferences(kConfig, now),
-      (std::vector<std::string>{"epochs is missing there and 3 now", "optimiser.beta1 is 0.9 there and missing now",
-                                "optimiser.learning_rate is 0.001 there and 0.01 now"}));
-  EXPECT_TRUE(ConfigDifferences(kConfig, kConfig).empty());
-}
-
-TEST(ConfigDifferences, AKeyThatIsMissingThereCountsAsItsDefault) {
-  Json now = kConfig;
-  now["accumulate"] = 1;
-  now["optimiser"]["beta2"] = 0.99;
-  now["stages"] = {{"rate", 2}};
-  const Json defaults = {{"accumulate", 1}, {"optimiser", {{"beta2", 0.999}}}, {"stages", {{"rate", 1}}}, {"data", ""}};
-  EXPECT_EQ(
-      ConfigDifferences(kConfig, now, defaults),
-      (std::vector<std::string>{"optimiser.beta2 is 0.999 there and 0.99 now", "stages.rate is 1 there and 2 now"}));
-}
-
 TEST(OpenRunFolder, ResumesARunThatIsOlderThanAnOption) {
   const testing::TempDir folder;
   WriteRun(folder.path());

@@ -118,11 +118,42 @@ TEST(Trainer, SavesOnAnInterruptPrintsTheResumeCommandAndEndsWithTheSameBytes) {
   ExpectSameContent(stopped.path(), whole.path());
 }
 
+TEST(Trainer, CountsTheStepsOfTheWholeTrainingAlsoAfterResuming) {
+  const testing::TempDir run;
+  ToyRecipe recipe, resumed, longer;
+  recipe.before_loss = [](int call) {
+    if (call == 8) throw Stopped();
+  };
+  EXPECT_THROW(Train(recipe, FourEpochs(), Fast(), 5, run.path()), Stopped);
+  std::vector<std::pair<int64_t, int64_t>> counts;
+  const Task task({}, [&](const TaskProgress& report) { counts.emplace_back(report.done, report.total); });
+  Train(resumed, FourEpochs(), Fast(), 5, run.path(), task);
+  EXPECT_EQ(counts.front(), std::pair(int64_t{6}, int64_t{12})) << "the checkpoint of the second epoch";
+  EXPECT_EQ(counts.back(), std::pair(int64_t{12}, int64_t{12}));
+  counts.clear();
+  TrainerOptions six = FourEpochs();
+  six.epochs = 6;
+  Train(longer, six, Fast(), 5, run.path(), task, {{4, 4}});
+  EXPECT_EQ(counts.front(), std::pair(int64_t{12}, int64_t{18}));
+  EXPECT_EQ(counts.back(), std::pair(int64_t{18}, int64_t{18}));
+}
+
 TEST(Trainer, OfAFinishedRunDoesNothing) {
   const testing::TempDir run;
   ToyRecipe recipe, again;
   const TrainingSummary summary = Train(recipe, FourEpochs(), Fast(), 5, run.path());
-  const TrainingSummary summary_again = Train(again, FourEpochs(), Fast(), 5, run.path());
+  const fs::file_time_type long_ago{};
+  for (const auto& entry : fs::recursive_directory_iterator(run.path())) fs::last_write_time(entry.path(), long_ago);
+  std::stop_source stop;
+  stop.request_stop();
+  int num_reports = 0;
+  const Task task(stop.get_token(), [&](const TaskProgress&) { ++num_reports; });
+  const TrainingSummary summary_again = Train(again, FourEpochs(), Fast(), 5, run.path(), task);
+  for (const auto& entry : fs::recursive_directory_iterator(run.path()))
+    EXPECT_EQ(fs::last_write_time(entry.path()), long_ago) << entry.path();
+  EXPECT_EQ(num_reports, 0) << "0 of 0 steps";
+  EXPECT_GT(summary_again.seconds, 0);
+  EXPECT_LE(summary_again.seconds, summary.seconds) << "until the last checkpoint";
   EXPECT_EQ(again.num_calls, 0);
   EXPECT_EQ(summary_again.best, summary.best);
   EXPECT_EQ(summary_again.best_epoch, summary.best_epoch);

@@ -79,9 +79,9 @@ CodeFitter::CodeFitter(DeformNetwork& network, CodeEnergy energy, const CodeSolv
   code_ = start->detach().to(code_.options()).clone();
 }
 
-CodeFit CodeFitter::Solve() {
+CodeFit CodeFitter::Solve(const Task& task) {
   const Stopwatch stopwatch;
-  CodeFit fit = options_.method == "adam" ? SolveByAdam() : SolveByGaussNewton();
+  CodeFit fit = options_.method == "adam" ? SolveByAdam(task) : SolveByGaussNewton(task);
   code_ = fit.code.clone();
   fit.seconds = stopwatch.seconds();
   return fit;
@@ -107,7 +107,7 @@ bool CodeFitter::StepWithKeptMatrix(CodeFit& fit, CodeEnergyValue& here) {
   return false;
 }
 
-CodeFit CodeFitter::SolveByGaussNewton() {
+CodeFit CodeFitter::SolveByGaussNewton(const Task& task) {
   CodeFit fit;
   fit.code = code_;
   CodeEnergyValue here = AtStart(objective_, fit.code);
@@ -133,6 +133,7 @@ CodeFit CodeFitter::SolveByGaussNewton() {
 
   bool ended = StepWithKeptMatrix(fit, here);
   while (!ended && fit.steps < options_.newton_steps) {
+    task.ThrowIfCancelled("the fit of a code was stopped after {} steps", fit.steps);
     Rng rng = Stream(options_.seed, "rows of a code fit", uint64_t(fit.num_matrices));
     const torch::Tensor rows = DrawRows(objective_.num_points(), options_.num_rows, rng, fit.code.device());
     const Eigen::MatrixXd hessian = objective_.HalfHessian(fit.code, rows);
@@ -153,7 +154,7 @@ CodeFit CodeFitter::SolveByGaussNewton() {
   return fit;
 }
 
-CodeFit CodeFitter::SolveByAdam() {
+CodeFit CodeFitter::SolveByAdam(const Task& task) {
   CodeFit fit;
   torch::Tensor code = code_.clone();
   torch::optim::Adam adam({code}, torch::optim::AdamOptions(options_.learning_rate));
@@ -168,28 +169,32 @@ CodeFit CodeFitter::SolveByAdam() {
     return here;
   };
   for (; fit.steps < options_.adam_steps; ++fit.steps) {
+    task.ThrowIfCancelled("the fit of a code was stopped after {} steps", fit.steps);
+    task.Report(fit.steps, options_.adam_steps, "steps");
     code.mutable_grad() = look().gradient;
     adam.step();
   }
   look();
+  task.Report(fit.steps, options_.adam_steps, "steps");
   return fit;
 }
 
 CodeFit FitCode(DeformNetwork& network, CodeEnergy energy, const CodeSolveOptions& options,
-                const std::optional<torch::Tensor>& start) {
-  return CodeFitter(network, std::move(energy), options, start).Solve();
+                const std::optional<torch::Tensor>& start, const Task& task) {
+  return CodeFitter(network, std::move(energy), options, start).Solve(task);
 }
 
 CodeFit FitCode(DeformNetwork& network, const SurfacePoints& points, const torch::Tensor& targets,
-                const CodeFitOptions& options) {
+                const CodeFitOptions& options, const Task& task) {
   CodeEnergy energy;
   energy.all_points = AllPointsTerm{points, targets, options.data_weight};
   energy.prior.weight = options.code_weight;
-  return FitCode(network, std::move(energy), options.solve);
+  return FitCode(network, std::move(energy), options.solve, std::nullopt, task);
 }
 
-CodeFit FitCode(DeformNetwork& network, const torch::Tensor& vertices, const CodeFitOptions& options) {
-  return FitCode(network, VerticesAsPoints(network.template_vertices()), vertices, options);
+CodeFit FitCode(DeformNetwork& network, const torch::Tensor& vertices, const CodeFitOptions& options,
+                const Task& task) {
+  return FitCode(network, VerticesAsPoints(network.template_vertices()), vertices, options, task);
 }
 
 }  // namespace daumier::deform

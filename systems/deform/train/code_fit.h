@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "core/task.h"
 #include "systems/deform/train/code_energy.h"
 
 #include <Eigen/Cholesky>
@@ -57,19 +58,20 @@ struct CodeFit {
 /// gauss_newton: damped steps with the exact gradient and the matrix of CodeObjective::HalfHessian of num_rows points,
 /// other ones in each step. A step that does not lower the energy is not taken, so that energies never rise; ends where
 /// the energy falls by less than 1e-5 of itself. A linear model with num_rows of at least N is solved in one step.
-/// Equal options give equal codes.
+/// Equal options give equal codes. `task` is cancelled between steps; adam reports its steps.
 /// @throws Error as CodeObjective; if start has another shape or a number that is not finite; if the energy of the
-/// start, or a derivative of a position by the code, is not finite.
+/// start, or a derivative of a position by the code, is not finite; Cancelled if the task is.
 CodeFit FitCode(DeformNetwork& network, CodeEnergy energy, const CodeSolveOptions& options = {},
-                const std::optional<torch::Tensor>& start = std::nullopt);
+                const std::optional<torch::Tensor>& start = std::nullopt, const Task& task = {});
 
 /// The code of a face that the network was not trained on [Jung et al. 2022, eq. 1]:
 ///   E(z) = data_weight / 3N sum_i |D(z, p_i) - g_i|^2 + code_weight / M |z|^2
 /// from z = 0, over N points p_i of which `targets` (N, 3) are the positions g_i on the face, model units.
 CodeFit FitCode(DeformNetwork& network, const SurfacePoints& points, const torch::Tensor& targets,
-                const CodeFitOptions& options = {});
+                const CodeFitOptions& options = {}, const Task& task = {});
 /// The same over all vertices, (V, 3) model units.
-CodeFit FitCode(DeformNetwork& network, const torch::Tensor& vertices, const CodeFitOptions& options = {});
+CodeFit FitCode(DeformNetwork& network, const torch::Tensor& vertices, const CodeFitOptions& options = {},
+                const Task& task = {});
 
 /// Fits one energy again and again while the targets of its sparse terms move, as handles in an editor. Each Solve
 /// starts at the code of the last one. gauss_newton keeps the last factorised normal matrix, which does not depend on
@@ -84,15 +86,15 @@ class CodeFitter {
   /// Other targets (P, 3) of a term of energy.sparse_points. @throws Error as CodeObjective::MoveTargets.
   void MoveTargets(size_t sparse_term, const torch::Tensor& targets) { objective_.MoveTargets(sparse_term, targets); }
   /// energies and counts are those of this solve. @throws Error as FitCode.
-  CodeFit Solve();
+  CodeFit Solve(const Task& task = {});
 
   /// (M), where the next Solve starts.
   const torch::Tensor& code() const { return code_; }
   const CodeEnergy& energy() const { return objective_.energy(); }
 
  private:
-  CodeFit SolveByGaussNewton();
-  CodeFit SolveByAdam();
+  CodeFit SolveByGaussNewton(const Task& task);
+  CodeFit SolveByAdam(const Task& task);
   /// Steps with the kept matrix; whether they ended at a minimum.
   bool StepWithKeptMatrix(CodeFit& fit, CodeEnergyValue& here);
 

@@ -75,16 +75,25 @@ void DeformMeasurement::MeasureNetwork(const std::string& name, const CodeFitOpt
   log::Info("Fitting codes of {} faces: {}", num_faces_of_row, name);
   std::vector<torch::Tensor> codes;
   torch::Tensor map = torch::zeros({network_.num_vertices()});
-  const std::vector<SurfaceErrors> errors = Errors(name, num_faces_of_row, [&](int i) -> Prediction {
-    const CodeFit fit = FitCode(network_, faces_.vertices[i], options);
+  const bool by_steps = options.solve.method == "adam";  // A face may take a minute.
+  const int64_t steps = by_steps ? options.solve.adam_steps : 1;
+  Progress progress(task_.Stage(name), num_faces_of_row * steps, by_steps ? "steps" : "faces");
+  const auto step = [&] { progress.Step(); };
+  const Task of_fit(task_.stop, [&](const TaskProgress& report) {
+    if (report.done > 0) step();
+  });
+  const auto predict = [&](int i) -> Prediction {
+    const CodeFit fit = FitCode(network_, faces_.vertices[i], options, of_fit);
     const at::NoGradGuard no_gradient;
     const torch::Tensor code = fit.code.unsqueeze(0);
     codes.push_back(fit.code);
     const torch::Tensor vertices = network_.DeformVertices(code).squeeze(0);
     map += Distances(vertices, faces_.vertices[i]) / num_faces_of_row;
     return {vertices, network_.Deform(code, samples_[size_t(i)]).squeeze(0), fit.seconds};
-  });
-  AddRow(name, errors);
+  };
+  AddRow(name, Errors(num_faces_of_row, predict, [&] {
+           if (!by_steps) step();
+         }));
   if (has_result_ || num_faces_of_row < num_faces()) return;
   has_result_ = true;
   table_.result = table_.rows.size() - 1;
@@ -103,10 +112,12 @@ void DeformMeasurement::MeasureBaselines(const DeformBaselines& baselines) {
 }
 
 void DeformMeasurement::AddBaseline(const std::string& name, const std::function<torch::Tensor(int i)>& vertices) {
-  AddRow(name, Errors(name, num_faces(), [&](int i) -> Prediction {
-           const torch::Tensor predicted = vertices(i);
-           return {predicted, OnMesh(samples_[size_t(i)], predicted), std::nullopt};
-         }));
+  Progress progress(task_.Stage(name), num_faces(), "faces");
+  const auto predict = [&](int i) -> Prediction {
+    const torch::Tensor predicted = vertices(i);
+    return {predicted, OnMesh(samples_[size_t(i)], predicted), std::nullopt};
+  };
+  AddRow(name, Errors(num_faces(), predict, [&] { progress.Step(); }));
   table_.rows.back().baseline = true;
 }
 
@@ -127,9 +138,8 @@ void DeformMeasurement::AddRow(const std::string& name, const std::vector<Surfac
   table_.rows.push_back(reports::MakeRow(table_, name, values, seed_));
 }
 
-std::vector<SurfaceErrors> DeformMeasurement::Errors(const std::string& name, int num_faces_of_row,
-                                                     const Predictor& predict) const {
-  Progress progress(task_.Stage(name), num_faces_of_row, "faces");
+std::vector<SurfaceErrors> DeformMeasurement::Errors(int num_faces_of_row, const Predictor& predict,
+                                                     const std::function<void()>& done) const {
   std::vector<SurfaceErrors> errors;
   for (int i = 0; i < num_faces_of_row; ++i) {
     task_.ThrowIfCancelled("the evaluation was stopped; nothing was written");
@@ -146,7 +156,7 @@ std::vector<SurfaceErrors> DeformMeasurement::Errors(const std::string& name, in
     if (i < kIntersectionFaces) one.self_intersections = CountSelfIntersections(predicted);
     one.seconds = prediction.seconds;
     errors.push_back(one);
-    progress.Step();
+    done();
   }
   return errors;
 }

@@ -41,7 +41,8 @@ class DeformMeasurement {
   DeformMeasurement(DeformNetwork& network, MeasuredFaces faces, uint64_t seed, const ModelUnit& unit = {},
                     const Task& task = {});
 
-  /// Adds the row of the network on the first num_faces faces. The first such row of all faces is the result.
+  /// Adds the row of the network on the first num_faces faces. The first such row of all faces is the result. Reports
+  /// faces to the task, or the steps of all faces where codes are fitted by adam.
   void MeasureNetwork(const std::string& name, const CodeFitOptions& options, int num_faces);
   /// Adds the rows of the template alone, the mean training face, the nearest training face and the linear model.
   void MeasureBaselines(const DeformBaselines& baselines);
@@ -68,7 +69,8 @@ class DeformMeasurement {
   };
   using Predictor = std::function<Prediction(int i)>;
 
-  std::vector<SurfaceErrors> Errors(const std::string& name, int num_faces, const Predictor& predict) const;
+  /// Calls `done` after each face.
+  std::vector<SurfaceErrors> Errors(int num_faces, const Predictor& predict, const std::function<void()>& done) const;
   void AddRow(const std::string& name, const std::vector<SurfaceErrors>& errors);
   void AddBaseline(const std::string& name, const std::function<torch::Tensor(int i)>& vertices);
   geometry::TriangleMesh TrueMesh(int i) const;

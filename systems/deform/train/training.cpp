@@ -55,7 +55,18 @@ void FitLinear(DeformRecipe& recipe, const DeformTrainingOptions& options) {
   recipe.decoder().codes().copy_(torch::linalg_solve(matrix, moments).t());
 }
 
+/// Fits and writes the model; of a run that is finished the summary alone.
 TrainingSummary TrainLinear(DeformRecipe& recipe, const DeformTrainingOptions& options, const fs::path& directory) {
+  if (ReadManifest(directory, "run").counts.contains("best_epoch")) {
+    log::Info("{} is finished", directory.string());
+    const std::vector<train::MetricsRecord> records = train::ReadMetrics(directory);
+    DAUMIER_CHECK(!records.empty() && records.back().line.contains(recipe.metric()),
+                  "{} does not hold the validation of the finished run. Restore it, or train again",
+                  (directory / train::RunLog::kMetricsFile).string());
+    return {.metric = recipe.metric(),
+            .best = records.back().line[recipe.metric()].get<double>(),
+            .seconds = records.back().seconds};
+  }
   const Stopwatch stopwatch;
   FitLinear(recipe, options);
   const std::map<std::string, double> values = recipe.Validate();
@@ -92,7 +103,7 @@ TrainingSummary TrainDeform(const Json& config, const systems::RunPlace& place, 
   DeformRecipe recipe(options, faces, points, split, torch_device);
   if (begun) VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
   // Of all files the first one: it shows that the folder is a run's. Of a resumed run the data may have moved.
-  WriteFileAtomically(run_directory / "resolved.toml", ToToml(ToJson(options)));
+  WriteFileIfChanged(run_directory / "resolved.toml", ToToml(ToJson(options)));
   if (!begun) {
     manifest.checksums = faces::WriteFaceTemplate(run_directory, faces.face_template());
     WriteManifest(run_directory, manifest);

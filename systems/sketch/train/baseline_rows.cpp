@@ -9,6 +9,8 @@
 namespace daumier::sketch {
 namespace {
 
+constexpr const char* kShapeRidge = "ridge on shape numbers";
+
 std::vector<float> AsFloats(const Eigen::VectorXf& vector) {
   return {vector.data(), vector.data() + vector.size()};
 }
@@ -73,31 +75,38 @@ class Baselines {
     const SketchRunData& data = test_.data();
     const eval::RidgeFit ridge = Fit({[&](int face) { return data.faces.vertices(face); },
                                       [&](int face) { return AsFloats(codes_.given(face).numbers()); }});
-    const auto add = [&](const std::string& input, const auto& codes_of) {
-      double error_px = 0;
-      Add("ridge on shape numbers", input, [&](const FaceBlock& block) {
-        const std::vector<faces::CurveCode> codes = codes_of(block);
-        eval::FaceRows numbers(Eigen::Index(codes.size()), codes.front().numbers().size());
-        for (size_t i = 0; i < codes.size(); ++i) {
-          error_px += codes_.ErrorPx(codes[i], block.faces[i]) / double(test_.faces().size());
-          numbers.row(Eigen::Index(i)) = codes[i].numbers().transpose();
-        }
-        return ridge.model.Predict(numbers);
-      });
-      rows_.shape_error_px[input] = error_px;
-    };
-    add("given", [&](const FaceBlock& block) {
-      std::vector<faces::CurveCode> codes;
-      for (const int face : block.faces) codes.push_back(codes_.given(face));
-      return codes;
+    std::vector<std::string> inputs = {"given"};
+    if (codes_.can_recover()) inputs.insert(inputs.end(), {"predicted", "recovered"});
+    std::vector<double> errors_px(inputs.size(), 0);
+    const std::vector<SketchErrors> errors = test_.Measure(kShapeRidge, inputs.size(), [&](const FaceBlock& block) {
+      std::vector<eval::FaceRows> predicted;
+      for (size_t input = 0; input < inputs.size(); ++input)
+        predicted.push_back(ridge.model.Predict(NumbersOf(CodesOf(inputs[input], block), block, errors_px[input])));
+      return predicted;
     });
-    if (!codes_.can_recover()) return;
-    add("predicted", [&](const FaceBlock& block) { return codes_.Predicted(block); });
-    add("recovered", [&](const FaceBlock& block) {
-      std::vector<faces::CurveCode> codes;
-      for (size_t i = 0; i < block.faces.size(); ++i) codes.push_back(codes_.recovered(block.begin + i));
-      return codes;
-    });
+    for (size_t input = 0; input < inputs.size(); ++input) {
+      rows_.rows.push_back(test_.Row(kShapeRidge, inputs[input], errors[input]));
+      rows_.shape_error_px[inputs[input]] = errors_px[input];
+    }
+  }
+
+  /// The codes of a block's sketches, of a source as in MeasureShapeRidge.
+  std::vector<faces::CurveCode> CodesOf(const std::string& input, const FaceBlock& block) const {
+    if (input == "predicted") return codes_.Predicted(block);
+    std::vector<faces::CurveCode> codes;
+    for (size_t i = 0; i < block.faces.size(); ++i)
+      codes.push_back(input == "given" ? codes_.given(block.faces[i]) : codes_.recovered(block.begin + i));
+    return codes;
+  }
+
+  /// One code a row; adds the block's share of their mean error.
+  eval::FaceRows NumbersOf(const std::vector<faces::CurveCode>& codes, const FaceBlock& block, double& error_px) const {
+    eval::FaceRows numbers(Eigen::Index(codes.size()), codes.front().numbers().size());
+    for (size_t i = 0; i < codes.size(); ++i) {
+      error_px += codes_.ErrorPx(codes[i], block.faces[i]) / double(test_.faces().size());
+      numbers.row(Eigen::Index(i)) = codes[i].numbers().transpose();
+    }
+    return numbers;
   }
 
   const SketchTestSet& test_;

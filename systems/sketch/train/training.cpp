@@ -56,7 +56,7 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
 
 FittedModels ResumeRun(const fs::path& directory, const SketchTrainingOptions& options) {
   VerifyChecksums(directory, ReadManifest(directory, "run"));
-  WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
+  WriteFileIfChanged(directory / "resolved.toml", ToToml(ToJson(options)));  // The data may have moved.
   return ReadFittedModels(directory);
 }
 

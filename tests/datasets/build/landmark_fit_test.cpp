@@ -143,6 +143,23 @@ TEST_F(LandmarkFitTest, AllInOnePlace) {
   EXPECT_NE(FaultOfOnePlace(landmarks_).value_or("").find("--zero-is-absent"), std::string::npos);
 }
 
+TEST_F(LandmarkFitTest, AllInOnePlaneOfAPictureOrOfAFlatMesh) {
+  EXPECT_FALSE(FaultOfPlane(mesh_, landmarks_));
+  EXPECT_FALSE(FaultOfPlane(mesh_, MeshLandmarks()));
+  const MeshLandmarks given = landmarks_;
+  for (const double z : {0.0, -0.0}) {
+    for (auto& place : landmarks_) place->z() = z;
+    EXPECT_NE(FaultOfPlane(mesh_, landmarks_).value_or("").find("z of all landmarks is 0, but that of the mesh goes"),
+              std::string::npos);
+  }
+  landmarks_ = given;
+  for (auto& place : landmarks_) place->y() = 7;
+  EXPECT_NE(FaultOfPlane(mesh_, landmarks_).value_or("").find("y of all landmarks is 7"), std::string::npos);
+  mesh_.vertices.col(1).setConstant(7);
+  EXPECT_NE(FaultOfPlane(mesh_, landmarks_).value_or("").find("the mesh is flat: y of all its points is 7"),
+            std::string::npos);
+}
+
 TEST_F(LandmarkFitTest, ZerosForAbsentOnes) {
   const MeshLandmarks given = landmarks_;
   for (int l = 0; l < 17; ++l) landmarks_[size_t(l)] = At(0);

@@ -80,7 +80,7 @@ TEST(ReadMesh, NamesWhatIsNoMesh) {
   refuses("a.ply", "v 0 0 0\n", "not a PLY file");
   for (const char* name : {"cloud.obj", "cloud"})
     refuses(name, "v 0 0 0\n", "has points, but no faces: a cloud of points (found 1 vertices");
-  ExpectError([&] { ReadMesh(folder.path()); }, "a folder (expected an OBJ or PLY mesh)");
+  ExpectError([&] { ReadMesh(folder.path()); }, "a folder (expected an OBJ or PLY mesh). Name its files: ");
 }
 
 TEST(ReadMesh, KnowsPlyByItsFirstWord) {

@@ -107,6 +107,23 @@ TEST_F(CodeFitTest, BothMethodsFindTheSameMinimum) {
   EXPECT_LT(ours.steps, 20);
 }
 
+TEST_F(CodeFitTest, AdamReportsItsStepsAndStopsBetweenThem) {
+  const auto network = Network("positions");
+  options_.solve.method = "adam";
+  options_.solve.adam_steps = 4;
+  std::stop_source stop;
+  std::vector<int64_t> done;
+  const Task task(stop.get_token(), [&](const TaskProgress& report) {
+    EXPECT_EQ(report.total, 4);
+    done.push_back(report.done);
+    if (done.size() == 8) stop.request_stop();
+  });
+  FitCode(*network, network->template_vertices(), options_, task);
+  EXPECT_EQ(done, (std::vector<int64_t>{0, 1, 2, 3, 4}));
+  EXPECT_THROW(FitCode(*network, network->template_vertices(), options_, task), Cancelled);
+  EXPECT_EQ(done.size(), 8u);
+}
+
 TEST_F(CodeFitTest, AdamKeepsTheBestCodeNotTheLast) {
   const auto network = Network("hypernetwork");
   options_.solve.method = "adam";

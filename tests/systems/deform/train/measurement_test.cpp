@@ -122,6 +122,23 @@ TEST_F(DeformMeasurementTest, SelfIntersectionsAreCountedOnSixteenFaces) {
   EXPECT_EQ(reports::ValueOf(measurement.table(), measurement.table().rows[0], "self_intersections"), clean);
 }
 
+TEST_F(DeformMeasurementTest, ReportsFacesAndOfAdamTheStepsOfAllFaces) {
+  std::vector<std::string> reports;
+  const Task task({}, [&](const TaskProgress& report) {
+    reports.push_back(fmt::format("{} {}/{} {}", report.stage, report.done, report.total, report.unit));
+  });
+  DeformMeasurement measurement(*network_, Moved(2), 1, {}, task);
+  measurement.MeasureNetwork("network", fit_, 2);
+  EXPECT_EQ(reports, (std::vector<std::string>{"network 0/2 faces", "network 1/2 faces", "network 2/2 faces"}));
+  reports.clear();
+  CodeFitOptions adam = fit_;
+  adam.solve.method = "adam";
+  adam.solve.adam_steps = 2;
+  measurement.MeasureNetwork("adam", adam, 2);
+  EXPECT_EQ(reports, (std::vector<std::string>{"adam 0/4 steps", "adam 1/4 steps", "adam 2/4 steps", "adam 3/4 steps",
+                                               "adam 4/4 steps"}));
+}
+
 TEST_F(DeformMeasurementTest, StopsIfItsTaskIsCancelled) {
   std::stop_source stop;
   DeformMeasurement measurement(*network_, Moved(2), 1, {}, Task(stop.get_token()));

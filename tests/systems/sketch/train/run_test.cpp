@@ -42,6 +42,12 @@ TEST(SketchRun, SaysWhatIsWrongWithAFolder) {
   testing::WriteSketchRun(folder.path());
   const auto load = [&] { LoadSketchRun(folder.path()); };
 
+  const Manifest manifest = ReadManifest(folder.path(), "run");
+  WriteFileAtomically(folder / "resolved.toml", "[network]\nresolution = 32\nwidth = 5\nhidden = 16\nbranch = 16\n");
+  ExpectError(load, "resolved.toml was edited");
+  Manifest without_config = manifest;
+  without_config.config = Json::object();
+  WriteManifest(folder.path(), without_config);
   WriteFileAtomically(folder / "resolved.toml", "[network]\nresolution = 32\nwidth = 5\nhidden = 16\nbranch = 16\n");
   ExpectError(load, "does not fit this network");
   WriteFileAtomically(folder / "resolved.toml", "[net]\nwidth = 5\n");
