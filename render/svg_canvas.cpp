@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kCanvasSide = 1024.0, kLeastCanvasSide = 128.0;
 /// Pixels that all shapes together may paint; more make the canvas coarser.
-constexpr double kMaxPainted = 1.5e9;
+constexpr double kMaxPainted = 3e8;
 /// Bits of a pixel's fraction in OpenCV's coordinates.
 constexpr int kCanvasShift = 4;
 /// Masks of clips that are kept: neighbours have the same ones.
