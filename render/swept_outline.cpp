@@ -5,6 +5,8 @@
 #include "render/filled_area.h"
 #include "render/ink.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,12 +18,15 @@ using Eigen::Vector2d;
 
 /// Points along the outline by which its end is found, how many of them are tried, and points in a width for the line.
 constexpr int kNumOutlinePoints = 512, kNumEndTrials = 64, kPointsOfWidth = 16, kMaxOutlinePoints = 4096;
-/// Pixels of the longer side of the mask by which the covered area is measured.
-constexpr double kCoverSide = 400.0;
+/// Pixels of the longer side of the mask by which the covered area is measured, and by how much the outline is turned
+/// there, in radians: rounding of edges along the pixels would not cancel.
+constexpr double kCoverSide = 1000.0, kCoverTurn = 0.35;
 /// Share of an outline's area by which what it covers differs if it covers or crosses itself.
 constexpr double kSelfCover = 0.02;
 /// How far one side may go on while the other waits, in widths there: half a turn about the pen's edge, and a third.
 constexpr double kMaxWait = 2.2;
+/// How much farther apart than the line's width the points of a pair may lie: on both sides of a branch they lie farther.
+constexpr double kMaxWidening = 2.0;
 /// Length of a line, in its widths.
 constexpr double kMinSweptLength = 3.0;
 /// Length of a round cap, that of one gone round one and a half times, and how far the middle of the sides is from the
@@ -50,13 +55,14 @@ std::vector<Vector2d> EvenlySpaced(const std::vector<Vector2d>& outline, int cou
 
 /// Whether the area that an outline covers differs from the one between it and itself, the sense of which counts.
 bool CoversItself(const std::vector<Vector2d>& outline) {
-  const FilledArea area{{outline}, FillRule::kNonzero};
+  FilledArea area{{outline}, FillRule::kNonzero};
+  for (Vector2d& point : area.outlines[0]) point = Eigen::Rotation2Dd(kCoverTurn) * point;
   const auto box = area.Box();
   const double side = box.sizes().maxCoeff();
   if (!(side > 0.0)) return false;
   double doubled = 0.0;
   for (size_t i = 0; i < outline.size(); ++i) {
-    const Vector2d from = outline[i] - box.min(), to = outline[(i + 1) % outline.size()] - box.min();
+    const Vector2d from = outline[i] - outline[0], to = outline[(i + 1) % outline.size()] - outline[0];
     doubled += from.x() * to.y() - from.y() * to.x();
   }
   const double scale = kCoverSide / side;
@@ -117,13 +123,13 @@ int BestEnd(const std::vector<Vector2d>& points, int centre, int range, int stri
 /// Whether neither side waits for longer than a pen needs to turn.
 bool AreSidesOfAPen(const OutlineSides& sides, const std::vector<SidePair>& pairs, double step, double pen_width) {
   int left_wait = 0, right_wait = 0;
-  double widest = 0.0;
+  double width = 0.0;  // Where the wait began.
   for (size_t k = 1; k < pairs.size(); ++k) {
     const bool left_waits = pairs[k].left == pairs[k - 1].left, right_waits = pairs[k].right == pairs[k - 1].right;
     left_wait = left_waits ? left_wait + 1 : 0;
     right_wait = right_waits ? right_wait + 1 : 0;
-    widest = left_waits || right_waits ? std::max(widest, sides.WidthAt(pairs[k])) : 0.0;
-    if (step * std::max(left_wait, right_wait) > kMaxWait * std::max(widest, pen_width) + 2.0 * step) return false;
+    if (left_wait + right_wait <= 1) width = std::max(pen_width, sides.WidthAt(pairs[k - 1]));
+    if (step * std::max(left_wait, right_wait) > kMaxWait * width + 2.0 * step) return false;
   }
   return true;
 }
@@ -172,6 +178,7 @@ std::optional<SweptLine> LineOfSweptOutline(const std::vector<Vector2d>& outline
   SweptLine swept;
   swept.pen_width = Median(widths);
   swept.width = Percentile(widths, 90.0);
+  if (std::ranges::max(widths) > kMaxWidening * swept.width) return std::nullopt;
   if (!AreSidesOfAPen(sides, pairs, step, swept.pen_width)) return std::nullopt;
   const auto reversed = std::vector(pairs.rbegin(), pairs.rend());
   const size_t first = NumInCap(sides, pairs, step, [](const SidePair& pair) { return pair.left + pair.right; });
