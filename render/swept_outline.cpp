@@ -23,10 +23,6 @@ constexpr int kNumOutlinePoints = 512, kNumEndTrials = 64, kPointsOfWidth = 16, 
 constexpr double kCoverSide = 1000.0, kCoverTurn = 0.35;
 /// Share of an outline's area by which what it covers differs if it covers or crosses itself.
 constexpr double kSelfCover = 0.02;
-/// How far one side may go on while the other waits, in widths there: half a turn about the pen's edge, and a third.
-constexpr double kMaxWait = 2.2;
-/// How much farther apart than the line's width the points of a pair may lie: on both sides of a branch they lie farther.
-constexpr double kMaxWidening = 2.0;
 /// Length of a line, in its widths.
 constexpr double kMinSweptLength = 3.0;
 /// Length of a round cap, that of one gone round one and a half times, and how far the middle of the sides is from the
@@ -120,20 +116,6 @@ int BestEnd(const std::vector<Vector2d>& points, int centre, int range, int stri
   return best;
 }
 
-/// Whether neither side waits for longer than a pen needs to turn.
-bool AreSidesOfAPen(const OutlineSides& sides, const std::vector<SidePair>& pairs, double step, double pen_width) {
-  int left_wait = 0, right_wait = 0;
-  double width = 0.0;  // Where the wait began.
-  for (size_t k = 1; k < pairs.size(); ++k) {
-    const bool left_waits = pairs[k].left == pairs[k - 1].left, right_waits = pairs[k].right == pairs[k - 1].right;
-    left_wait = left_waits ? left_wait + 1 : 0;
-    right_wait = right_waits ? right_wait + 1 : 0;
-    if (left_wait + right_wait <= 1) width = std::max(pen_width, sides.WidthAt(pairs[k - 1]));
-    if (step * std::max(left_wait, right_wait) > kMaxWait * width + 2.0 * step) return false;
-  }
-  return true;
-}
-
 /// Pairs within the cap of the end from which `num_passed(pair)` counts the points: up to the last whose sides have come
 /// no farther than around a round cap. A point has no cap. perfect-freehand goes round its last cap one and a half
 /// times, while the middle of the sides stays where it is.
@@ -178,8 +160,6 @@ std::optional<SweptLine> LineOfSweptOutline(const std::vector<Vector2d>& outline
   SweptLine swept;
   swept.pen_width = Median(widths);
   swept.width = Percentile(widths, 90.0);
-  if (std::ranges::max(widths) > kMaxWidening * swept.width) return std::nullopt;
-  if (!AreSidesOfAPen(sides, pairs, step, swept.pen_width)) return std::nullopt;
   const auto reversed = std::vector(pairs.rbegin(), pairs.rend());
   const size_t first = NumInCap(sides, pairs, step, [](const SidePair& pair) { return pair.left + pair.right; });
   const size_t last =

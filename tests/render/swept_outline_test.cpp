@@ -129,13 +129,6 @@ TEST(LineOfSweptOutline, AStarIsNoLine) {
   EXPECT_FALSE(LineOfSweptOutline(star));
 }
 
-TEST(LineOfSweptOutline, ABranchIsNoSideOfAPen) {
-  // A band with a long twig, which also crosses itself.
-  const Outline outline{{0, 0},    {50, 0},  {50, 40}, {52, 40}, {52, 0},  {100, 0},
-                        {100, -4}, {20, -4}, {20, 4},  {10, 4},  {10, -4}, {0, -4}};
-  EXPECT_FALSE(LineOfSweptOutline(outline));
-}
-
 TEST(LineOfSweptOutline, RefusesWhatIsNotFinite) {
   EXPECT_THROW(LineOfSweptOutline({{0, 0}, {1, 0}, {1, std::numeric_limits<double>::quiet_NaN()}, {0, 1}}), Error);
 }
