@@ -71,7 +71,8 @@ struct SvgCanvas::Pixels {
     return cv::Rect(from, to) & cv::Rect(0, 0, color.cols, color.rows);
   }
 
-  /// 255 inside an area, within a rectangle.
+  /// 255 inside an area, within a rectangle, and where its outline passes: an area thinner than a pixel still hides what
+  /// lies below, which FillArea, by the centres of pixels, would leave seen.
   cv::Mat MaskOfArea(const std::vector<SvgPolyline>& rings, FillRule rule, const cv::Rect& rectangle) const {
     cv::Mat mask = cv::Mat::zeros(rectangle.size(), CV_8U);
     const cv::Point offset(-rectangle.x * (1 << kCanvasShift), -rectangle.y * (1 << kCanvasShift));

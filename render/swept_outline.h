@@ -20,7 +20,8 @@ struct SweptLine {
 /// stroke does, or whose sides cross where the pen has no width, as those of whiteboards, calligraphy and strokes made
 /// paths: such an area does not show its line. Points of the two sides are paired one after the other, the nearest
 /// first, from that point of the outline on from which the pairs lie nearest; the line is their middle. Nothing if the
-/// outline neither covers nor crosses itself, or is shorter than 3 of its widths. A twig of such an outline has no line of its own. O(n) for n points, for at most 4096 pairs.
+/// outline neither covers nor crosses itself, or is shorter than 3 of its widths. A twig of such an outline has no line
+/// of its own. O(n) for n points, for at most 4096 pairs.
 /// @throws Error if a point is not finite.
 std::optional<SweptLine> LineOfSweptOutline(const std::vector<Eigen::Vector2d>& outline);
 
