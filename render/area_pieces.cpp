@@ -21,8 +21,10 @@ using Eigen::Vector2d;
 
 /// Pixels a pen's width, and the limits between which that is left as it is.
 constexpr double kPenPixels = 12.0, kLeastPenPixels = 8.0, kMostPenPixels = 18.0;
-/// Pixels of the longer side of a mask, and the paper around its ink.
-constexpr double kMaxMaskSide = 2048.0;
+/// The same of a piece that is much wider than the pen.
+constexpr double kMostPiecePixels = 36.0;
+/// Pixels of the longer side of a mask, that its layers may paint in all, and the paper around its ink.
+constexpr double kMaxMaskSide = 2048.0, kLeastMaskSide = 512.0, kMaxLayerPixels = 1e8;
 constexpr int kMaskMargin = 3;
 /// How often the scale follows the width that was found.
 constexpr int kNumScales = 3;
@@ -39,6 +41,17 @@ constexpr size_t kMaxVotes = 64;
 
 double LargestScale(const AlignedBox2d& box) {
   return kMaxMaskSide / std::max(box.sizes().maxCoeff(), 1e-30);
+}
+
+/// The same for a mask of several layers.
+double LargestScale(const std::vector<const PaintedArea*>& layers, const AlignedBox2d& box) {
+  double area = 0.0;
+  for (const PaintedArea* layer : layers) {
+    const AlignedBox2d part = layer->shape.Box().intersection(box);
+    if (!part.isEmpty()) area += part.volume();
+  }
+  const double affordable = std::sqrt(kMaxLayerPixels / std::max(area, 1e-30));
+  return std::min(LargestScale(box), std::max(affordable, kLeastMaskSide / kMaxMaskSide * LargestScale(box)));
 }
 
 struct AreaMask {
@@ -68,12 +81,13 @@ AreaMask MaskAtPenScale(const std::vector<const PaintedArea*>& layers) {
     least_width = least_width == 0.0 ? width : std::min(least_width, width);
   }
   if (box.isEmpty()) return {};
-  double scale = std::min(kPenPixels / least_width, LargestScale(box));
+  const double largest_scale = LargestScale(layers, box);
+  double scale = std::min(kPenPixels / least_width, largest_scale);
   AreaMask mask = RasterisedLayers(layers, box, scale);
   for (int i = 1; i < kNumScales; ++i) {
     const double pen_pixels = PenWidth(mask.ink);
     if (pen_pixels >= kLeastPenPixels && pen_pixels <= kMostPenPixels) break;
-    const double better = std::min(scale * kPenPixels / std::max(pen_pixels, 1.0), LargestScale(box));
+    const double better = std::min(scale * kPenPixels / std::max(pen_pixels, 1.0), largest_scale);
     if (better == scale) break;
     scale = better;
     mask = RasterisedLayers(layers, box, scale);
@@ -103,13 +117,29 @@ std::vector<Stroke> MiddleLines(const Image& ink, const Image& skeleton, double 
   return WithFullEnds(TraceSkeleton(graph), graph, ink, width);
 }
 
+/// A mask of fewer pixels, each of which has the colour at its centre.
+AreaMask Coarser(const AreaMask& mask, double factor) {
+  const auto shrunk = [&](int side) { return std::max(1, static_cast<int>(std::ceil(side * factor))); };
+  AreaMask coarse{{mask.frame.origin, factor * mask.frame.scale},
+                  Image(shrunk(mask.ink.height), shrunk(mask.ink.width), 1, kPaper)};
+  for (int row = 0; row < coarse.ink.height; ++row) {
+    for (int column = 0; column < coarse.ink.width; ++column) {
+      const auto at = [&](int index, int side) { return std::min(static_cast<int>((index + 0.5) / factor), side - 1); };
+      coarse.ink.at(row, column) = mask.ink.at(at(row, mask.ink.height), at(column, mask.ink.width));
+    }
+  }
+  return coarse;
+}
+
 /// Sets the shape, the widths, the length and the lines of a piece from its own mask.
 void MeasurePiece(const AreaMask& mask, double max_width, AreaPiece& piece) {
   const double scale = mask.frame.scale;
   const Image skeleton = Thin(mask.ink);
   const auto half_widths = HalfWidthsAlong(skeleton, mask.ink);
   const auto num_inked = static_cast<double>(std::count(mask.ink.pixels.begin(), mask.ink.pixels.end(), kInk));
-  const double pen = 2.0 * Median(half_widths), width = 2.0 * Percentile(half_widths, 90.0);
+  const double pen = 2.0 * Median(half_widths);
+  if (pen > kMostPiecePixels) return MeasurePiece(Coarser(mask, kPenPixels / pen), max_width, piece);
+  const double width = 2.0 * Percentile(half_widths, 90.0);
   piece.length = static_cast<double>(half_widths.size()) / scale;
   piece.pen_width = pen / scale;
   piece.width = width / scale;

@@ -27,7 +27,8 @@ struct MaskFrame {
 };
 
 /// Sets the pixels of a mask of one channel whose centres are inside the area to a value. What lies beyond the mask is
-/// cut off. O(pixels set + rows crossed by edges).
+/// cut off. Middle lines need centres alone: cv::fillPoly, which SvgCanvas fills with, also sets every pixel that an
+/// outline touches, which widens thin pens and closes gaps. O(pixels set + rows crossed by edges).
 /// @throws Error if the mask has more than one channel or a point is not finite.
 void FillArea(const FilledArea& area, const MaskFrame& frame, uint8_t value, Image& mask);
 

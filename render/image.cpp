@@ -121,7 +121,9 @@ Image::Image(int height, int width, int channels, uint8_t value) : height(height
 Image DecodeImage(std::string_view bytes, std::string_view name) {
   DAUMIER_CHECK(!bytes.empty(), "{}: the file is empty", name);
   if (IsPng(bytes)) CheckPngHeader(bytes, name);
-  cv::Mat decoded = IsJpeg(bytes) ? DecodeJpeg(bytes, name) : DecodeWithOpenCv(bytes);
+  cv::Mat decoded = IsJpeg(bytes)  ? DecodeJpeg(bytes, name)
+                    : IsPng(bytes) ? DecodeWithOpenCv(PixelChunksOfPng(bytes, name))
+                                   : DecodeWithOpenCv(bytes);
   DAUMIER_CHECK(!decoded.empty(), "{}: not a readable picture, or truncated (expected PNG, JPEG, WebP, BMP or TIFF)",
                 name);
   decoded = Turned(decoded, ExifOrientation(bytes));

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "render/stroke_samples.h"
+#include "render/swept_outline.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,15 @@ using Eigen::Vector2d;
 
 /// Width of a pen as a share of the sheet's longer side.
 constexpr double kMaxPenShare = 0.06;
+/// Width of a line along which a pen was swept without doubt, in that of a pen.
+constexpr double kMaxSweptWidths = 2.0;
 /// Length of the middle lines of a dot, in its widths, from which they replace its outline.
 constexpr double kLeastDotLength = 0.5;
 /// Pixels in all, and pairs of an area and paper over it, from which on all areas are traced in one picture.
 constexpr double kMaxPixelsInAll = 1.5e8;
 constexpr size_t kMaxPairs = 200'000;
+/// Outlines in all of which the line along which they were swept is searched.
+constexpr size_t kMaxSweptOutlines = 4000;
 /// Share of the points of two sets of lines that must be near the other set if they are to agree.
 constexpr double kAgreeingShare = 0.95;
 /// Points by which that is found.
@@ -79,7 +84,7 @@ class PenAreas {
 
   std::vector<std::vector<Stroke>> Strokes() {
     MakeGroups();
-    for (Group& group : groups_) group.pieces = FindAreaPieces(LayersOf(group.areas), max_width_);
+    for (Group& group : groups_) group.pieces = PiecesOf(group);
     JoinShortAreas();
     const double max_dot = kMaxDotWidths * PenWidthOfAll();
     std::vector<std::vector<Stroke>> strokes(areas_.size());
@@ -131,6 +136,27 @@ class PenAreas {
     std::vector<const PaintedArea*> result;
     for (const size_t layer : layers) result.push_back(&areas_[layer]);
     return result;
+  }
+
+  /// The pieces of a group. What paper is painted over shows no more than what is left of it.
+  std::vector<AreaPiece> PiecesOf(const Group& group) {
+    const auto layers = LayersOf(group.areas);
+    if (layers.size() != 1) return FindAreaPieces(layers, max_width_);
+    const PaintedArea& area = *layers.front();
+    PaintedArea rest = area;
+    std::vector<AreaPiece> swept_pieces;
+    std::erase_if(rest.shape.outlines, [&](const std::vector<Vector2d>& outline) {
+      if (++num_swept_outlines_ > kMaxSweptOutlines) return false;
+      const auto swept = LineOfSweptOutline(outline);
+      if (!swept || swept->width > kMaxSweptWidths * max_width_) return false;
+      swept_pieces.push_back({PieceShape::kLine, swept->width, swept->pen_width, swept->length, {swept->line}, {}, {}});
+      return true;
+    });
+    if (swept_pieces.empty()) return FindAreaPieces(layers, max_width_);
+    std::vector<AreaPiece> pieces = FindAreaPieces({&rest}, max_width_);
+    for (AreaPiece& piece : pieces) piece.areas = {&area};
+    pieces.insert(pieces.end(), swept_pieces.begin(), swept_pieces.end());
+    return pieces;
   }
 
   /// A brush can be drawn as many short areas that touch.
@@ -204,6 +230,7 @@ class PenAreas {
   std::vector<AlignedBox2d> boxes_;
   std::vector<size_t> papers_;
   std::vector<Group> groups_;
+  size_t num_swept_outlines_ = 0;
 };
 
 }  // namespace

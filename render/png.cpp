@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <array>
 #include <cstdint>
 
 namespace daumier::render {
@@ -35,6 +36,38 @@ bool BelongTogether(int bit_depth, int colour_type) {
   }
 }
 
+/// Whether the bytes of the chunks IDAT are one whole zlib stream.
+class ZlibCheck {
+ public:
+  explicit ZlibCheck(std::string_view name) : name_(name) {
+    DAUMIER_CHECK(inflateInit(&stream_) == Z_OK, "{}: no memory for reading a PNG", name_);
+  }
+  ~ZlibCheck() { inflateEnd(&stream_); }
+  ZlibCheck(const ZlibCheck&) = delete;
+  ZlibCheck& operator=(const ZlibCheck&) = delete;
+
+  void Add(std::string_view data) {
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
+    stream_.avail_in = static_cast<uInt>(data.size());
+    while (!is_whole_ && stream_.avail_in > 0) {
+      stream_.next_out = ignored_.data();
+      stream_.avail_out = static_cast<uInt>(ignored_.size());
+      const int state = inflate(&stream_, Z_NO_FLUSH);
+      is_whole_ = state == Z_STREAM_END;
+      DAUMIER_CHECK(is_whole_ || state == Z_OK, "{}: the pixels of the PNG are damaged: zlib: {}. Export it again",
+                    name_, stream_.msg != nullptr ? stream_.msg : "unexpected end");
+    }
+  }
+
+  bool is_whole() const { return is_whole_; }
+
+ private:
+  std::string_view name_;
+  z_stream stream_{};
+  std::array<Bytef, 65536> ignored_{};
+  bool is_whole_ = false;
+};
+
 }  // namespace
 
 bool IsPng(std::string_view bytes) {
@@ -61,6 +94,29 @@ void CheckPngHeader(std::string_view bytes, std::string_view name) {
   DAUMIER_CHECK(field(10) == 0 && field(11) == 0 && field(12) <= 1,
                 "{}: a PNG of compression {}, filter {} and interlace {} (expected 0, 0, and 0 or 1)", name, field(10),
                 field(11), field(12));
+}
+
+std::string PixelChunksOfPng(std::string_view bytes, std::string_view name) {
+  constexpr size_t kAroundData = 12;  // Length, type, checksum.
+  constexpr std::string_view kEnd("\0\0\0\0IEND\xAE\x42\x60\x82", kAroundData);
+  std::string chunks(kPngSignature);
+  ZlibCheck pixels(name);
+  size_t offset = kPngSignature.size();
+  while (bytes.size() - offset >= kAroundData) {
+    const size_t length = BigEndian32(bytes, offset);
+    if (length > bytes.size() - offset - kAroundData) break;
+    const std::string_view chunk = bytes.substr(offset, kAroundData + length), type = chunk.substr(4, 4);
+    offset += chunk.size();
+    if (type == "IEND") break;
+    if (type != "IHDR" && type != "PLTE" && type != "tRNS" && type != "IDAT") continue;
+    const auto* const checked = reinterpret_cast<const Bytef*>(chunk.data() + 4);
+    DAUMIER_CHECK(crc32(0, checked, static_cast<uInt>(4 + length)) == BigEndian32(chunk, 8 + length),
+                  "{}: the PNG is damaged: the checksum of its chunk {} differs. Export it again", name, type);
+    if (type == "IDAT") pixels.Add(chunk.substr(8, length));
+    chunks += chunk;
+  }
+  DAUMIER_CHECK(pixels.is_whole(), "{}: truncated PNG: pixels are missing at its end", name);
+  return chunks.append(kEnd);
 }
 
 }  // namespace daumier::render

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace daumier::render {
@@ -9,5 +10,10 @@ bool IsPng(std::string_view bytes);
 /// at most 2^30 in all, and a bit depth and colour type that belong together. @throws Error naming `name` and what was
 /// found.
 void CheckPngHeader(std::string_view bytes, std::string_view name);
+
+/// A PNG of the chunks that make its pixels alone: header, palette, transparency, data, end. libpng, as OpenCV uses it,
+/// prints its complaints about all others, and about damage, to stderr. What follows the end is left out; a missing end is
+/// added. @throws Error naming `name` if a checksum differs, or the data are no whole zlib stream.
+std::string PixelChunksOfPng(std::string_view bytes, std::string_view name);
 
 }  // namespace daumier::render

@@ -1,6 +1,7 @@
 #include "render/svg_areas.h"
 
 #include "render/pen_areas.h"
+#include "render/svg_rings.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,8 @@ namespace {
 /// Steps of a colour's channels: paints that differ by less are one ink. Colours that are read as ink.
 constexpr double kColourSteps = 15.0;
 constexpr size_t kMaxInks = 8;
+/// Areas that may come from clips: a file can use one clip of many areas many times.
+constexpr size_t kMaxClipAreas = 50'000;
 /// From which an area hides what lies below.
 constexpr double kLeastHidingAlpha = 0.5;
 
@@ -43,6 +46,42 @@ const SvgPolyline* OutlineOf(const SvgShape& shape, const Stroke& stroke) {
   return nullptr;
 }
 
+/// The first clip that lies inside the shape, if that is a rectangle filled without a stroke; else the end.
+std::vector<std::shared_ptr<const SvgClip>>::const_iterator ClipInside(const SvgShape& shape) {
+  const auto& clips = shape.clips;
+  if (!shape.fill || shape.stroke || shape.polylines.size() != 1) return clips.end();
+  const auto rectangle = RectangleOf(shape.polylines[0]);
+  if (!rectangle) return clips.end();
+  return std::ranges::find_if(clips, [&](const auto& clip) {
+    return !clip->areas().empty() && std::ranges::all_of(clip->areas(), [&](const SvgArea& area) {
+      return std::ranges::all_of(area.rings, [&](const SvgPolyline& ring) {
+        return std::ranges::all_of(ring.points, [&](const auto& point) { return rectangle->contains(point); });
+      });
+    });
+  });
+}
+
+/// A shape as areas without the clips that lie inside it.
+void AppendCut(SvgShape shape, std::vector<SvgShape>& shapes) {
+  const auto clip = ClipInside(shape);
+  if (clip == shape.clips.end() || shapes.size() + (*clip)->areas().size() > kMaxClipAreas) {
+    shapes.push_back(std::move(shape));
+    return;
+  }
+  const std::shared_ptr<const SvgClip> kept = *clip;
+  shape.clips.erase(clip);
+  for (const SvgArea& area : kept->areas()) {
+    SvgShape part = shape;
+    part.polylines = area.rings;
+    part.fill_rule = area.rule;
+    part.is_fill_given = true;
+    for (SvgPolyline& ring : part.polylines)
+      if (!ring.points.empty() && ring.points.front() != ring.points.back()) ring.points.push_back(ring.points.front());
+    std::erase_if(part.polylines, [](const SvgPolyline& ring) { return ring.points.empty(); });
+    if (!part.polylines.empty()) AppendCut(std::move(part), shapes);
+  }
+}
+
 /// The colours of areas by their number of shapes, the most first.
 std::vector<InkColour> InksOf(const std::map<InkColour, std::vector<int>>& shapes_of) {
   std::vector<InkColour> inks;
@@ -59,6 +98,12 @@ FilledArea FilledAreaOf(const SvgShape& shape) {
   FilledArea area{{}, shape.fill_rule};
   for (const SvgPolyline& polyline : shape.polylines) area.outlines.push_back(polyline.points);
   return area;
+}
+
+void CutAreasByClips(SvgScene& scene) {
+  std::vector<SvgShape> shapes;
+  for (SvgShape& shape : scene.shapes) AppendCut(std::move(shape), shapes);
+  scene.shapes = std::move(shapes);
 }
 
 std::vector<std::vector<SvgAreaLine>> LinesOfAreas(const SvgScene& scene, const std::vector<AreaReading>& reading,

@@ -15,6 +15,11 @@ struct SvgAreaLine {
 /// The area that a shape paints with its fill.
 FilledArea FilledAreaOf(const SvgShape& shape);
 
+/// Replaces rectangles that are filled without a stroke and clipped by areas inside them by these areas: converters from
+/// PDF, and programs that fill pens with gradients, write a line of a pen as such a clip. All other shapes keep their
+/// clips.
+void CutAreasByClips(SvgScene& scene);
+
 /// What becomes of a shape's area.
 enum class AreaReading {
   kNothing,   ///< It has no lines, but may hide others.

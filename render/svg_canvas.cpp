@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kCanvasSide = 1024.0, kLeastCanvasSide = 128.0;
 /// Pixels that all shapes together may paint; more make the canvas coarser.
-constexpr double kMaxPainted = 1.5e9;
+constexpr double kMaxPainted = 3e8;
 /// Bits of a pixel's fraction in OpenCV's coordinates.
 constexpr int kCanvasShift = 4;
 /// Masks of clips that are kept: neighbours have the same ones.
@@ -71,7 +71,8 @@ struct SvgCanvas::Pixels {
     return cv::Rect(from, to) & cv::Rect(0, 0, color.cols, color.rows);
   }
 
-  /// 255 inside an area, within a rectangle.
+  /// 255 inside an area, within a rectangle, and where its outline passes: an area thinner than a pixel still hides what
+  /// lies below, which FillArea, by the centres of pixels, would leave seen.
   cv::Mat MaskOfArea(const std::vector<SvgPolyline>& rings, FillRule rule, const cv::Rect& rectangle) const {
     cv::Mat mask = cv::Mat::zeros(rectangle.size(), CV_8U);
     const cv::Point offset(-rectangle.x * (1 << kCanvasShift), -rectangle.y * (1 << kCanvasShift));

@@ -33,8 +33,8 @@ constexpr double kShadeThickness = 0.5;
 constexpr double kMostOf = 0.5;
 /// Points by which that is found.
 constexpr size_t kNumProbes = 48;
-/// Pairs of shapes, and cells of the grid, that are compared at most.
-constexpr int64_t kMaxComparisons = 5'000'000;
+/// Pairs of shapes whose contrasts and boxes are compared at most, and pairs of which one is searched inside the other.
+constexpr int64_t kMaxComparisons = 40'000'000, kMaxSearches = 60'000;
 constexpr double kMaxCellsOfSegment = 1024.0;
 
 /// What is known of a shape.
@@ -100,9 +100,10 @@ class GroundReader {
       if (shape.stroke || !shape.fill || CoversSheet(scene_, shape)) continue;
       reading[i] = facts_[i].is_ground ? AreaReading::kOutlines : AreaReading::kPen;
     }
+    SortByContrast();
     MakeGrid();
     MarkHoles(reading);
-    for (size_t i = 0; i < scene_.shapes.size() && num_comparisons_ < kMaxComparisons; ++i) {
+    for (size_t i = 0; i < scene_.shapes.size() && HasWorkLeft(); ++i) {
       if (facts_[i].contrast < kInkContrast || facts_[i].is_ground) continue;
       if (reading[i] == AreaReading::kPen && (IsAlongInk(i) || HoldsInk(i))) reading[i] = AreaReading::kNothing;
       if (HasHairline(scene_, scene_.shapes[i]) && IsAlongInk(i)) reading[i] = AreaReading::kShade;
@@ -156,9 +157,17 @@ class GroundReader {
   }
 
   bool LiesIn(size_t inner, size_t outer) {
-    num_comparisons_ += static_cast<int64_t>(kNumProbes);
+    ++num_searches_;
     return ShareOfProbes(ProbesOf(scene_.shapes[inner]),
                          [&](const Vector2d& probe) { return InsideOf(outer).Contains(probe); }) > kMostOf;
+  }
+
+  bool HasWorkLeft() const { return num_comparisons_ < kMaxComparisons && num_searches_ < kMaxSearches; }
+
+  void SortByContrast() {
+    for (size_t i = 0; i < facts_.size(); ++i)
+      if (!facts_[i].is_ground) by_contrast_.push_back(i);
+    std::ranges::stable_sort(by_contrast_, [&](size_t a, size_t b) { return facts_[a].contrast > facts_[b].contrast; });
   }
 
   bool IsArea(size_t index) const { return scene_.shapes[index].fill && facts_[index].thickness > 0.0; }
@@ -169,14 +178,16 @@ class GroundReader {
   /// Areas of the colour of the ground, unless they lie on a thick area.
   void MarkHoles(std::vector<AreaReading>& reading) {
     std::unordered_map<size_t, std::vector<size_t>> holes_of;
-    for (size_t i = 0; i < reading.size() && num_comparisons_ < kMaxComparisons; ++i) {
-      if (reading[i] != AreaReading::kPen || !IsArea(i) || facts_[i].contrast >= kInkContrast) continue;
+    std::vector<size_t> inks;
+    for (size_t i = 0; i < reading.size() && HasWorkLeft(); ++i) {
+      if (reading[i] != AreaReading::kPen) continue;
+      if (facts_[i].contrast >= kInkContrast) inks.push_back(i);
+      if (!IsArea(i) || facts_[i].contrast >= kInkContrast) continue;
       reading[i] = AreaReading::kNothing;
-      for (size_t below = i; below-- > 0;) {
+      for (auto below = inks.rbegin(); below != inks.rend() && HasWorkLeft(); ++below) {
         ++num_comparisons_;
-        const bool is_ink = reading[below] == AreaReading::kPen && facts_[below].contrast >= kInkContrast;
-        if (!is_ink || !facts_[below].box.intersects(facts_[i].box) || !LiesIn(i, below)) continue;
-        holes_of[below].push_back(i);
+        if (!facts_[*below].box.intersects(facts_[i].box) || !LiesIn(i, *below)) continue;
+        holes_of[*below].push_back(i);
         break;
       }
     }
@@ -205,10 +216,10 @@ class GroundReader {
     return static_cast<int64_t>(std::floor(std::clamp(coordinate / cell_, -1e6, 1e6)));
   }
 
-  /// The shapes that pass through each cell.
+  /// The shapes that pass through each cell, those of most contrast first.
   void MakeGrid() {
-    for (size_t s = 0; s < scene_.shapes.size(); ++s) {
-      if (facts_[s].contrast < kInkContrast || facts_[s].is_ground) continue;
+    for (const size_t s : by_contrast_) {
+      if (facts_[s].contrast < kInkContrast) break;
       for (const auto& line : scene_.shapes[s].polylines) {
         for (size_t i = 0; i < line.points.size(); ++i) {
           const Vector2d along = line.points[(i + 1) % line.points.size()] - line.points[i];
@@ -239,9 +250,11 @@ class GroundReader {
                for (int64_t column = CellOf(probe.x()) - 1; column <= CellOf(probe.x()) + 1; ++column) {
                  const auto found = grid_.find(KeyOf(column, row));
                  if (found == grid_.end()) continue;
-                 num_comparisons_ += std::ssize(found->second);
-                 for (const size_t ink : found->second)
+                 for (const size_t ink : found->second) {
+                   ++num_comparisons_;
+                   if (facts_[ink].contrast < kInkOverShade * facts_[pale].contrast) break;
                    if (OutweighsAlong(ink, pale)) return true;
+                 }
                }
              }
              return false;
@@ -256,11 +269,11 @@ class GroundReader {
       const auto& fill = scene_.shapes[ink].fill;
       return paint.alpha < 1.0 && fill && fill->alpha > paint.alpha && fill->rgb == paint.rgb;
     };
-    for (size_t ink = IsTransparent(pale) ? 0 : pale + 1;
-         ink < scene_.shapes.size() && num_comparisons_ < kMaxComparisons; ++ink) {
+    for (const size_t ink : by_contrast_) {
+      if (!HasWorkLeft() || (paint.alpha >= 1.0 && facts_[ink].contrast < kInkOverWash * facts_[pale].contrast)) break;
       ++num_comparisons_;
-      if (ink == pale || facts_[ink].is_ground || !outweighs(ink) || !facts_[ink].box.intersects(facts_[pale].box))
-        continue;
+      const bool is_seen = ink > pale || (ink < pale && IsTransparent(pale));
+      if (!is_seen || !facts_[ink].box.intersects(facts_[pale].box) || !outweighs(ink)) continue;
       if (LiesIn(ink, pale)) return true;
     }
     return false;
@@ -271,9 +284,10 @@ class GroundReader {
   double side_, cell_;
   std::vector<ShapeFacts> facts_;
   std::vector<size_t> grounds_;
+  std::vector<size_t> by_contrast_;  ///< All shapes but large rectangles, that of most contrast first.
   std::unordered_map<size_t, std::unique_ptr<SvgClip>> insides_;
   std::unordered_map<int64_t, std::vector<size_t>> grid_;
-  int64_t num_comparisons_ = 0;
+  int64_t num_comparisons_ = 0, num_searches_ = 0;
 };
 
 }  // namespace

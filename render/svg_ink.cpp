@@ -322,6 +322,7 @@ std::vector<Stroke> InkOfScene(SvgScene& scene) {
   const SvgColor white{Vector3d::Ones(), 1.0};
   SvgColor paper = scene.background.value_or(SvgColor{Vector3d::Ones(), 0.0});
   paper.rgb = paper.alpha * paper.rgb + (1.0 - paper.alpha) * white.rgb;
+  CutAreasByClips(scene);
   JoinStrokesWithAreas(scene);
   std::vector<InkLine> lines = InkReader(scene, paper).Read();
   if (lines.empty()) {

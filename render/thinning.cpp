@@ -61,7 +61,8 @@ const Tables& GetTables() {
 /// The mask with a border of paper, so that every pixel has eight neighbours.
 class PaddedMask {
  public:
-  explicit PaddedMask(const Image& mask) : stride_(mask.width + 2), is_ink_(size_t(stride_) * (mask.height + 2), 0) {
+  explicit PaddedMask(const Image& mask)
+      : stride_(size_t(mask.width) + 2), is_ink_(stride_ * (size_t(mask.height) + 2), 0) {
     for (int row = 0; row < mask.height; ++row) {
       for (int column = 0; column < mask.width; ++column) {
         is_ink_[Index(row, column)] = mask.at(row, column) == kInk;
@@ -69,7 +70,7 @@ class PaddedMask {
     }
   }
 
-  size_t Index(int row, int column) const { return size_t(row + 1) * stride_ + column + 1; }
+  size_t Index(int row, int column) const { return size_t(row + 1) * stride_ + size_t(column) + 1; }
   bool IsInk(size_t index) const { return is_ink_[index] != 0; }
   void Clear(size_t index) { is_ink_[index] = 0; }
 
@@ -81,6 +82,13 @@ class PaddedMask {
            above[-1] << 7;
   }
 
+  std::array<size_t, 8> IndicesAround(size_t index) const {
+    const size_t above = index - stride_, below = index + stride_;
+    return {above - 1, above, above + 1, index - 1, index + 1, below - 1, below, below + 1};
+  }
+
+  size_t size() const { return is_ink_.size(); }
+
   std::vector<size_t> Ink() const {
     std::vector<size_t> indices;
     for (size_t index = 0; index < is_ink_.size(); ++index) {
@@ -90,9 +98,42 @@ class PaddedMask {
   }
 
  private:
-  int stride_;
+  size_t stride_;
   std::vector<uint8_t> is_ink_;
 };
+
+/// Clears in alternating passes, each for all pixels at once, the pixels that go, until none does. A pixel is tested in
+/// a pass only if its neighbours changed since its last test in that pass. Linear in the ink.
+void RemovePassByPass(PaddedMask& mask, const Tables& tables) {
+  std::array<std::vector<size_t>, 2> to_test;
+  std::vector<uint8_t> is_queued(mask.size(), 0);  // Bit k for pass k.
+  constexpr Neighbours kAllInk = 255;
+  for (const size_t index : mask.Ink()) {
+    if (mask.NeighboursOf(index) == kAllInk) continue;
+    for (auto& queue : to_test) queue.push_back(index);
+    is_queued[index] = 3;
+  }
+  std::vector<size_t> going;
+  for (int pass = 0; !to_test[0].empty() || !to_test[1].empty(); pass = 1 - pass) {
+    going.clear();
+    for (const size_t index : to_test[size_t(pass)]) {
+      is_queued[index] &= static_cast<uint8_t>(~(1U << pass));
+      if (mask.IsInk(index) && tables.goes[size_t(pass)][mask.NeighboursOf(index)]) going.push_back(index);
+    }
+    to_test[size_t(pass)].clear();
+    for (const size_t index : going) mask.Clear(index);
+    for (const size_t index : going) {
+      for (const size_t around : mask.IndicesAround(index)) {
+        if (!mask.IsInk(around)) continue;
+        for (unsigned k = 0; k < 2; ++k) {
+          if ((is_queued[around] >> k & 1) != 0) continue;
+          is_queued[around] |= static_cast<uint8_t>(1U << k);
+          to_test[k].push_back(around);
+        }
+      }
+    }
+  }
+}
 
 }  // namespace
 
@@ -100,17 +141,8 @@ Image Thin(const Image& ink) {
   DAUMIER_CHECK(ink.channels == 1, "a mask of {} channels is to be thinned, expected 1", ink.channels);
   const Tables& tables = GetTables();
   PaddedMask mask(ink);
-  std::vector<size_t> remaining = mask.Ink(), going;
-  for (int pass = 0, num_idle_passes = 0; num_idle_passes < 2; pass = 1 - pass) {
-    going.clear();
-    for (const size_t index : remaining) {
-      if (tables.goes[pass][mask.NeighboursOf(index)]) going.push_back(index);
-    }
-    for (const size_t index : going) mask.Clear(index);
-    std::erase_if(remaining, [&](size_t index) { return !mask.IsInk(index); });
-    num_idle_passes = going.empty() ? num_idle_passes + 1 : 0;
-  }
-  for (const size_t index : remaining) {
+  RemovePassByPass(mask, tables);
+  for (const size_t index : mask.Ink()) {
     if (tables.is_superfluous[mask.NeighboursOf(index)]) mask.Clear(index);
   }
 

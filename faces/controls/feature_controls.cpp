@@ -1,6 +1,6 @@
 #include "faces/controls/control_table.h"
 
-#include <limits>
+
 
 namespace daumier::faces {
 namespace {
@@ -10,9 +10,6 @@ using enum Motion::Kind;
 
 SoftRegion Around(std::vector<Anchor> path, geometry::Vector3 radii, std::vector<Ramp> ramps = {}) {
   return {std::move(path), radii, std::move(ramps)};
-}
-SoftRegion Around(std::vector<Anchor> path, double radius, std::vector<Ramp> ramps = {}) {
-  return Around(std::move(path), geometry::Vector3::Constant(radius), std::move(ramps));
 }
 
 const geometry::Vector3 kUp{0, 1, 0}, kDown{0, -1, 0};

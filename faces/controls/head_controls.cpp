@@ -1,6 +1,6 @@
 #include "faces/controls/control_table.h"
 
-#include <limits>
+
 
 namespace daumier::faces {
 namespace {

@@ -116,6 +116,26 @@ TEST(PenAreas, ShortAreasThatTouchAreOneLine) {
   EXPECT_EQ(num_strokes, 1U);
 }
 
+TEST(PenAreas, NibThatLosesItsWidthOnTheWayIsOneLine) {
+  // The sides cross at (90, 100).
+  const OutlinePoints crossed{{40, 97}, {140, 103}, {140, 97}, {40, 103}};
+  const auto strokes = StrokesOfOne(AreaOf({crossed}));
+  ASSERT_EQ(strokes.size(), 1U);
+  for (const auto& [x, y] : strokes[0].points) EXPECT_NEAR(y, 100, 0.5);
+  EXPECT_NEAR(std::abs(strokes[0].points.front()[0] - strokes[0].points.back()[0]), 95, 7);
+}
+
+TEST(PenAreas, OfAnElementOfManyStrokesEachIsReadItsOwnWay) {
+  const OutlinePoints crossed{{40, 97}, {140, 103}, {140, 97}, {40, 103}};
+  const auto strokes = StrokesOfOne(AreaOf({BarOutline(40, 150, 140, 154), crossed}));
+  ASSERT_EQ(strokes.size(), 2U);
+  const auto is_at = [](double height) {
+    return [=](const Stroke& stroke) { return std::abs(stroke.points[0][1] - height) < 1.0; };
+  };
+  EXPECT_EQ(std::ranges::count_if(strokes, is_at(152)), 1);
+  EXPECT_EQ(std::ranges::count_if(strokes, is_at(100)), 1);
+}
+
 TEST(PenAreas, DrawnLineIsTakenWhereItIsInTheMiddle) {
   auto area = AreaOf({BarOutline(40, 98, 140, 102)});
   area.drawn_lines = {{{40, 100.25}, {140, 100.25}}};

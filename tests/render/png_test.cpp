@@ -63,5 +63,37 @@ TEST(PngHeader, DamageIsFound) {
   ExpectError([&] { DecodeImage(bytes, "a.png"); }, "a.png: a PNG without a header");
 }
 
+std::string ChunkOf(const std::string& type, const std::string& data) {
+  std::string chunk = std::string(4, '\0') + type + data + std::string(4, '\0');
+  PutBigEndian(chunk, 0, uint32_t(data.size()));
+  PutBigEndian(chunk, 8 + data.size(),
+               uint32_t(crc32(0, reinterpret_cast<const Bytef*>(chunk.data() + 4), uInt(4 + data.size()))));
+  return chunk;
+}
+
+TEST(PixelChunksOfPng, AreAllThatAWrittenPictureNeeds) {
+  const std::string bytes = PngOf(6, 4);
+  const Image image = DecodeImage(bytes, "a");
+  // A colour profile that libpng complains about, and something after the end.
+  const std::string with_profile = bytes.substr(0, 33) + ChunkOf("iCCP", "bad") + bytes.substr(33) + "rest";
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(DecodeImage(with_profile, "a"), image);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(PixelChunksOfPng(with_profile, "a"), PixelChunksOfPng(bytes, "a"));
+}
+
+TEST(PixelChunksOfPng, DamageIsAnErrorWithoutALineOfTheLibrary) {
+  const std::string bytes = PngOf(6, 4), head = bytes.substr(0, 33), end = ChunkOf("IEND", "");
+  std::string flipped = bytes;
+  flipped[flipped.find("IDAT") + 6] ^= 1;
+  ::testing::internal::CaptureStderr();
+  ExpectError([&] { DecodeImage(flipped, "a.png"); }, "a.png: the PNG is damaged: the checksum of its chunk IDAT");
+  ExpectError([&] { DecodeImage(head + ChunkOf("IDAT", "no zlib data") + end, "a.png"); },
+              "a.png: the pixels of the PNG are damaged: zlib: incorrect header check");
+  ExpectError([&] { DecodeImage(head + end, "a.png"); }, "a.png: truncated PNG");
+  ExpectError([&] { DecodeImage(bytes.substr(0, bytes.find("IDAT") + 8), "a.png"); }, "a.png: truncated PNG");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace daumier::render

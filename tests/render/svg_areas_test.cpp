@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace daumier::render {
 namespace {
 
@@ -64,6 +66,54 @@ TEST(LinesOfAreas, ShapesThatAreNoAreasHaveNone) {
   const auto outlines = LinesOfAreas(scene, {AreaReading::kOutlines}, 100);
   ASSERT_EQ(outlines[0].size(), 1U);
   EXPECT_EQ(outlines[0][0].polyline.points, scene.shapes[0].polylines[0].points);
+}
+
+SvgShape ClippedBox(std::vector<SvgArea> areas) {
+  SvgShape box = BoxShape(0, 0, 100, 100, kBlackArea);
+  box.clips.push_back(std::make_shared<SvgClip>(std::move(areas)));
+  return box;
+}
+
+TEST(CutAreasByClips, ARectangleSeenThroughClipsIsTheirAreas) {
+  SvgScene scene;
+  scene.shapes = {ClippedBox({{{{{{20, 49}, {80, 49}, {80, 51}, {20, 51}}}}, FillRule::kEvenOdd},
+                              {{{{{20, 69}, {80, 69}, {80, 71}, {20, 71}}}}}})};
+  CutAreasByClips(scene);
+  ASSERT_EQ(scene.shapes.size(), 2U);
+  for (const SvgShape& shape : scene.shapes) {
+    EXPECT_TRUE(shape.clips.empty());
+    ASSERT_EQ(shape.polylines.size(), 1U);
+    EXPECT_EQ(shape.polylines[0].points.size(), 5U);
+    EXPECT_EQ(shape.polylines[0].points.front(), shape.polylines[0].points.back());
+    EXPECT_EQ(shape.fill->rgb, kBlackArea.rgb);
+  }
+  EXPECT_EQ(scene.shapes[0].fill_rule, FillRule::kEvenOdd);
+  EXPECT_EQ(scene.shapes[1].fill_rule, FillRule::kNonzero);
+  EXPECT_EQ(scene.shapes[1].polylines[0].points[0], Eigen::Vector2d(20, 69));
+}
+
+TEST(CutAreasByClips, OtherClipsAreKept) {
+  const SvgArea reaches_out{{{{{20, 49}, {180, 49}, {180, 51}, {20, 51}}}}};
+  SvgShape stroked = ClippedBox({{{{{{20, 49}, {80, 49}, {80, 51}}}}}}), line = stroked;
+  stroked.stroke = kSkinArea;
+  line.polylines = {{{{20, 20}, {80, 80}, {20, 80}}}};
+  SvgScene scene;
+  scene.shapes = {ClippedBox({reaches_out}), stroked, line, ClippedBox({})};
+  CutAreasByClips(scene);
+  ASSERT_EQ(scene.shapes.size(), 4U);
+  for (const SvgShape& shape : scene.shapes) EXPECT_EQ(shape.clips.size(), 1U);
+  EXPECT_EQ(scene.shapes[0].polylines[0].points.size(), 5U);
+}
+
+TEST(CutAreasByClips, OfAnAreaThroughTwoClipsTheInnerOneIsLeft) {
+  SvgShape box = ClippedBox({{{{{{10, 10}, {90, 10}, {90, 90}, {10, 90}}}}}});
+  box.clips.push_back(std::make_shared<SvgClip>(std::vector<SvgArea>{{{{{{20, 49}, {80, 49}, {80, 51}}}}}}));
+  SvgScene scene;
+  scene.shapes = {box};
+  CutAreasByClips(scene);
+  ASSERT_EQ(scene.shapes.size(), 1U);
+  EXPECT_TRUE(scene.shapes[0].clips.empty());
+  EXPECT_EQ(scene.shapes[0].polylines[0].points.size(), 4U);
 }
 
 }  // namespace

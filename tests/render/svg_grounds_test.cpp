@@ -17,6 +17,16 @@ std::vector<AreaReading> Readings(const std::string& elements) {
 }
 using Expected = std::vector<AreaReading>;
 
+TEST(SvgGrounds, ManyPaleAreasOverEachOtherAreAllCompared) {
+  constexpr int kNumWashes = 4000;
+  std::string elements;
+  for (int i = 0; i < kNumWashes; ++i)
+    elements += fmt::format("<circle cx='{}' cy='{}' r='60' fill='#ddd'/>", 95 + i % 11, 95 + i / 11 % 11);
+  Expected expected(kNumWashes, kNothing);
+  expected.push_back(kPen);
+  EXPECT_EQ(Readings(elements + "<path d='M90 90H110V92H90Z'/>"), expected);
+}
+
 TEST(SvgGrounds, OnlyRectanglesOverTheSheetCoverIt) {
   const SvgScene scene = SceneOfAreas(
       "<rect width='200' height='199' rx='5'/><rect width='200' height='150'/><circle cx='100' cy='100' r='300'/>");
