@@ -71,13 +71,13 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
   for (const FaceControls::Entry& entry : controls_.entries()) {
     const int k = entry.first_value;
     num_anatomical = k + entry.num_values();
-    const double invented = invent(k);
+    const double invented = entry.control.boldness * invent(k);
     if (entry.control.sides == FaceControl::Sides::kSideways) {
       values[k] = value(k, options_.asymmetry * 2 * invented);
     } else if (entry.num_values() == 1) {
       values[k] = value(k, invented);
     } else {
-      const double difference = options_.asymmetry * HeavyTailed(rng);
+      const double difference = entry.control.boldness * options_.asymmetry * HeavyTailed(rng);
       values[k] = value(k, invented + difference);
       values[k + 1] = value(k + 1, invented - difference);
     }

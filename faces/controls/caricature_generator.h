@@ -39,7 +39,7 @@ struct CaricatureOptions {
 /// Draws caricatures of persons as artists do: what distinguishes a person from the mean is exaggerated [Brennan 1985],
 /// part by part, together with some invention. For a person whose controls deviate from the mean by values u
 /// (ControlFit), with z = u / deviations, a caricature of amount a has the values
-///   v_k = 3 tanh(a T (G_g own u_k max(|z_k|, 1/2)^emphasis + invention R_k) / 3)
+///   v_k = 3 tanh(a T (G_g own u_k max(|z_k|, 1/2)^emphasis + invention b_k R_k) / 3)
 /// with T = exp(0.25 n) the strength of the whole, G_g = exp(group_spread n_g) that of the group g of k, n and n_g of a
 /// normal distribution cut at two deviations, and R_k = 0.6 t_g + 0.8 t_k, where t are of Student's t distribution with
 /// four degrees of freedom, cut at 3: groups move together. In a share of caricatures (`inconsistent`) G_g is uniform in
