@@ -5,12 +5,13 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 
 namespace daumier::fitting {
 namespace {
 
 constexpr double kCorner = 0.7;
-constexpr int kDescentSteps = 200;
+constexpr int kDescentSteps = 200, kRootSteps = 60;
 
 }  // namespace
 
@@ -22,6 +23,17 @@ Eigen::MatrixXd CompositeDesign(int num_variables) {
   for (int axis = 0; axis < num_variables; ++axis) {
     design(num_corners + 2 * axis, axis) = -1.0;
     design(num_corners + 2 * axis + 1, axis) = 1.0;
+  }
+  return design;
+}
+
+Eigen::MatrixXd SpreadDesign(int num_variables, int first, int count) {
+  double root = 1.5;
+  for (int i = 0; i < kRootSteps; ++i) root = std::pow(1.0 + root, 1.0 / (num_variables + 1));
+  Eigen::MatrixXd design(count, num_variables);
+  for (int axis = 0; axis < num_variables; ++axis) {
+    const double step = std::pow(root, -(axis + 1));
+    for (int i = 0; i < count; ++i) design(i, axis) = 2.0 * std::fmod(0.5 + step * (first + i + 1), 1.0) - 1.0;
   }
   return design;
 }
@@ -41,22 +53,32 @@ Eigen::VectorXd QuadraticSurface::LowestInBox() const {
   return lowest;
 }
 
-QuadraticSurface FitQuadraticSurface(const Eigen::MatrixXd& places, const Eigen::VectorXd& values) {
+QuadraticSurface FitQuadraticSurface(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
+                                     const Eigen::VectorXd& weights) {
   const Eigen::Index n = places.cols(), num_terms = (n + 1) * (n + 2) / 2;
   DAUMIER_CHECK(
       places.rows() == values.size() && places.rows() >= num_terms && places.allFinite() && values.allFinite(),
       "{} values at {} places do not determine a quadratic surface of {} variables (expected {} finite ones)",
       values.size(), places.rows(), n, num_terms);
+  DAUMIER_CHECK(
+      weights.size() == 0 || (weights.size() == values.size() && weights.allFinite() && weights.minCoeff() >= 0.0),
+      "{} weights of {} values (expected one each, not negative)", weights.size(), values.size());
   Eigen::MatrixXd terms(places.rows(), num_terms);
   terms.col(0).setOnes();
   terms.middleCols(1, n) = places;
   for (Eigen::Index i = 0, term = 1 + n; i < n; ++i)
     for (Eigen::Index j = i; j < n; ++j, ++term)
       terms.col(term) = (i == j ? 0.5 : 1.0) * places.col(i).cwiseProduct(places.col(j));
-  const Eigen::VectorXd weights = terms.colPivHouseholderQr().solve(values);
-  QuadraticSurface surface{weights[0], weights.segment(1, n), Eigen::MatrixXd(n, n)};
+  Eigen::VectorXd right = values;
+  if (weights.size() > 0) {
+    const Eigen::VectorXd roots = weights.cwiseSqrt();
+    terms = roots.asDiagonal() * terms;
+    right = roots.cwiseProduct(values);
+  }
+  const Eigen::VectorXd factors = terms.colPivHouseholderQr().solve(right);
+  QuadraticSurface surface{factors[0], factors.segment(1, n), Eigen::MatrixXd(n, n)};
   for (Eigen::Index i = 0, term = 1 + n; i < n; ++i)
-    for (Eigen::Index j = i; j < n; ++j, ++term) surface.hessian(i, j) = surface.hessian(j, i) = weights[term];
+    for (Eigen::Index j = i; j < n; ++j, ++term) surface.hessian(i, j) = surface.hessian(j, i) = factors[term];
   return surface;
 }
 

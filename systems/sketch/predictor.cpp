@@ -82,6 +82,26 @@ fitting::PredictedFace SketchPredictor::Deformed(fitting::PredictedFace face, co
   return face;
 }
 
+fitting::PredictedFace SketchPredictor::MeanFace(const Strokes& strokes,
+                                                 std::span<const fitting::WeightedFrame> frames) const {
+  std::vector<Strokes> sketches;
+  for (const fitting::WeightedFrame& frame : frames) sketches.push_back(render::MapToCanvas(strokes, frame.placement));
+  const std::vector<fitting::PredictedFace> faces = FromStrokes(sketches);
+  if (faces.size() == 1) return faces.front();
+  const auto of = [](const std::vector<float>& vertices) {
+    return Eigen::Map<const Eigen::VectorXf>(vertices.data(), Eigen::Index(vertices.size()));
+  };
+  Eigen::VectorXf u = Eigen::VectorXf::Zero(faces[0].u.size()), v = Eigen::VectorXf::Zero(faces[0].v.size()),
+                  vertices = Eigen::VectorXf::Zero(of(faces[0].vertices).size());
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const auto weight = static_cast<float>(frames[i].weight);
+    u += weight * faces[i].u;
+    v += weight * faces[i].v;
+    vertices += weight * of(faces[i].vertices);
+  }
+  return {std::move(u), std::move(v), {vertices.data(), vertices.data() + vertices.size()}};
+}
+
 std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) const {
   if (options_.faces != "all" || options_.framing == "keep" || std::holds_alternative<geometry::PolygonMesh>(input))
     return {std::move(input)};
@@ -121,7 +141,7 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
       fit ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
   const Strokes drawn = std::exchange(framed.strokes, render::SparseStrokes(framed.strokes, framed.placement.scale));
   task.ThrowIfCancelled("stopped before the drawing was framed");
-  render::Placement placement = framed.placement;
+  fitting::FoundFrame found{.placement = framed.placement, .near = {{framed.placement, 1.0}}};
   if (fit) {
     const fitting::CurvesOfSketches curves_of = [&](const std::vector<Strokes>& sketches) {
       std::vector<Strokes> curves;
@@ -133,13 +153,14 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
       }
       return curves;
     };
-    placement = fitting::FindFrame(framed, curves_of, options_.search, task).placement;
+    found = fitting::FindFrame(framed, curves_of, options_.search, task);
   }
+  const render::Placement& placement = found.placement;
   const Strokes before = render::MapToCanvas(framed.strokes, framed.placement),
                 strokes = render::MapToCanvas(framed.strokes, placement);
   task.ThrowIfCancelled("stopped before the face was predicted");
-  const std::vector<fitting::PredictedFace> faces = FromStrokes({before, strokes});
-  fitting::PredictedFace face = options_.refine ? Refined(faces[1], strokes) : faces[1];
+  const fitting::PredictedFace of_box = FromStrokes({before}).front(), predicted = MeanFace(framed.strokes, found.near);
+  fitting::PredictedFace face = options_.refine ? Refined(predicted, strokes) : predicted;
   task.ThrowIfCancelled("stopped before the face was complete");
   const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
     return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
@@ -167,8 +188,8 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
   result.record = {
       {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
       {"two_way_distance_px",
-       {{"before", distance(before, faces[0])},
-        {"framed", distance(strokes, faces[1])},
+       {{"before", distance(before, of_box)},
+        {"framed", distance(strokes, predicted)},
         {"after", options_.deform ? distance(strokes, face) : fit_px},
         {"after_trimmed",
          fitting::DistanceBetween(strokes, result.curves, search.drawn_trim, search.projected_trim).two_way()}}}};

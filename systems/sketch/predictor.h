@@ -81,6 +81,9 @@ class SketchPredictor : public systems::Predictor {
   const PredictOptions& options() const { return options_; }
 
  private:
+  /// The mean of the faces of a drawing in several frames whose weights' sum is 1; of u, v and vertices each.
+  fitting::PredictedFace MeanFace(const std::vector<render::Stroke>& strokes,
+                                  std::span<const fitting::WeightedFrame> frames) const;
   systems::FaceResult PredictOne(const render::Drawing& sheet, const Task& task) const;
 
   SketchRunFolder run_;

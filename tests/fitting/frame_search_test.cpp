@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace daumier::fitting {
@@ -83,6 +84,51 @@ TEST_F(FrameSearchTest, ANoisyDistanceMovesTheFrameLittle) {
             1.0);
 }
 
+TEST_F(FrameSearchTest, ANoisyFlatValleyMovesTheFrameLittle) {
+  // A network whose face takes most of the drawing's size, so that the distance hardly depends on scale, and shakes.
+  const auto height = [](const Sketch& sketch) {
+    Eigen::AlignedBox2d box;
+    for (const auto& stroke : sketch)
+      for (const auto& [x, y] : stroke.points) box.extend(Eigen::Vector2d(x, y));
+    return box.sizes().y();
+  };
+  const auto yielding = [&](double phase) -> CurvesOfSketches {
+    return [&, phase](const std::vector<Sketch>& sketches) {
+      std::vector<Sketch> faces;
+      for (const Sketch& sketch : sketches) {
+        const double factor = std::pow(height(sketch) / height(curves_), 0.8);
+        const double noise = 0.2 * std::sin(phase + 1e3 * sketch[0].points[0][0]);
+        faces.push_back(render::MapToCanvas(
+            curves_, {factor, (1 - factor) * Eigen::Vector2d(128, 128) + Eigen::Vector2d(noise, noise)}));
+      }
+      return faces;
+    };
+  };
+  const auto framed = render::FrameDrawing(OnASheet({}));
+  double largest = 0;
+  for (int phase = 0; phase < 6; ++phase) {
+    const FoundFrame found = FindFrame(framed, yielding(phase));
+    largest = std::max(largest, std::abs(std::log(2 * found.placement.scale)));
+  }
+  EXPECT_LT(largest, 0.02);
+}
+
+TEST_F(FrameSearchTest, TheWeightsOfNearFramesFallWithTheDistance) {
+  const auto framed = render::FrameDrawing(OnASheet({}));
+  const FoundFrame found = FindFrame(framed, Always());
+  ASSERT_EQ(found.near.size(), 29u);
+  EXPECT_EQ(found.near[0].placement.shift, found.placement.shift);
+  double sum = 0;
+  for (const WeightedFrame& frame : found.near) {
+    const double distance =
+        DistanceBetween(render::MapToCanvas(framed.strokes, frame.placement), curves_, 0.5, 0.05).two_way();
+    EXPECT_NEAR(frame.weight, found.near[0].weight * std::exp((found.distance_px - distance) / 0.05), 1e-9);
+    EXPECT_LT(std::abs(std::log(frame.placement.scale / found.placement.scale)), 0.031);
+    sum += frame.weight;
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+}
+
 TEST_F(FrameSearchTest, IsNeverWorseThanTheFrameOfTheBoundingBox) {
   const auto framed = render::FrameDrawing({100, 100, {{0, {{10, 10}, {80, 50}, {30, 90}}}}});
   const FoundFrame found = FindFrame(framed, Always(), {.shares = {0.5}, .starts = 1, .rounds = 0});
@@ -96,6 +142,8 @@ TEST_F(FrameSearchTest, WithoutSharesAndStepsTheBoundingBoxIsReturned) {
   EXPECT_EQ(found.placement.shift, framed.placement.shift);
   EXPECT_EQ(found.distance_px, found.start_distance_px);
   EXPECT_EQ(num_tried_, 1);
+  ASSERT_EQ(found.near.size(), 1u);
+  EXPECT_EQ(found.near[0].weight, 1);
 }
 
 TEST(FrameSearchOptions, AreParsed) {

@@ -129,6 +129,17 @@ TEST_F(SketchPredictorTest, OfABadFitInAFoundFrameTheFrameIsNotBlamed) {
   EXPECT_NE(bad[0].warnings[0].find("Is it one frontal face"), std::string::npos);
 }
 
+TEST_F(SketchPredictorTest, TheMeanOfEqualFacesOverNearFramesIsThisFace) {
+  PredictOptions options = WholeChain();
+  options.refine = options.deform = false;
+  const auto results = Open(options).Predict(OneInput());
+  EXPECT_TRUE(results[0].identity.isApprox(fixed_->u(), 1e-5f));
+  EXPECT_TRUE(results[0].expression.isApprox(fixed_->v(), 1e-5f));
+  const Eigen::VectorXf vertices = fixed_->vertices();
+  for (Eigen::Index i = 0; i < results[0].vertices.rows(); ++i)
+    EXPECT_LT((results[0].vertices.row(i) - vertices.segment<3>(3 * i).transpose().cast<double>()).norm(), 1e-4);
+}
+
 TEST_F(SketchPredictorTest, NoInputsAreNoFaces) {
   EXPECT_TRUE(Open(Keep()).Predict({}).empty());
   EXPECT_TRUE(fixed_->inputs().empty());
