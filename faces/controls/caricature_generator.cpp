@@ -1,6 +1,7 @@
 #include "faces/controls/caricature_generator.h"
 
 #include "core/error.h"
+#include "faces/controls/artist_habits.h"
 #include "faces/landmark_order.h"
 #include "geometry/alignment.h"
 #include "geometry/flips.h"
@@ -57,32 +58,33 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
     strength.push_back(inconsistent ? free : consistent);
     shared.push_back(HeavyTailed(rng));
   }
-  Eigen::VectorXd values(controls_.num_values());
-  const auto value = [&](int k, double invented) {
-    const int group = controls_.value_groups()[k];
+  const auto value = [&](int k, const ArtistHabit& habit, double invented) {
     const double unusual = std::max(0.5, std::abs(own[k]) / std::max(fit_.deviations()[k], 1e-9));
-    const double exaggerated = strength[group] * options_.own * own[k] * std::pow(unusual, options_.emphasis);
+    const double exaggerated =
+        strength[controls_.value_groups()[k]] * options_.own * own[k] * std::pow(unusual, options_.emphasis);
+    const double drawn = habit.boldness * (exaggerated + options_.invention * invented);
     return kGreatestControlValue *
-           std::tanh(whole * (exaggerated + options_.invention * invented) / kGreatestControlValue);
+           std::tanh(whole * (drawn + options_.tendencies * habit.tendency) / kGreatestControlValue);
   };
-  for (int k = 0; k < controls_.num_values(); ++k) values[k] = 0;
   const auto invent = [&](int k) { return 0.6 * shared[controls_.value_groups()[k]] + 0.8 * HeavyTailed(rng); };
+  Eigen::VectorXd values(controls_.num_values());
   int num_anatomical = 0;
   for (const FaceControls::Entry& entry : controls_.entries()) {
     const int k = entry.first_value;
     num_anatomical = k + entry.num_values();
-    const double invented = entry.control.boldness * invent(k);
+    const ArtistHabit habit = HabitOf(entry.control.name);
+    const double invented = invent(k);
     if (entry.control.sides == FaceControl::Sides::kSideways) {
-      values[k] = value(k, options_.asymmetry * 2 * invented);
+      values[k] = value(k, habit, 2 * options_.asymmetry * invented);
     } else if (entry.num_values() == 1) {
-      values[k] = value(k, invented);
+      values[k] = value(k, habit, invented);
     } else {
-      const double difference = entry.control.boldness * options_.asymmetry * HeavyTailed(rng);
-      values[k] = value(k, invented + difference);
-      values[k + 1] = value(k + 1, invented - difference);
+      const double difference = options_.asymmetry * HeavyTailed(rng);
+      values[k] = value(k, habit, invented + difference);
+      values[k + 1] = value(k + 1, habit, invented - difference);
     }
   }
-  for (int k = num_anatomical; k < controls_.num_values(); ++k) values[k] = value(k, invent(k));
+  for (int k = num_anatomical; k < controls_.num_values(); ++k) values[k] = value(k, {}, invent(k));
   return values;
 }
 

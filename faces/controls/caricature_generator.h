@@ -13,7 +13,8 @@ struct CaricatureOptions {
   double own = 0.8;
   double emphasis = 0.4;
   double group_spread = 0.5;
-  double invention = 0.28;
+  double invention = 0.35;
+  double tendencies = 1.0;
   double asymmetry = 0.15;
   double inconsistent = 0.2;
   double crispness = 0.02;
@@ -28,6 +29,8 @@ struct CaricatureOptions {
           "Standard deviation of the logarithm of the strength of each group of controls.");
     visit("invention", invention, Range{0.0, 3.0},
           "Standard deviation of the control values that do not come from the person, for an amount of 1.");
+    visit("tendencies", tendencies, Range{0.0, 5.0},
+          "How strongly what most caricatures have in common is added, such as long chins.");
     visit("asymmetry", asymmetry, Range{0.0, 1.0}, "Left and right differ, and sideways controls act, by this share.");
     visit("inconsistent", inconsistent, Range{0.0, 1.0},
           "Share of caricatures whose groups of controls are exaggerated independently of each other, some reversed.");
@@ -39,11 +42,12 @@ struct CaricatureOptions {
 /// Draws caricatures of persons as artists do: what distinguishes a person from the mean is exaggerated [Brennan 1985],
 /// part by part, together with some invention. For a person whose controls deviate from the mean by values u
 /// (ControlFit), with z = u / deviations, a caricature of amount a has the values
-///   v_k = 3 tanh(a T (G_g own u_k max(|z_k|, 1/2)^emphasis + invention b_k R_k) / 3)
+///   v_k = 3 tanh(a T (b_k (G_g own u_k max(|z_k|, 1/2)^emphasis + invention R_k) + tendencies t_k) / 3)
 /// with T = exp(0.25 n) the strength of the whole, G_g = exp(group_spread n_g) that of the group g of k, n and n_g of a
-/// normal distribution cut at two deviations, and R_k = 0.6 t_g + 0.8 t_k, where t are of Student's t distribution with
-/// four degrees of freedom, cut at 3: groups move together. In a share of caricatures (`inconsistent`) G_g is uniform in
-/// [-0.5, 2.5]. A pair has the same t_k left and right, up to asymmetry.
+/// normal distribution cut at two deviations, b_k and t_k the boldness and tendency of the control (ArtistHabit), and
+/// R_k = 0.6 s_g + 0.8 s_k, where s are of Student's t distribution with four degrees of freedom and a variance of 1,
+/// cut at 3: groups move together. In a share of caricatures (`inconsistent`) G_g is uniform in [-0.5, 2.5]. A pair has
+/// the same s_k left and right, up to asymmetry.
 class CaricatureGenerator {
  public:
   /// @throws Error as ControlFit and RegionFor; UsageError unless the first amount is 0.

@@ -33,7 +33,6 @@ struct FaceControl {
   SoftRegion region;
   Motion motion;
   Anchor pivot = {{27}};
-  double boldness = 1.0;  ///< How far artists go in it, as a multiple of what they do with others.
 };
 
 inline constexpr double kGreatestControlValue = 3.0;

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+namespace daumier::faces {
+
+/// What caricaturists do with a control, whoever the person is.
+struct ArtistHabit {
+  double boldness = 1;  ///< How far they go in it, as a multiple of what they do with others.
+  double tendency = 0;  ///< The value that an amount of caricature of 1 has on average.
+};
+
+/// The habit of a control by its name (without side); {} if nothing is known of it. Constants were judged by eye and on
+/// 15 caricature meshes by artists: they draw from the front, so depth varies little; they go far in the proportions of
+/// jaw, chin, nose and forehead, and less far in details; chins are long, eyes close together, features high.
+ArtistHabit HabitOf(const std::string& control);
+
+}  // namespace daumier::faces
