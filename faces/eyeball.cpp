@@ -18,7 +18,7 @@ constexpr double kSkinReach = 1.2, kClearance = 0.008, kBulge = 0.05, kFarthestA
                  kFarthestUp = 0.035;  // Shares of w.
 constexpr double kRounding = 0.05;     // Of a smooth maximum, as a share of w.
 constexpr double kSharpness = 250;     // Of the smooth minimum of depths, per w.
-constexpr double kSideSlope = 3;       // How fast skin beside the ball stops to hold it back.
+constexpr double kSideSlope = 3;       // how fast skin around the ball stops to hold it back.
 constexpr int kSegments = 32;
 constexpr double kPupilShare = 0.42, kIrisShare = 0.88;
 
@@ -97,7 +97,8 @@ double Eyeball::Front(double x, double y) const {
   return radii.z() * std::sqrt(std::max(0.0, 1 - q)) + bulge * of_iris * of_iris;
 }
 
-EyeballFit::EyeballFit(const geometry::Points& neutral, const std::vector<int>& lids) {
+EyeballFit::EyeballFit(const geometry::TriangleMesh& mesh, const std::vector<int>& lids) {
+  const geometry::Points& neutral = mesh.vertices;
   DAUMIER_CHECK(lids.size() >= 4, "an opening between lids has {} vertices, expected 4 or more", lids.size());
   std::vector<int> loop(lids);
   const auto by_x = [&](int a, int b) { return neutral(a, 0) < neutral(b, 0); };
@@ -119,8 +120,14 @@ EyeballFit::EyeballFit(const geometry::Points& neutral, const std::vector<int>& 
   const auto share = [&](double offset, double most) { return std::clamp(offset / opening.width, -most, most); };
   aside_ = share(best.x() - opening.middle, kFarthestAside);
   up_ = share(best.y() - opening.lower - 0.5 * opening.height, kFarthestUp);
+  const auto is_near = [&](const Eigen::RowVector3d& point) {
+    return (point - centre).norm() <= kSkinReach * opening.width;
+  };
   for (int v = 0; v < neutral.rows(); ++v)
-    if ((neutral.row(v) - centre).norm() <= kSkinReach * opening.width) skin_.push_back(v);
+    if (is_near(neutral.row(v))) skin_.push_back(v);
+  for (const auto& t : mesh.triangles.rowwise())
+    if (is_near((neutral.row(t[0]) + neutral.row(t[1]) + neutral.row(t[2])) / 3))
+      skin_triangles_.push_back({t[0], t[1], t[2]});
 }
 
 EyeballFit::Opening EyeballFit::OpeningOf(const geometry::Points& vertices) const {
@@ -139,14 +146,16 @@ Eyeball EyeballFit::Fit(const geometry::Points& vertices) const {
   eyeball.bulge = kBulge * w;
   eyeball.centre = {opening.middle + aside_ * w, opening.lower + 0.5 * height + up_ * w, 0};
 
-  // The depth of the centre at which the ball touches each vertex, of which the smooth minimum is not above the least.
+  // The depth of the centre at which the ball touches each point, of which the smooth minimum is not above the least.
   std::vector<double> depths;
-  depths.reserve(skin_.size());
-  for (const int v : skin_) {
-    const double x = vertices(v, 0) - eyeball.centre.x(), y = vertices(v, 1) - eyeball.centre.y(),
-                 beside = std::max(0.0, std::hypot(x / eyeball.radii.x(), y / eyeball.radii.y()) - 1);
-    depths.push_back(vertices(v, 2) - eyeball.Front(x, y) + kSideSlope * radius * beside);
-  }
+  depths.reserve(skin_.size() + skin_triangles_.size());
+  const auto add = [&](const Eigen::RowVector3d& point) {
+    const double x = point.x() - eyeball.centre.x(), y = point.y() - eyeball.centre.y(),
+                 outside = std::max(0.0, std::hypot(x / eyeball.radii.x(), y / eyeball.radii.y()) - 1);
+    depths.push_back(point.z() - eyeball.Front(x, y) + kSideSlope * radius * outside);
+  };
+  for (const int v : skin_) add(vertices.row(v));
+  for (const auto& [a, b, c] : skin_triangles_) add((vertices.row(a) + vertices.row(b) + vertices.row(c)) / 3);
   const double least = *std::min_element(depths.begin(), depths.end());
   double sum = 0;
   for (const double depth : depths) sum += std::exp(-kSharpness / w * (depth - least));

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace daumier::faces {
@@ -17,7 +18,7 @@ struct Eyeball {
   double iris_radius = 0;    ///< In the plane of x and y, cm.
   double bulge = 0;          ///< cm
 
-  /// The height of its front over its centre at (x, y) from its axis; 0 beside the ball.
+  /// The height of its front over its centre at (x, y) from its axis; 0 outside its outline.
   double Front(double x, double y) const;
 };
 
@@ -33,9 +34,10 @@ struct Eyeball {
 /// Maxima and minima are smooth ones, so that the ball is a smooth function of the vertices.
 class EyeballFit {
  public:
-  /// `lids`: the loop of the opening. The skin around it is every vertex within 1.2 w of its middle on the neutral face.
+  /// `lids`: the loop of the opening. The skin around it are the vertices and the middles of the
+  /// triangles within 1.2 w of its middle on the neutral face.
   /// @throws Error if the loop has fewer than four vertices or no width.
-  EyeballFit(const geometry::Points& neutral, const std::vector<int>& lids);
+  EyeballFit(const geometry::TriangleMesh& neutral, const std::vector<int>& lids);
 
   /// vertices: V x 3, cm, of which the first ones are the topology's.
   Eyeball Fit(const geometry::Points& vertices) const;
@@ -49,6 +51,7 @@ class EyeballFit {
 
   int right_corner_, left_corner_;
   std::vector<int> upper_, lower_, skin_;
+  std::vector<std::array<int, 3>> skin_triangles_;
   double neutral_share_ = 0;   ///< Height of the neutral opening as a share of its width.
   double aside_ = 0, up_ = 0;  ///< Of the centre, from the middle of the opening, as shares of the width.
 };

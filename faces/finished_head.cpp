@@ -93,7 +93,7 @@ FinishedHead::FinishedHead(const geometry::TriangleMesh& neutral, const geometry
   }
   for (const HoleClosure& cap : caps_) add(cap.Triangles(), caps);
   for (std::vector<int>& loop : holes.eyes) {
-    EyeballFit fit(neutral.vertices, loop);
+    EyeballFit fit(neutral, loop);
     HoleClosure rim = TakeClosure(std::move(loop), 0);
     add(rim.Triangles(), parts);
     part_materials_.resize(parts.size(), HeadMaterial::kLidRim);
