@@ -123,8 +123,10 @@ EyeballFit::EyeballFit(const geometry::TriangleMesh& mesh, const std::vector<int
   const auto is_near = [&](const Eigen::RowVector3d& point) {
     return (point - centre).norm() <= kSkinReach * opening.width;
   };
+  std::vector<bool> is_skin(size_t(neutral.rows()), false);
+  for (const int v : lids) is_skin[size_t(v)] = true;
   for (int v = 0; v < neutral.rows(); ++v)
-    if (is_near(neutral.row(v))) skin_.push_back(v);
+    if (is_skin[size_t(v)] || is_near(neutral.row(v))) skin_.push_back(v);
   for (const auto& t : mesh.triangles.rowwise())
     if (is_near((neutral.row(t[0]) + neutral.row(t[1]) + neutral.row(t[2])) / 3))
       skin_triangles_.push_back({t[0], t[1], t[2]});

@@ -66,6 +66,9 @@ FinishedHead::FinishedHead(const geometry::TriangleMesh& neutral, const geometry
   DAUMIER_CHECK(0 <= num_eye_closing_triangles && num_eye_closing_triangles <= closing_triangles.rows(),
                 "{} of {} closing triangles are said to be of the eyes", num_eye_closing_triangles,
                 closing_triangles.rows());
+  DAUMIER_CHECK(closing_triangles.size() == 0 ||
+                    (closing_triangles.minCoeff() >= 0 && closing_triangles.maxCoeff() < num_face_vertices_),
+                "a closing triangle names a vertex that is none of the {} of the face", num_face_vertices_);
   SortedHoles holes = SortHoles(neutral, closing_triangles, num_eye_closing_triangles);
   geometry::LevelCut cut{{}, neutral.triangles, neutral.uv, neutral.uv_triangles};
   if (!holes.others.empty()) {
@@ -169,10 +172,10 @@ geometry::Points FinishedHead::Vertices(const geometry::Points& face) const {
   }
   for (const HoleClosure& cap : caps_)
     vertices.middleRows(cap.first_vertex, cap.num_vertices()) = CapPoints(LoopPoints(vertices, cap.loop));
-  for (const Eye& eye : eyes_) {
-    const Eyeball eyeball = eye.fit.Fit(face);
-    vertices.row(eye.rim.apex()) = eyeball.centre.transpose();
-    vertices.middleRows(eye.first_vertex, NumEyeballVertices()) = EyeballPoints(eyeball);
+  const std::vector<Eyeball> eyeballs = Eyeballs(face);
+  for (size_t i = 0; i < eyes_.size(); ++i) {
+    vertices.row(eyes_[i].rim.apex()) = eyeballs[i].centre.transpose();
+    vertices.middleRows(eyes_[i].first_vertex, NumEyeballVertices()) = EyeballPoints(eyeballs[i]);
   }
   if (mouth_) {
     const double width = (face.row(left_mouth_corner_) - face.row(right_mouth_corner_)).norm();

@@ -22,7 +22,8 @@ namespace daumier::faces {
 class FinishedHead {
  public:
   explicit FinishedHead(const FaceTemplate& face_template);
-  /// `neutral`: V x 3; the others as in FaceTemplate. @throws Error as geometry::BoundaryLoops and EyeballFit.
+  /// `neutral`: V x 3; the others as in FaceTemplate. @throws Error as geometry::BoundaryLoops and EyeballFit, or if a
+  /// closing triangle names no vertex.
   FinishedHead(const geometry::TriangleMesh& neutral, const geometry::Triangles& closing_triangles,
                int num_eye_closing_triangles);
 

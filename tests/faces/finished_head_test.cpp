@@ -163,6 +163,8 @@ TEST(FinishedHead, OfASurfaceWithoutClosingTrianglesIsClosed) {
   ExpectClosed(head, bare.neutral);
   bare.num_eye_closing_triangles = 3;
   testing::ExpectError([&] { FinishedHead{bare}; }, "3 of 0 closing triangles");
+  bare.closing_triangles = geometry::Triangles::Constant(3, 3, bare.num_vertices());
+  testing::ExpectError([&] { FinishedHead{bare}; }, "names a vertex that is none of");
 }
 
 TEST(FinishedHead, OfMakeHumanIsSound) {
