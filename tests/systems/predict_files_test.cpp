@@ -147,7 +147,7 @@ TEST_F(PredictFilesTest, TheManifestHoldsSystemOptionsRunAndRecords) {
   EXPECT_EQ(manifest.details["drawings"]["bert"]["strokes"], 3);
   EXPECT_EQ(manifest.details["drawings"]["bert"]["file"], "bert.svg");
   EXPECT_FALSE(manifest.details.contains(kUnfinishedFiles));
-  EXPECT_EQ(manifest.checksums.size(), 6u);
+  EXPECT_EQ(manifest.checksums.size(), 8u);
   EXPECT_NO_THROW(VerifyChecksums(out(), manifest));
 }
 
@@ -209,7 +209,7 @@ TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
   fs::remove(out() / "carl.obj");
   Predict({Draw("bert.svg")});
   const Manifest both = ReadManifest(out(), "predictions");
-  EXPECT_EQ(both.checksums.size(), 8u);
+  EXPECT_EQ(both.checksums.size(), 11u);
   EXPECT_EQ(both.details["drawings"].size(), 3u);
   EXPECT_EQ(both.counts["drawings"], 3);
   EXPECT_NO_THROW(VerifyChecksums(out(), both));
@@ -221,7 +221,7 @@ TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
   EXPECT_EQ(records["bert"]["options"], Json({{"refine", true}}));
   EXPECT_EQ(records["bert"]["run_data_hash"], DataHash(run()));
   EXPECT_EQ(records["bert"]["strokes"], 5);
-  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 11u);
   Draw("out/anna.svg", 2);
   ExpectError([&] { Predict({folder_ / "anna.svg"}); }, "anna.svg has changed since it was written");
 }
@@ -258,10 +258,10 @@ TEST_F(PredictFilesTest, AKilledPredictionCanBeRunAgain) {
   WriteManifest(out(), manifest);
   WriteFileAtomically(out() / "bert.obj", "half");
   Predict({files[0]});
-  EXPECT_EQ(Details()[kUnfinishedFiles].size(), 3u) << "of other inputs they stay";
+  EXPECT_EQ(Details()[kUnfinishedFiles].size(), 4u) << "of other inputs they stay";
   EXPECT_EQ(Predict(files).num_results, 2u);
   EXPECT_FALSE(Details().contains(kUnfinishedFiles));
-  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 6u);
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
 }
 
 TEST_F(PredictFilesTest, TheManifestIsThereBeforeTheFirstFile) {
