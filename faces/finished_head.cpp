@@ -5,6 +5,8 @@
 #include "faces/neck_cut.h"
 #include "geometry/topology.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -22,6 +24,16 @@ geometry::Triangles Stacked(const geometry::Triangles& a, const geometry::Triang
   geometry::Triangles both(a.rows() + b.rows(), 3);
   both << a, b;
   return both;
+}
+
+/// Six times the volume of a closed surface; negative if it is inside out.
+double SixVolumes(const geometry::Points& vertices, const geometry::Triangles& triangles) {
+  double sum = 0;
+  for (const auto& t : triangles.rowwise()) {
+    const geometry::Vector3 a = vertices.row(t[0]), b = vertices.row(t[1]), c = vertices.row(t[2]);
+    sum += a.dot(b.cross(c));
+  }
+  return sum;
 }
 
 /// The holes of a face by the triangles that close them.
@@ -121,6 +133,7 @@ FinishedHead::FinishedHead(const geometry::TriangleMesh& neutral, const geometry
   skin_ = Stacked(cut.triangles, ToTriangles(caps));
   parts_ = ToTriangles(parts);
   if (cut.uv.rows() > 0) AddUv(cut);
+  faces_outwards_ = SixVolumes(Vertices(neutral.vertices), Stacked(skin_, parts_)) > 0;
 }
 
 HoleClosure FinishedHead::TakeClosure(std::vector<int> loop, int num_rings) {

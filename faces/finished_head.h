@@ -31,6 +31,9 @@ class FinishedHead {
   int num_vertices() const { return num_vertices_; }
   int num_eyes() const { return static_cast<int>(eyes_.size()); }
 
+  /// Whether triangles of the neutral face are wound so that the head is a solid and not a cavity.
+  bool faces_outwards() const { return faces_outwards_; }
+
   /// The surface: the face, then its caps.
   const geometry::Triangles& skin() const { return skin_; }
   int num_cap_triangles() const { return num_cap_triangles_; }
@@ -60,6 +63,7 @@ class FinishedHead {
   void AddUv(const geometry::LevelCut& cut);
 
   int num_face_vertices_ = 0, num_vertices_ = 0, num_cap_triangles_ = 0, num_mouth_triangles_ = 0;
+  bool faces_outwards_ = true;
   std::vector<geometry::EdgePoint> edge_points_;
   std::vector<HoleClosure> caps_;   ///< That of the cut first.
   geometry::Points neutral_cut_{};  ///< Its loop on the neutral face; empty without a cut.

@@ -145,7 +145,7 @@ std::array<float, 3> LinearLight(const Rgb& colour) {
 Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style) {
   const geometry::TriangleMesh mesh = ClosedSurface(input);
   // First, since it checks the triangles.
-  const Raster raster = Rasterise(Enlarged(camera, style.supersampling), mesh);
+  const Raster raster = Rasterise(Enlarged(camera, style.supersampling), mesh, {.cull_back_faces = input.is_solid});
   const Scene scene = MakeScene(input, mesh, camera, style.clay);
   const Colour background = LinearOf(style.background);
   const auto flatness = static_cast<float>(style.flatness);

@@ -16,6 +16,9 @@ struct RenderInput {
   std::vector<Rgb> closing_colours = {};       ///< N.
   std::vector<float> closing_gloss =
       {};  ///< N, from 0 to 1, or empty: none. Strength of a small, sharp highlight: wet.
+  /// Surface and closing triangles bound a solid, so that those seen from inside are left out: such are only seen where
+  /// the solid pierces itself.
+  bool is_solid = false;
 };
 
 /// The linear light of each channel of an sRGB colour, from 0 to 1 [IEC 61966-2-1].

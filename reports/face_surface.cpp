@@ -36,6 +36,7 @@ MaterialLook LookOf(faces::HeadMaterial material) {
 
 render::RenderInput InputOf(const faces::FinishedHead& head, const geometry::Points& face) {
   render::RenderInput input{.surface = {head.Vertices(face), head.skin()}, .closing_triangles = head.parts()};
+  input.is_solid = head.faces_outwards();
   for (const faces::HeadMaterial material : head.part_materials()) {
     const MaterialLook look = LookOf(material);
     input.closing_colours.push_back(look.colour);

@@ -94,6 +94,7 @@ TEST(FinishedHead, OfTheSyntheticFaceIsClosedAndKeepsItsVertices) {
   EXPECT_EQ(head.Vertices(face.neutral), vertices) << "deterministic";
   EXPECT_EQ(FinishedHead(face).Vertices(face.neutral), vertices);
   EXPECT_EQ(head.part_materials().size(), size_t(head.parts().rows()));
+  EXPECT_TRUE(head.faces_outwards());
   EXPECT_GT(vertices.row(head.Mesh(face.neutral).triangles.maxCoeff()).norm(), 0);
 }
 

@@ -102,6 +102,14 @@ TEST(RenderMesh, TrianglesSeenFromInsideAreLitHalfAsMuch) {
   EXPECT_EQ(RenderMesh({Square()}, WithPerspective(camera, 30.0), flat).at(8, 8), 255);
 }
 
+TEST(RenderMesh, OfASolidLeavesOutWhatIsSeenFromInside) {
+  RenderInput turned{Square()};
+  turned.surface.triangles.col(1).swap(turned.surface.triangles.col(2));
+  turned.is_solid = true;
+  const Rgb background = {12, 200, 77};
+  EXPECT_EQ(Pixel(RenderMesh(turned, Front(2.0, 16), {.background = background}), 8, 8), background);
+}
+
 TEST(RenderMesh, ClosingTrianglesHaveTheirOwnColours) {
   RenderInput input{Square()};
   input.closing_triangles = input.surface.triangles.bottomRows(1);

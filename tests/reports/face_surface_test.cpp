@@ -15,6 +15,7 @@ TEST(FaceSurface, DrawsTheFinishedHead) {
   EXPECT_EQ(input.surface.vertices, head.Vertices(2 * face.neutral));
   EXPECT_EQ(input.surface.triangles, head.skin());
   EXPECT_EQ(input.closing_triangles, head.parts());
+  EXPECT_TRUE(input.is_solid);
   ASSERT_EQ(input.closing_colours.size(), size_t(head.parts().rows()));
   ASSERT_EQ(input.closing_gloss.size(), size_t(head.parts().rows()));
   for (size_t i = 0; i < input.closing_colours.size(); ++i)
