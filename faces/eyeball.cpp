@@ -18,7 +18,7 @@ constexpr double kSkinReach = 1.2, kClearance = 0.008, kBulge = 0.05, kFarthestA
                  kFarthestUp = 0.035;  // Shares of w.
 constexpr double kRounding = 0.05;     // Of a smooth maximum, as a share of w.
 constexpr double kSharpness = 250;     // Of the smooth minimum of depths, per w.
-constexpr double kSideSlope = 3;       // how fast skin around the ball stops to hold it back.
+constexpr double kSideSlope = 3;       // How fast skin around the ball stops to hold it back.
 constexpr int kSegments = 32;
 constexpr double kPupilShare = 0.42, kIrisShare = 0.88;
 

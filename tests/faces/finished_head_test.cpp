@@ -17,7 +17,7 @@ namespace daumier::faces {
 namespace {
 
 /// Random persons of a model, each with another expression.
-std::vector<geometry::Points> RandomFaces(const FaceModel& model, int num_faces) {
+std::vector<geometry::Points> RandomHeads(const FaceModel& model, int num_faces) {
   Rng rng(17);
   std::vector<geometry::Points> faces;
   for (int i = 0; i < num_faces; ++i) {
@@ -101,18 +101,18 @@ TEST(FinishedHead, OfTheSyntheticFaceIsClosedAndKeepsItsVertices) {
 TEST(FinishedHead, HidesEyeballsBehindLidsAndTheBagInTheHead) {
   const FaceModel model = testing::SyntheticModel();
   const FinishedHead head(model.face_template);
-  for (const geometry::Points& face : RandomFaces(model, 50)) {
+  for (const geometry::Points& face : RandomHeads(model, 50)) {
     ExpectEyeballsBehindSkin(head, face);
     const auto eyes = head.Eyeballs(face);
     EXPECT_LT(eyes[0].centre.x(), eyes[1].centre.x()) << "from the right to the left";
   }
-  for (const geometry::Points& face : RandomFaces(model, 5)) ExpectBagInside(model.face_template, head, face);
+  for (const geometry::Points& face : RandomHeads(model, 5)) ExpectBagInside(model.face_template, head, face);
 }
 
 TEST(FinishedHead, MovesSmoothlyWithTheFace) {
   const FaceModel model = testing::SyntheticModel();
   const FinishedHead head(model.face_template);
-  const auto faces = RandomFaces(model, 2);
+  const auto faces = RandomHeads(model, 2);
   const geometry::Points from = head.Vertices(faces[0]);
   const double step = (faces[1] - faces[0]).cwiseAbs().maxCoeff();
   for (const double share : {1e-3, 1e-5}) {
@@ -176,7 +176,7 @@ TEST(FinishedHead, OfMakeHumanIsSound) {
   EXPECT_EQ(head.num_eyes(), 2);
   EXPECT_GT(head.num_mouth_triangles(), 0);
   ExpectClosed(head, model.face_template.neutral);
-  const auto faces = RandomFaces(model, 50);
+  const auto faces = RandomHeads(model, 50);
   for (const geometry::Points& face : faces) ExpectEyeballsBehindSkin(head, face);
   for (int i = 3; i < 9; ++i) ExpectBagInside(model.face_template, head, faces[size_t(i)]);
 }
