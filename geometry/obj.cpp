@@ -186,4 +186,33 @@ void WriteObj(const std::filesystem::path& path, const PolygonMesh& mesh) {
   WriteFileAtomically(path, text);
 }
 
+void WriteObj(const std::filesystem::path& path, const TriangleMesh& mesh, const std::vector<ObjPart>& parts,
+              const std::vector<ObjMaterial>& materials) {
+  CheckUv(mesh);
+  Eigen::Index num_triangles = 0;
+  for (const ObjPart& part : parts) num_triangles += part.num_triangles;
+  DAUMIER_CHECK(num_triangles == mesh.triangles.rows(), "{}: {} triangles in parts, but {} in the mesh", path.string(),
+                num_triangles, mesh.triangles.rows());
+  std::string library;
+  for (const ObjMaterial& material : materials) {
+    const auto& [red, green, blue] = material.diffuse;
+    library += fmt::format("newmtl {}\nKd {:.4g} {:.4g} {:.4g}\nKs {:.4g} {:.4g} {:.4g}\nNs {}\nillum 2\n\n",
+                           material.name, red, green, blue, material.specular, material.specular, material.specular,
+                           material.specular > 0 ? 250 : 10);
+  }
+  const std::filesystem::path library_path = std::filesystem::path(path).replace_extension(".mtl");
+  std::string text = fmt::format("mtllib {}\n", library_path.filename().string());
+  text += VertexLines(mesh.vertices, mesh.uv);
+  text += "s 1\n";
+  Eigen::Index triangle = 0;
+  for (const ObjPart& part : parts) {
+    text += fmt::format("g {}\nusemtl {}\n", part.group, part.material);
+    for (const Eigen::Index end = triangle + part.num_triangles; triangle < end; ++triangle)
+      AppendPolygon(mesh.triangles.row(triangle).data(),
+                    mesh.has_uv() ? mesh.uv_triangles.row(triangle).data() : nullptr, 3, text);
+  }
+  WriteFileAtomically(library_path, library);
+  WriteFileAtomically(path, text);
+}
+
 }  // namespace daumier::geometry

@@ -1,8 +1,11 @@
 #pragma once
 #include "geometry/mesh.h"
 
+#include <array>
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace daumier::geometry {
 
@@ -28,5 +31,23 @@ Points ParseObjVertices(std::string_view text, std::string_view name, int expect
 /// @throws Error naming file and cause, and as CheckUv.
 void WriteObj(const std::filesystem::path& path, const TriangleMesh& mesh);
 void WriteObj(const std::filesystem::path& path, const PolygonMesh& mesh);
+
+/// A material of an MTL file: a diffuse colour in linear light and the strength of a sharp highlight, both from 0 to 1.
+struct ObjMaterial {
+  std::string name;
+  std::array<float, 3> diffuse = {};
+  float specular = 0;
+};
+/// A run of triangles in a written OBJ file: its `g` and `usemtl`.
+struct ObjPart {
+  std::string group, material;
+  Eigen::Index num_triangles = 0;
+};
+
+/// Writes a mesh whose triangles are the runs `parts`, smoothly shaded (`s 1`), and its materials into a file of the same
+/// name with the extension .mtl. Each atomically, the materials first. @throws Error as WriteObj, or if the runs do not
+/// add up to the triangles.
+void WriteObj(const std::filesystem::path& path, const TriangleMesh& mesh, const std::vector<ObjPart>& parts,
+              const std::vector<ObjMaterial>& materials);
 
 }  // namespace daumier::geometry

@@ -68,6 +68,7 @@ Image RenderHeatMap(const RenderInput& input, const Eigen::VectorXd& values, con
   RenderInput coloured = input;
   coloured.vertex_colours = ColoursOf(values, range, map);
   coloured.closing_colours.assign(coloured.closing_triangles.rows(), kNoValue);
+  coloured.closing_gloss.clear();
   return RenderMesh(coloured, camera, {.flatness = kHeatMapFlatness});
 }
 

@@ -15,9 +15,8 @@ namespace {
 
 using Colour = Eigen::Array3f;  ///< Linear RGB.
 
-constexpr Rgb kEyeWhite = {236, 234, 230};
-constexpr Rgb kMouthDark = {96, 58, 54};
 constexpr float kInsideLight = 0.5f;
+constexpr float kWetSharpness = 260.0f;
 
 float LinearOf(uint8_t encoded) {
   const float value = static_cast<float>(encoded) / 255.0f;
@@ -25,7 +24,7 @@ float LinearOf(uint8_t encoded) {
 }
 
 Colour LinearOf(const Rgb& colour) {
-  return {LinearOf(colour[0]), LinearOf(colour[1]), LinearOf(colour[2])};
+  return Eigen::Map<const Colour>(LinearLight(colour).data());
 }
 
 uint8_t EncodedOf(float linear) {
@@ -49,8 +48,14 @@ const std::array<Light, 3>& Lights() {
   return lights;
 }
 
+/// What a point is made of. `wet`: strength of a sharp highlight.
+struct Substance {
+  Colour albedo;
+  float wet = 0.0f;
+};
+
 /// normal and view (towards the viewer) are unit vectors in the camera's frame.
-Colour Shade(const Colour& albedo, const Eigen::Vector3f& normal, const Eigen::Vector3f& view, float flatness) {
+Colour Shade(const Substance& substance, const Eigen::Vector3f& normal, const Eigen::Vector3f& view, float flatness) {
   const float upwards = 0.5f - 0.5f * normal.y();
   Colour light = Colour(0.10f, 0.09f, 0.08f) * (1.0f - upwards) + Colour(0.22f, 0.23f, 0.25f) * upwards;
   Colour gloss = Colour::Zero();
@@ -60,9 +65,10 @@ Colour Shade(const Colour& albedo, const Eigen::Vector3f& normal, const Eigen::V
     if (source.specular > 0.0f && cosine > 0.0f) {
       const float half = std::max(0.0f, normal.dot((source.direction + view).normalized()));
       gloss += source.colour * source.specular * std::pow(half, 28.0f);
+      if (substance.wet > 0.0f) gloss += source.colour * substance.wet * std::pow(half, kWetSharpness);
     }
   }
-  return (1.0f - flatness) * (albedo * light + gloss) + flatness * albedo;
+  return (1.0f - flatness) * (substance.albedo * light + gloss) + flatness * substance.albedo;
 }
 
 /// Surface and closing triangles as one mesh with one list of corner attributes each.
@@ -70,7 +76,8 @@ struct Scene {
   const geometry::TriangleMesh& mesh;
   Eigen::Index num_surface_triangles;
   geometry::Points surface_normals = {}, closing_normals = {};  ///< V x 3, in the camera's frame.
-  std::vector<Colour> vertex_colours = {}, closing_colours = {};
+  std::vector<Colour> vertex_colours = {};
+  std::vector<Substance> closing = {};
 };
 
 /// The surface's triangles, then the closing ones.
@@ -88,13 +95,18 @@ Scene MakeScene(const RenderInput& input, const geometry::TriangleMesh& mesh, co
   DAUMIER_CHECK(Eigen::Index(input.closing_colours.size()) == input.closing_triangles.rows(),
                 "{} colours were given for {} closing triangles", input.closing_colours.size(),
                 input.closing_triangles.rows());
+  DAUMIER_CHECK(
+      input.closing_gloss.empty() || Eigen::Index(input.closing_gloss.size()) == input.closing_triangles.rows(),
+      "{} values of gloss were given for {} closing triangles", input.closing_gloss.size(),
+      input.closing_triangles.rows());
   Scene scene{.mesh = mesh, .num_surface_triangles = surface.triangles.rows()};
   const Eigen::Matrix3d world_from_camera = camera.camera_from_world.transpose();
   scene.surface_normals = geometry::VertexNormals(surface) * world_from_camera;
   scene.closing_normals = geometry::VertexNormals({surface.vertices, input.closing_triangles}) * world_from_camera;
   for (const Rgb& colour : input.vertex_colours) scene.vertex_colours.push_back(LinearOf(colour));
   if (scene.vertex_colours.empty()) scene.vertex_colours.assign(surface.vertices.rows(), LinearOf(clay));
-  for (const Rgb& colour : input.closing_colours) scene.closing_colours.push_back(LinearOf(colour));
+  for (const Rgb& colour : input.closing_colours) scene.closing.push_back({LinearOf(colour)});
+  for (size_t i = 0; i < input.closing_gloss.size(); ++i) scene.closing[i].wet = input.closing_gloss[i];
   return scene;
 }
 
@@ -106,13 +118,13 @@ Colour ShadePixel(const Scene& scene, const Camera& camera, const Raster& raster
   const auto corners = scene.mesh.triangles.row(triangle);
 
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();
-  Colour albedo = Colour::Zero();
+  Substance substance{Colour::Zero()};
   for (int k = 0; k < 3; ++k) {
     normal += double{barycentric[k]} * normals.row(corners(k)).transpose();
     point += double{barycentric[k]} * scene.mesh.vertices.row(corners(k)).transpose();
-    if (on_surface) albedo += barycentric[k] * scene.vertex_colours[corners(k)];
+    if (on_surface) substance.albedo += barycentric[k] * scene.vertex_colours[corners(k)];
   }
-  if (!on_surface) albedo = scene.closing_colours[triangle - scene.num_surface_triangles];
+  if (!on_surface) substance = scene.closing[triangle - scene.num_surface_triangles];
 
   Eigen::Vector3d view(0.0, 0.0, -1.0);
   if (camera.perspective) view = -(camera.camera_from_world * point + camera.translation).normalized();
@@ -120,24 +132,20 @@ Colour ShadePixel(const Scene& scene, const Camera& camera, const Raster& raster
                         p2 = scene.mesh.vertices.row(corners(2));
   const bool from_inside = (camera.camera_from_world * (p1 - p0).cross(p2 - p0)).dot(view) < 0.0;
   if (from_inside) normal = -normal;
-  const Colour colour = Shade(albedo, normal.normalized().cast<float>(), view.cast<float>(), flatness);
+  const Colour colour = Shade(substance, normal.normalized().cast<float>(), view.cast<float>(), flatness);
   return from_inside ? Colour(colour * kInsideLight) : colour;
 }
 
 }  // namespace
 
-std::vector<Rgb> ClosingColours(int num_triangles, int num_eyes) {
-  DAUMIER_CHECK(0 <= num_eyes && num_eyes <= num_triangles, "{} of {} closing triangles are said to be of the eyes",
-                num_eyes, num_triangles);
-  std::vector<Rgb> colours(num_triangles, kMouthDark);
-  std::fill_n(colours.begin(), num_eyes, kEyeWhite);
-  return colours;
+std::array<float, 3> LinearLight(const Rgb& colour) {
+  return {LinearOf(colour[0]), LinearOf(colour[1]), LinearOf(colour[2])};
 }
 
 Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style) {
   const geometry::TriangleMesh mesh = ClosedSurface(input);
   // First, since it checks the triangles.
-  const Raster raster = Rasterise(Enlarged(camera, style.supersampling), mesh);
+  const Raster raster = Rasterise(Enlarged(camera, style.supersampling), mesh, {.cull_back_faces = input.is_solid});
   const Scene scene = MakeScene(input, mesh, camera, style.clay);
   const Colour background = LinearOf(style.background);
   const auto flatness = static_cast<float>(style.flatness);

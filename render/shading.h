@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "render/image.h"
 
+#include <array>
 #include <vector>
 
 namespace daumier::render {
@@ -13,11 +14,15 @@ struct RenderInput {
   std::vector<Rgb> vertex_colours = {};        ///< V, or empty: all of the style's clay.
   geometry::Triangles closing_triangles = {};  ///< N x 3, vertices of the surface.
   std::vector<Rgb> closing_colours = {};       ///< N.
+  std::vector<float> closing_gloss =
+      {};  ///< N, from 0 to 1, or empty: none. Strength of a small, sharp highlight: wet.
+  /// Surface and closing triangles bound a solid, so that those seen from inside are left out: such are only seen where
+  /// the solid pierces itself.
+  bool is_solid = false;
 };
 
-/// Colours of triangles that close a face: the first num_eyes whitish (the eyes), the rest dark (the mouth).
-/// @throws Error unless 0 <= num_eyes <= num_triangles.
-std::vector<Rgb> ClosingColours(int num_triangles, int num_eyes);
+/// The linear light of each channel of an sRGB colour, from 0 to 1 [IEC 61966-2-1].
+std::array<float, 3> LinearLight(const Rgb& colour);
 
 struct ShadingStyle {
   Rgb clay = {206, 190, 176};
@@ -30,7 +35,8 @@ struct ShadingStyle {
 /// front of the picture, a cool fill from the right, a rim from behind and a sky above, all fixed to the camera, so
 /// that every view is lit alike. Light is added up and averaged over samples in linear colour. Triangles seen from
 /// inside are lit half as much.
-/// @throws Error if there is not one colour a vertex, or one a closing triangle, or as Rasterise does.
+/// @throws Error if there is not one colour a vertex, or one colour, or one gloss, a closing triangle, or as
+/// Rasterise does.
 Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style = {});
 
 }  // namespace daumier::render

@@ -51,6 +51,9 @@ render::Image ComparisonSheet(const ReportSurface& surface, const std::vector<st
   std::vector<geometry::Points> shown;
   for (const ComparedFace& face : faces) shown.push_back(face.truth);
   const render::Frame frame = FrameOfFaces(shown, kSheetMargin);
+  geometry::Points mean = geometry::Points::Zero(faces.front().truth.rows(), 3);
+  for (const ComparedFace& face : faces) mean += face.truth / double(faces.size());
+  const faces::FinishedHead head = HeadOf(surface, mean);
   const bool has_sketch =
       std::any_of(faces.begin(), faces.end(), [](const ComparedFace& face) { return face.sketch.height > 0; });
   const auto camera = render::FrontalCamera(frame.centre, frame.half_height, kCell);
@@ -63,10 +66,11 @@ render::Image ComparisonSheet(const ReportSurface& surface, const std::vector<st
     style.row_titles.push_back(face.title);
     if (has_sketch)
       cells.push_back({face.sketch.height > 0 ? render::Resize(face.sketch, kCell, kCell) : render::Image()});
-    cells.push_back({render::RenderMesh(InputOf(surface, face.truth), camera)});
+    cells.push_back({render::RenderMesh(InputOf(head, face.truth), camera)});
     for (const ComparedPrediction& prediction : face.predictions)
-      cells.push_back({render::RenderHeatMap(InputOf(surface, prediction.face), prediction.error_mm, range, camera),
-                       fmt::format("{:.2f} mm", prediction.mean_error_mm)});
+      cells.push_back(
+          {render::RenderHeatMap(InputOf(head, prediction.face), head.Values(prediction.error_mm), range, camera),
+           fmt::format("{:.2f} mm", prediction.mean_error_mm)});
     const bool first = &face == &faces.front();
     cells.push_back({first ? render::Image(kCell, render::kColourBarWidth, 3) : render::Image()});
     if (first) render::DrawColourBar(cells.back().image, range, "mm");

@@ -23,23 +23,12 @@ render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vecto
   return FrameOfFaces(faces);
 }
 
-render::Image FrontView(const faces::FaceTemplate& face_template, const geometry::Points& face,
-                        const render::Frame& frame) {
-  return render::RenderMesh(SurfaceOf(face_template, face),
-                            render::FrontalCamera(frame.centre, frame.half_height, kCell));
+render::Image FrontView(const faces::FinishedHead& head, const geometry::Points& face, const render::Frame& frame) {
+  return render::RenderMesh(InputOf(head, face), render::FrontalCamera(frame.centre, frame.half_height, kCell));
 }
 
-render::Image SideView(const faces::FaceTemplate& face_template, const geometry::Points& face,
-                       const render::Frame& frame) {
-  return render::RenderMesh(SurfaceOf(face_template, face), render::SideCamera(frame.centre, frame.half_height, kCell));
-}
-
-render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {
-  return FrontView(database.face_template(), database.points(face), frame);
-}
-
-render::Image SideView(const faces::FaceDatabase& database, int face, const render::Frame& frame) {
-  return SideView(database.face_template(), database.points(face), frame);
+render::Image SideView(const faces::FinishedHead& head, const geometry::Points& face, const render::Frame& frame) {
+  return render::RenderMesh(InputOf(head, face), render::SideCamera(frame.centre, frame.half_height, kCell));
 }
 
 }  // namespace daumier::reports

@@ -1,5 +1,6 @@
 #pragma once
 #include "faces/face_database.h"
+#include "faces/finished_head.h"
 #include "render/camera.h"
 #include "render/image.h"
 
@@ -14,15 +15,9 @@ inline constexpr int kCell = 190;  ///< Pixels a side of a picture in a sheet.
 render::Frame FrameOfFaces(const std::vector<geometry::Points>& faces, double margin = 1.08);
 render::Frame FrameOfFaces(const faces::FaceDatabase& database, const std::vector<int>& indices);
 
-/// face: V x 3, cm.
-render::Image FrontView(const faces::FaceTemplate& face_template, const geometry::Points& face,
-                        const render::Frame& frame);
+/// face: V x 3, cm, of the head's topology.
+render::Image FrontView(const faces::FinishedHead& head, const geometry::Points& face, const render::Frame& frame);
 /// The face's own right side.
-render::Image SideView(const faces::FaceTemplate& face_template, const geometry::Points& face,
-                       const render::Frame& frame);
-
-/// Of a face of a database.
-render::Image FrontView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
-render::Image SideView(const faces::FaceDatabase& database, int face, const render::Frame& frame);
+render::Image SideView(const faces::FinishedHead& head, const geometry::Points& face, const render::Frame& frame);
 
 }  // namespace daumier::reports

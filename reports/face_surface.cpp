@@ -1,24 +1,48 @@
 #include "reports/face_surface.h"
 
-#include "core/error.h"
-
 namespace daumier::reports {
 
 ReportSurface SurfaceOf(const faces::FaceTemplate& face_template) {
   return {face_template.triangles, face_template.closing_triangles, face_template.num_eye_closing_triangles};
 }
 
-render::RenderInput InputOf(const ReportSurface& surface, const geometry::Points& face) {
-  const int num_closing = static_cast<int>(surface.closing_triangles.rows());
-  return {.surface = {face, surface.triangles},
-          .closing_triangles = surface.closing_triangles,
-          .closing_colours = render::ClosingColours(num_closing, surface.num_eye_closing_triangles)};
+faces::FinishedHead HeadOf(const ReportSurface& surface, const geometry::Points& mean_face) {
+  return {{mean_face, surface.triangles}, surface.closing_triangles, surface.num_eye_closing_triangles};
 }
 
-render::RenderInput SurfaceOf(const faces::FaceTemplate& face_template, const geometry::Points& face) {
-  DAUMIER_CHECK(face.rows() == face_template.num_vertices(), "the face has {} vertices, its template {}", face.rows(),
-                face_template.num_vertices());
-  return InputOf(SurfaceOf(face_template), face);
+MaterialLook LookOf(faces::HeadMaterial material) {
+  using enum faces::HeadMaterial;
+  switch (material) {
+    case kLidRim:
+      return {{204, 168, 156}, 0.3f};
+    case kSclera:
+      return {{232, 229, 224}, 0.8f};
+    case kLimbus:
+      return {{58, 46, 40}, 0.8f};
+    case kIris:
+      return {{112, 82, 58}, 0.8f};
+    case kPupil:
+      return {{18, 16, 16}, 0.8f};
+    case kInnerLip:
+      return {{138, 84, 78}, 0.0f};
+    case kMouth:
+      return {{92, 46, 44}, 0.0f};
+    case kThroat:
+      return {{52, 24, 24}, 0.0f};
+    default:
+      return {render::ShadingStyle().clay, 0.0f};
+  }
+}
+
+render::RenderInput InputOf(const faces::FinishedHead& head, const geometry::Points& face) {
+  render::RenderInput input{.surface = {head.Vertices(face), head.skin()}, .closing_triangles = head.parts()};
+  input.is_solid = head.faces_outwards();
+  for (const faces::HeadMaterial material : head.part_materials()) {
+    const MaterialLook look = LookOf(material);
+    input.closing_colours.push_back(look.colour);
+    input.closing_gloss.push_back(look.gloss);
+  }
+  return input;
 }
 
 }  // namespace daumier::reports

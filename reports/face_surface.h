@@ -1,5 +1,5 @@
 #pragma once
-#include "faces/face_model.h"
+#include "faces/finished_head.h"
 #include "render/shading.h"
 
 namespace daumier::reports {
@@ -7,16 +7,24 @@ namespace daumier::reports {
 /// The surface that all faces of a report share.
 struct ReportSurface {
   geometry::Triangles triangles;
-  geometry::Triangles closing_triangles;  ///< Close lips and eyes in the pictures; may be empty.
+  geometry::Triangles closing_triangles;  ///< Close lips and eyes; may be empty.
   int num_eye_closing_triangles = 0;      ///< closing_triangles begins with these.
 };
 
 ReportSurface SurfaceOf(const faces::FaceTemplate& face_template);
 
-/// A face for drawing: its surface with lips and eyes closed, the eyes whitish, the mouth dark. `face`: V x 3, cm.
-render::RenderInput InputOf(const ReportSurface& surface, const geometry::Points& face);
+/// What pictures show of the faces of a report. `mean_face`: V x 3, cm; its neck decides where all of them are cut.
+/// @throws Error as faces::FinishedHead.
+faces::FinishedHead HeadOf(const ReportSurface& surface, const geometry::Points& mean_face);
 
-/// The same for a face of a template. @throws Error if `face` has another number of vertices.
-render::RenderInput SurfaceOf(const faces::FaceTemplate& face_template, const geometry::Points& face);
+/// How a material looks: its colour, and the strength of its highlight (render::RenderInput::closing_gloss).
+struct MaterialLook {
+  render::Rgb colour;
+  float gloss = 0;
+};
+MaterialLook LookOf(faces::HeadMaterial material);
+
+/// A face for drawing: its finished head. `face`: V x 3, cm. @throws Error as faces::FinishedHead::Vertices.
+render::RenderInput InputOf(const faces::FinishedHead& head, const geometry::Points& face);
 
 }  // namespace daumier::reports

@@ -58,7 +58,10 @@ void CheckData(const ReportData& data) {
 class ReportPainter {
  public:
   explicit ReportPainter(const ReportData& data)
-      : data_(data), frame_(FrameOfFaces(TrueFaces(data), kPageMargin)), range_{0.0, ErrorRange(data)} {
+      : data_(data),
+        head_(HeadOf(data.surface, data.mean_face)),
+        frame_(FrameOfFaces(TrueFaces(data), kPageMargin)),
+        range_{0.0, ErrorRange(data)} {
     has_sketch_ = std::any_of(data.samples.begin(), data.samples.end(),
                               [](const ReportSample& sample) { return sample.sketch.height > 0; });
   }
@@ -73,14 +76,15 @@ class ReportPainter {
     const auto front = render::FrontalCamera(frame_.centre, frame_.half_height, kMeanCell);
     const auto side = render::SideCamera(frame_.centre, frame_.half_height, kMeanCell);
     const render::RenderInput input = InputOf(data_.mean_face);
-    return render::MakeSheet({{render::RenderHeatMap(input, data_.mean_error_mm, range_, front), "front"},
-                              {render::RenderHeatMap(input, data_.mean_error_mm, range_, side), "side"},
+    const Eigen::VectorXd errors = head_.Values(data_.mean_error_mm);
+    return render::MakeSheet({{render::RenderHeatMap(input, errors, range_, front), "front"},
+                              {render::RenderHeatMap(input, errors, range_, side), "side"},
                               {ColourBar(kMeanCell)}},
                              3);
   }
 
  private:
-  render::RenderInput InputOf(const geometry::Points& points) const { return reports::InputOf(data_.surface, points); }
+  render::RenderInput InputOf(const geometry::Points& points) const { return reports::InputOf(head_, points); }
 
   render::Image ColourBar(int height) const {
     render::Image bar(height, render::kColourBarWidth, 3);
@@ -100,7 +104,7 @@ class ReportPainter {
     }
     cells.push_back({render::RenderMesh(truth, camera), "truth"});
     cells.push_back({render::RenderMesh(prediction, camera), "prediction"});
-    cells.push_back({render::RenderHeatMap(prediction, sample.error_mm, range_, camera), "error"});
+    cells.push_back({render::RenderHeatMap(prediction, head_.Values(sample.error_mm), range_, camera), "error"});
     cells.push_back({ColourBar(kReportCell)});
     const int columns = int(cells.size());
     return render::MakeSheet(cells, columns, {.title = sample.title, .gap = 8});
@@ -113,6 +117,7 @@ class ReportPainter {
   }
 
   const ReportData& data_;
+  const faces::FinishedHead head_;
   const render::Frame frame_;
   const render::ValueRange range_;
   bool has_sketch_ = false;

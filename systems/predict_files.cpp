@@ -4,16 +4,18 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/manifest.h"
-#include "geometry/obj.h"
 #include "render/camera.h"
 #include "render/shading.h"
 #include "render/sheet.h"
 #include "render/stroke_overlay.h"
 #include "render/svg.h"
 #include "reports/face_surface.h"
+#include "reports/head_file.h"
 
 #include <fmt/ranges.h>
 
+#include <memory>
+#include <optional>
 #include <set>
 #include <span>
 
@@ -25,8 +27,8 @@ namespace fs = std::filesystem;
 constexpr int kPictureSide = 360;
 constexpr const char* kKind = "predictions";
 
-render::Image SheetOf(const FaceResult& face) {
-  const render::RenderInput surface = reports::SurfaceOf(*face.face_template, face.vertices);
+render::Image SheetOf(const faces::FinishedHead& head, const FaceResult& face) {
+  const render::RenderInput surface = reports::InputOf(head, face.vertices);
   const auto frame = render::FrameOf(face.vertices);
   std::vector<render::SheetCell> cells;
   const auto add = [&](const char* caption, render::Image picture) { cells.push_back({std::move(picture), caption}); };
@@ -39,21 +41,38 @@ render::Image SheetOf(const FaceResult& face) {
 
 /// The files of the results of an input.
 std::vector<std::string> FilesOf(const std::string& name) {
-  return {name + ".obj", name + ".png", name + ".svg"};
+  return {name + ".obj", name + ".mtl", name + ".png", name + ".svg"};
 }
 
 /// Writes the files of one result and returns their names.
-std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const FaceResult& face) {
+std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const faces::FinishedHead& head,
+                                     const FaceResult& face) {
   std::vector<std::string> files = FilesOf(name);
-  geometry::WriteObj(folder / files[0], faces::SurfaceMesh(*face.face_template, face.vertices));
-  render::WriteImage(folder / files[1], SheetOf(face));
+  reports::WriteHead(folder / files[0], head, face.vertices);
+  render::WriteImage(folder / files[2], SheetOf(head, face));
   if (!face.drawn.empty()) {
-    render::WriteSvg(folder / files[2], face.drawn, {"line"});
+    render::WriteSvg(folder / files[3], face.drawn, {"line"});
   } else {
     files.pop_back();
   }
   return files;
 }
+
+/// The finished head of the template of the last face: a predictor has one template.
+class LastHead {
+ public:
+  const faces::FinishedHead& Of(const FaceResult& face) {
+    if (face_template_ != face.face_template) {
+      head_.emplace(*face.face_template);
+      face_template_ = face.face_template;
+    }
+    return *head_;
+  }
+
+ private:
+  std::shared_ptr<const faces::FaceTemplate> face_template_;
+  std::optional<faces::FinishedHead> head_;
+};
 
 /// The records of an earlier prediction. Those of another run or of other options than the manifest's name their own.
 Json EarlierRecords(const Manifest& earlier, const Manifest& manifest) {
@@ -149,6 +168,7 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
                                                           : fmt::format("{} holds the results of {}",
                                                                         out_directory.string(), summary.num_results)));
   };
+  LastHead head;
   const Task silent(task.stop);  // What a predictor reports of one input is no progress of them all.
   for (int64_t i = 0; i < num_inputs; ++i) {
     const PredictionInput& named = inputs.inputs[i];
@@ -170,7 +190,7 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
     manifest.details["drawings"].erase(named.name);
     MakeDirectory(out_directory);
     write_manifest();
-    for (const std::string& file : WriteResult(out_directory, named.name, face))
+    for (const std::string& file : WriteResult(out_directory, named.name, head.Of(face), face))
       manifest.checksums[file] = Sha256OfFile(out_directory / file);
     for (const std::string& file : begun) unfinished.erase(file);
     Json& record = manifest.details["drawings"][named.name] = {{"file", named.file.filename().string()}};

@@ -30,9 +30,11 @@ render::Image Identities(const FaceDatabase& database) {
   for (int person = 0; person < std::min(16, database.num_persons()); ++person)
     indices.push_back(database.index({person, 0, 0}));
   const render::Frame frame = reports::FrameOfFaces(database, indices);
+  const faces::FinishedHead head(database.face_template());
   std::vector<SheetCell> cells;
   for (const int face : indices) {
-    cells.push_back({reports::FrontView(database, face, frame), fmt::format("person {}", database.id(face).person)});
+    cells.push_back(
+        {reports::FrontView(head, database.points(face), frame), fmt::format("person {}", database.id(face).person)});
   }
   return render::MakeSheet(cells, 8);
 }
@@ -50,6 +52,7 @@ render::Image Expressions(const FaceDatabase& database) {
     for (int expression = 0; expression < num_expressions; ++expression) indices.push_back(face(person, expression));
   }
   const render::Frame frame = reports::FrameOfFaces(database, indices);
+  const faces::FinishedHead head(database.face_template());
   std::vector<SheetCell> cells;
   render::SheetStyle style;
   const int num_columns = std::min(kColumns, num_expressions);
@@ -61,7 +64,7 @@ render::Image Expressions(const FaceDatabase& database) {
           cells.push_back({});
           continue;
         }
-        cells.push_back({reports::FrontView(database, face(person, expression), frame),
+        cells.push_back({reports::FrontView(head, database.points(face(person, expression)), frame),
                          person == 0 ? database.expression_names()[expression] : ""});
       }
     }
@@ -76,15 +79,16 @@ render::Image Levels(const FaceDatabase& database) {
     for (int level = 0; level < database.num_levels(); ++level) indices.push_back(database.index({person, level, 0}));
   }
   const render::Frame frame = reports::FrameOfFaces(database, indices);
+  const faces::FinishedHead head(database.face_template());
   render::SheetStyle style;
   std::vector<SheetCell> cells;
   for (int person = 0; person < num_persons; ++person) {
     style.row_titles.push_back(fmt::format("person {}", person));
     const auto row = indices.begin() + person * database.num_levels();
     for (int level = 0; level < database.num_levels(); ++level)
-      cells.push_back({reports::FrontView(database, row[level], frame)});
+      cells.push_back({reports::FrontView(head, database.points(row[level]), frame)});
     for (int level = 0; level < database.num_levels(); ++level)
-      cells.push_back({reports::SideView(database, row[level], frame)});
+      cells.push_back({reports::SideView(head, database.points(row[level]), frame)});
   }
   for (int column = 0; column < 2 * database.num_levels(); ++column) {
     style.column_titles.push_back(fmt::format("level {}", column % database.num_levels() + 1));
@@ -98,7 +102,8 @@ render::Image AnnotatedView(const faces::FaceTemplate& face_template, faces::Vie
   const render::Frame frame = render::FrameOf(face_template.neutral);
   const auto camera = view == faces::View::kFrontal ? render::FrontalCamera(frame.centre, frame.half_height, kSide)
                                                     : render::SideCamera(frame.centre, frame.half_height, kSide);
-  render::Image image = render::RenderMesh(reports::SurfaceOf(face_template, face_template.neutral), camera);
+  render::Image image =
+      render::RenderMesh(reports::InputOf(faces::FinishedHead(face_template), face_template.neutral), camera);
   const geometry::Points pixels = render::Project(camera, face_template.neutral);
   const auto dot = [&](int vertex, int radius, const render::Rgb& colour) {
     render::FillRectangle(image, static_cast<int>(pixels(vertex, 1)) - radius,

@@ -55,16 +55,16 @@ Eigen::VectorXd Distances(const faces::FaceDatabase& database, int person) {
 void WriteRegistrationPictures(const faces::FaceDatabase& database, const MeshInputs& inputs,
                                const std::filesystem::path& folder) {
   const std::vector<std::string> names = MeshNames(database);
-  const faces::FaceTemplate& face = database.face_template();
+  const faces::FinishedHead head(database.face_template());
   for (int person = 0; person < database.num_persons(); ++person) {
     LandmarkedMesh target = ReadLandmarkedMesh(inputs, InputOf(names[size_t(person)], inputs));
     const Json quality = ReadRegistrationQuality(database.directory(), person);
     if (quality.value("turned_inside_out", false)) TurnTriangles(target.mesh);
     const geometry::Similarity similarity = SimilarityFromJson(quality.at("template_from_target"));
     const render::RenderInput mesh{.surface = {similarity.Apply(target.mesh.vertices), target.mesh.triangles}};
-    const render::RenderInput registered = reports::SurfaceOf(face, database.points(database.index({person, 0, 0})));
-    const Eigen::VectorXd distances = Distances(database, person);
-    const render::Frame frame = render::FrameOf(registered.surface.vertices);
+    const render::RenderInput registered = reports::InputOf(head, database.points(database.index({person, 0, 0})));
+    const Eigen::VectorXd distances = head.Values(Distances(database, person));
+    const render::Frame frame = render::FrameOf(registered.surface.vertices.topRows(head.num_face_vertices()));
     std::vector<render::SheetCell> cells;
     for (const double yaw : {0.0, -60.0}) {
       const render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, kCell, yaw);

@@ -40,9 +40,10 @@ render::Image Sketches(const FaceDatabase& database, const SketchDatabase& sketc
   constexpr int kRows = 5, kPairs = 4;
   const std::vector<int> indices = Diagonal(database, kRows * kPairs);
   const render::Frame frame = reports::FrameOfFaces(database, indices);
+  const faces::FinishedHead head(database.face_template());
   std::vector<SheetCell> cells;
   for (const int face : indices) {
-    cells.push_back({reports::FrontView(database, face, frame), Title(database, face)});
+    cells.push_back({reports::FrontView(head, database.points(face), frame), Title(database, face)});
     cells.push_back({Drawn(sketches.strokes(face))});
   }
   return render::MakeSheet(cells, 2 * kPairs);
@@ -58,6 +59,7 @@ render::Image LineKinds(const FaceDatabase& database, const SketchDatabase& sket
   };
   const std::vector<int> indices = Diagonal(database, kRows);
   const render::Frame frame = reports::FrameOfFaces(database, indices);
+  const faces::FinishedHead head(database.face_template());
   const int num_more_views = std::min(kMaxViews, sketches.num_views() - 1);
   render::SheetStyle style;
   style.column_titles = {"face", "silhouette", "features", "wrinkles", "all"};
@@ -65,7 +67,7 @@ render::Image LineKinds(const FaceDatabase& database, const SketchDatabase& sket
   std::vector<SheetCell> cells;
   for (const int face : indices) {
     style.row_titles.push_back(Title(database, face));
-    cells.push_back({reports::FrontView(database, face, frame)});
+    cells.push_back({reports::FrontView(head, database.points(face), frame)});
     const auto strokes = sketches.strokes(face);
     for (const char* group : {"silhouette", "features", "wrinkles"}) {
       std::vector<Stroke> some;
@@ -102,6 +104,7 @@ render::Image Contours(const FaceDatabase& database) {
   constexpr int kRows = 4;
   const std::vector<int> indices = Diagonal(database, kRows);
   const render::Frame frame = reports::FrameOfFaces(database, indices);
+  const faces::FinishedHead head(database.face_template());
   const auto& triangles = database.face_template().triangles;
   render::SheetStyle style;
   style.column_titles = {"front", "its contours", "side", "its contours"};
@@ -110,9 +113,9 @@ render::Image Contours(const FaceDatabase& database) {
     style.row_titles.push_back(Title(database, face));
     const geometry::TriangleMesh mesh{database.points(face), triangles};
     const auto lines = [&](const render::Camera& camera) { return Drawn(render::DrawContours(mesh, camera)); };
-    cells.push_back({reports::FrontView(database, face, frame)});
+    cells.push_back({reports::FrontView(head, database.points(face), frame)});
     cells.push_back({lines(render::FrontalCamera(frame.centre, frame.half_height, render::kSketchCanvas))});
-    cells.push_back({reports::SideView(database, face, frame)});
+    cells.push_back({reports::SideView(head, database.points(face), frame)});
     cells.push_back({lines(render::SideCamera(frame.centre, frame.half_height, render::kSketchCanvas))});
   }
   return render::MakeSheet(cells, 4, style);

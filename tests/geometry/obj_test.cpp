@@ -250,6 +250,23 @@ TEST(WriteObj, OfAMeshWithoutUvHasVerticesAndPolygonsAlone) {
   EXPECT_EQ(ReadFile(folder / "one.obj"), "v 0 0 0\nv 1.5 0 0\nv 0 -1 0\nf 1 2 3\n");
 }
 
+TEST(WriteObj, OfPartsHasGroupsAndAFileOfMaterials) {
+  const testing::TempDir folder;
+  TriangleMesh mesh;
+  mesh.vertices = Points::Identity(3, 3);
+  mesh.triangles = (Triangles(2, 3) << 0, 1, 2, 2, 1, 0).finished();
+  const std::vector<ObjMaterial> materials = {{"skin", {0.5f, 0.25f, 0}, 0}, {"eye", {1, 1, 1}, 0.5f}};
+  WriteObj(folder / "a head.obj", mesh, {{"face", "skin", 1}, {"eyes", "eye", 1}}, materials);
+  EXPECT_EQ(
+      ReadFile(folder / "a head.obj"),
+      "mtllib a head.mtl\nv 1 0 0\nv 0 1 0\nv 0 0 1\ns 1\ng face\nusemtl skin\nf 1 2 3\ng eyes\nusemtl eye\nf 3 2 1\n");
+  EXPECT_EQ(ReadFile(folder / "a head.mtl"),
+            "newmtl skin\nKd 0.5 0.25 0\nKs 0 0 0\nNs 10\nillum 2\n\n"
+            "newmtl eye\nKd 1 1 1\nKs 0.5 0.5 0.5\nNs 250\nillum 2\n\n");
+  EXPECT_EQ(ReadObj(folder / "a head.obj").num_polygons(), 2);
+  ExpectError([&] { WriteObj(folder / "bad.obj", mesh, {{"face", "skin", 1}}, materials); }, "1 triangles in parts");
+}
+
 TEST(WriteObj, RefusesUvThatDoesNotFit) {
   const testing::TempDir folder;
   TriangleMesh mesh = testing::EquilateralTriangle();

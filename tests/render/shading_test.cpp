@@ -24,22 +24,6 @@ int Brightness(const Image& image, int row, int column) {
   const Rgb colour = Pixel(image, row, column);
   return colour[0] + colour[1] + colour[2];
 }
-TEST(ClosingColours, EyesAreWhitishAndTheRestIsDark) {
-  const auto colours = ClosingColours(5, 2);
-  ASSERT_EQ(colours.size(), 5u);
-  EXPECT_EQ(colours[0], colours[1]);
-  EXPECT_EQ(colours[2], colours[4]);
-  for (int channel = 0; channel < 3; ++channel) {
-    EXPECT_GT(colours[1][channel], 220);
-    EXPECT_LT(colours[2][channel], 110);
-  }
-  EXPECT_TRUE(ClosingColours(0, 0).empty());
-}
-
-TEST(ClosingColours, RefusesMoreEyesThanTriangles) {
-  EXPECT_THROW(ClosingColours(2, 3), Error);
-  EXPECT_THROW(ClosingColours(2, -1), Error);
-}
 
 TEST(RenderMesh, IsTheBackgroundWhereNothingIsDrawn) {
   const Rgb background = {12, 200, 77};
@@ -118,6 +102,14 @@ TEST(RenderMesh, TrianglesSeenFromInsideAreLitHalfAsMuch) {
   EXPECT_EQ(RenderMesh({Square()}, WithPerspective(camera, 30.0), flat).at(8, 8), 255);
 }
 
+TEST(RenderMesh, OfASolidLeavesOutWhatIsSeenFromInside) {
+  RenderInput turned{Square()};
+  turned.surface.triangles.col(1).swap(turned.surface.triangles.col(2));
+  turned.is_solid = true;
+  const Rgb background = {12, 200, 77};
+  EXPECT_EQ(Pixel(RenderMesh(turned, Front(2.0, 16), {.background = background}), 8, 8), background);
+}
+
 TEST(RenderMesh, ClosingTrianglesHaveTheirOwnColours) {
   RenderInput input{Square()};
   input.closing_triangles = input.surface.triangles.bottomRows(1);
@@ -126,6 +118,32 @@ TEST(RenderMesh, ClosingTrianglesHaveTheirOwnColours) {
   const Image image = RenderMesh(input, Front(1.0, 16), {.clay = {255, 0, 0}, .flatness = 1.0});
   EXPECT_EQ(Pixel(image, 12, 12), (Rgb{255, 0, 0})) << "lower right: the surface";
   EXPECT_EQ(Pixel(image, 3, 3), (Rgb{0, 0, 255})) << "upper left: the closing triangle";
+}
+
+TEST(RenderMesh, WetTrianglesHaveASmallHighlight) {
+  const geometry::TriangleMesh globe = Globe(60);
+  RenderInput dry{.surface = {globe.vertices, geometry::Triangles(0, 3)}, .closing_triangles = globe.triangles};
+  dry.closing_colours.assign(size_t(globe.triangles.rows()), {40, 40, 40});
+  RenderInput wet = dry;
+  wet.closing_gloss.assign(size_t(globe.triangles.rows()), 0.8f);
+  const Image without = RenderMesh(dry, Front(1.1, 60)), with = RenderMesh(wet, Front(1.1, 60));
+  int num_brighter = 0, brightest = 0;
+  for (size_t i = 0; i < with.pixels.size(); ++i) {
+    num_brighter += with.pixels[i] > without.pixels[i] + 30;
+    brightest = std::max<int>(brightest, with.pixels[i]);
+  }
+  EXPECT_GT(num_brighter, 0);
+  EXPECT_LT(num_brighter, 3 * 60 * 60 / 50);
+  EXPECT_GT(brightest, 180);
+  wet.closing_gloss.pop_back();
+  EXPECT_THROW(RenderMesh(wet, Front(1.1, 60)), Error);
+}
+
+TEST(LinearLight, IsThatOfTheStandard) {
+  const auto [black, middle, white] = LinearLight({0, 188, 255});
+  EXPECT_EQ(black, 0.0f);
+  EXPECT_NEAR(middle, 0.5029, 1e-4);
+  EXPECT_EQ(white, 1.0f);
 }
 
 TEST(RenderMesh, RefusesOtherNumbersOfColours) {

@@ -15,7 +15,8 @@ TEST(FacePictures, OneFrameHoldsAllFacesAndViewsDiffer) {
     const auto distance = (points.rowwise() - frame.centre.transpose()).cwiseAbs().maxCoeff();
     EXPECT_LE(distance, frame.half_height);
   }
-  const render::Image front = FrontView(face, faces[0], frame), side = SideView(face, faces[0], frame);
+  const faces::FinishedHead head(face);
+  const render::Image front = FrontView(head, faces[0], frame), side = SideView(head, faces[0], frame);
   EXPECT_EQ(front.width, kCell);
   EXPECT_EQ(side.height, kCell);
   EXPECT_NE(front.pixels, side.pixels);

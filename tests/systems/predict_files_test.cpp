@@ -115,9 +115,11 @@ class PredictFilesTest : public ::testing::Test {
 TEST_F(PredictFilesTest, WritesMeshSheetAndStrokesOfADrawing) {
   const fs::path file = Draw("anna.svg");
   Predict({file});
-  EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "anna.svg", "manifest.json"}));
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "anna.svg", "manifest.json"}));
   const geometry::PolygonMesh mesh = geometry::ReadObj(out() / "anna.obj");
-  EXPECT_EQ(mesh.vertices, predictor_.face_template().neutral);
+  const geometry::Points& neutral = predictor_.face_template().neutral;
+  ASSERT_GT(mesh.vertices.rows(), neutral.rows()) << "a finished head";
+  EXPECT_EQ(mesh.vertices.topRows(neutral.rows()), neutral);
   const render::Image sheet = render::ReadImage(out() / "anna.png");
   EXPECT_GT(sheet.width, 2 * sheet.height) << "input, front and side";
   const auto strokes = render::ReadSvg(out() / "anna.svg").strokes;
@@ -129,7 +131,7 @@ TEST_F(PredictFilesTest, AMeshHasNoStrokes) {
   const auto& face_template = predictor_.face_template();
   geometry::WriteObj(folder_ / "anna.obj", geometry::TriangleMesh{face_template.neutral, face_template.triangles});
   Predict({folder_ / "anna.obj"});
-  EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "manifest.json"}));
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "manifest.json"}));
 }
 
 TEST_F(PredictFilesTest, TheManifestHoldsSystemOptionsRunAndRecords) {
@@ -145,7 +147,7 @@ TEST_F(PredictFilesTest, TheManifestHoldsSystemOptionsRunAndRecords) {
   EXPECT_EQ(manifest.details["drawings"]["bert"]["strokes"], 3);
   EXPECT_EQ(manifest.details["drawings"]["bert"]["file"], "bert.svg");
   EXPECT_FALSE(manifest.details.contains(kUnfinishedFiles));
-  EXPECT_EQ(manifest.checksums.size(), 6u);
+  EXPECT_EQ(manifest.checksums.size(), 8u);
   EXPECT_NO_THROW(VerifyChecksums(out(), manifest));
 }
 
@@ -153,8 +155,8 @@ TEST_F(PredictFilesTest, ABadInputSpoilsOnlyItselfAndIsListed) {
   const fs::path good = Draw("anna.svg"), no_face = Draw("bert.svg", 1), later = Draw("carl.svg", 4);
   const PredictionSummary summary = Predict({good, no_face, folder_ / "absent.svg", later});
   EXPECT_EQ(summary.num_results, 2u);
-  EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "anna.svg", "carl.obj", "carl.png", "carl.svg",
-                                              "manifest.json"}));
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "anna.svg", "carl.mtl", "carl.obj",
+                                              "carl.png", "carl.svg", "manifest.json"}));
   const Json failures = Details()["failures"];
   ASSERT_EQ(failures.size(), 2u);
   EXPECT_EQ(failures[0]["file"], "absent.svg");
@@ -207,7 +209,7 @@ TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
   fs::remove(out() / "carl.obj");
   Predict({Draw("bert.svg")});
   const Manifest both = ReadManifest(out(), "predictions");
-  EXPECT_EQ(both.checksums.size(), 8u);
+  EXPECT_EQ(both.checksums.size(), 11u);
   EXPECT_EQ(both.details["drawings"].size(), 3u);
   EXPECT_EQ(both.counts["drawings"], 3);
   EXPECT_NO_THROW(VerifyChecksums(out(), both));
@@ -219,7 +221,7 @@ TEST_F(PredictFilesTest, EarlierResultsStayAndACorrectionByHandIsNotLost) {
   EXPECT_EQ(records["bert"]["options"], Json({{"refine", true}}));
   EXPECT_EQ(records["bert"]["run_data_hash"], DataHash(run()));
   EXPECT_EQ(records["bert"]["strokes"], 5);
-  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 11u);
   Draw("out/anna.svg", 2);
   ExpectError([&] { Predict({folder_ / "anna.svg"}); }, "anna.svg has changed since it was written");
 }
@@ -229,8 +231,9 @@ TEST_F(PredictFilesTest, InputsThatThePredictorSeparatesAreNumbered) {
   const PredictionInputs inputs =
       SeparateInputs(predictor, ReadPredictionInputs(system_, {Draw("anna.svg", 3), Draw("bert.svg", 2)}));
   PredictFiles(system_, predictor, run(), inputs, out(), {});
-  EXPECT_EQ(Written(), (std::set<std::string>{"anna_1.obj", "anna_1.png", "anna_1.svg", "anna_2.obj", "anna_2.png",
-                                              "anna_2.svg", "bert.obj", "bert.png", "bert.svg", "manifest.json"}));
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna_1.mtl", "anna_1.obj", "anna_1.png", "anna_1.svg", "anna_2.mtl",
+                                              "anna_2.obj", "anna_2.png", "anna_2.svg", "bert.mtl", "bert.obj",
+                                              "bert.png", "bert.svg", "manifest.json"}));
 }
 
 TEST_F(PredictFilesTest, ACancelledTaskKeepsWhatIsFinished) {
@@ -240,7 +243,7 @@ TEST_F(PredictFilesTest, ACancelledTaskKeepsWhatIsFinished) {
     if (progress.done == 1) source.request_stop();
   };
   ExpectError([&] { Predict(files, Task(source.get_token(), stop_after_the_first)); }, "stopped");
-  EXPECT_EQ(Written(), (std::set<std::string>{"anna.obj", "anna.png", "anna.svg", "manifest.json"}));
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "anna.svg", "manifest.json"}));
   EXPECT_EQ(Details()["drawings"].size(), 1u);
   EXPECT_EQ(Predict(files).num_results, 2u);
 }
@@ -250,15 +253,15 @@ TEST_F(PredictFilesTest, AKilledPredictionCanBeRunAgain) {
   Predict(files);
   // What a program leaves that is killed behind the first file of bert.
   Manifest manifest = ReadManifest(out(), "predictions");
-  for (const char* file : {"bert.obj", "bert.png", "bert.svg"}) manifest.checksums.erase(file);
-  manifest.details[kUnfinishedFiles] = {"bert.obj", "bert.png", "bert.svg"};
+  for (const char* file : {"bert.mtl", "bert.obj", "bert.png", "bert.svg"}) manifest.checksums.erase(file);
+  manifest.details[kUnfinishedFiles] = {"bert.mtl", "bert.obj", "bert.png", "bert.svg"};
   WriteManifest(out(), manifest);
   WriteFileAtomically(out() / "bert.obj", "half");
   Predict({files[0]});
-  EXPECT_EQ(Details()[kUnfinishedFiles].size(), 3u) << "of other inputs they stay";
+  EXPECT_EQ(Details()[kUnfinishedFiles].size(), 4u) << "of other inputs they stay";
   EXPECT_EQ(Predict(files).num_results, 2u);
   EXPECT_FALSE(Details().contains(kUnfinishedFiles));
-  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 6u);
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
 }
 
 TEST_F(PredictFilesTest, TheManifestIsThereBeforeTheFirstFile) {
@@ -266,7 +269,7 @@ TEST_F(PredictFilesTest, TheManifestIsThereBeforeTheFirstFile) {
   MakeDirectory(out() / "anna.obj.tmp");  // The mesh cannot be written.
   WriteManifest(out(), {.kind = "predictions", .verb = "predict"});
   EXPECT_ANY_THROW(Predict({Draw("anna.svg")}));
-  EXPECT_EQ(Details()[kUnfinishedFiles], Json({"anna.obj", "anna.png", "anna.svg"}));
+  EXPECT_EQ(Details()[kUnfinishedFiles], Json({"anna.mtl", "anna.obj", "anna.png", "anna.svg"}));
 }
 
 TEST_F(PredictFilesTest, ReportsTheInputsAndNothingOfOneOfThem) {

@@ -136,18 +136,18 @@ class ExternalEvaluation {
     render::SheetStyle style{.column_titles = {"sketch, curves of the deformed face", "true face", "network",
                                                "network, deformed", "network, deformed"}};
     std::vector<render::SheetCell> cells;
+    const faces::FinishedHead true_head(faces_.face_template()), own_head(predictor_.run().face_template);
     for (const auto& [title, face] : reports::ChooseFaces(table_.faces, errors)) {
       style.row_titles.push_back(
           fmt::format("{}: {:.2f} {}", title, errors[size_t(face)], same_topology_ ? "mm" : "px"));
       const PredictedFace deformed = Deformed(refined_[size_t(face)], face);
       const geometry::Points network = geometry::PointsFrom(predicted_[size_t(face)].vertices),
                              moved = geometry::PointsFrom(deformed.vertices);
-      const faces::FaceTemplate& own = predictor_.run().face_template;
       cells.push_back({render::DrawnWithCurves(SketchOf(face).strokes, predictor_.CurvesOf(deformed), reports::kCell)});
-      cells.push_back({reports::FrontView(faces_, face, render::FrameOf(faces_.points(face)))});
-      cells.push_back({reports::FrontView(own, network, render::FrameOf(network))});
-      cells.push_back({reports::FrontView(own, moved, render::FrameOf(moved))});
-      cells.push_back({reports::SideView(own, moved, render::FrameOf(moved))});
+      cells.push_back({reports::FrontView(true_head, faces_.points(face), render::FrameOf(faces_.points(face)))});
+      cells.push_back({reports::FrontView(own_head, network, render::FrameOf(network))});
+      cells.push_back({reports::FrontView(own_head, moved, render::FrameOf(moved))});
+      cells.push_back({reports::SideView(own_head, moved, render::FrameOf(moved))});
     }
     return render::MakeSheet(cells, 5, style);
   }

@@ -33,19 +33,5 @@ TEST(PersonFaces, WithoutVariationEveryStrengthIsOne) {
   EXPECT_EQ(arrays.expression_strengths, std::vector<float>(model.expressions.size(), 1.0f));
 }
 
-TEST(MakeLevels, GammaZeroAloneNeedsNoRegion) {
-  faces::FaceTemplate face = testing::SyntheticFace();
-  FacesOptions options;
-  options.exaggeration.gammas = {0.0, 0.1};
-  PersonArrays arrays;
-  const auto levels = MakeLevels(face, {}, face.neutral, options, 0, arrays);
-  ASSERT_EQ(levels.size(), 2u);
-  EXPECT_EQ(levels[1], faces::Exaggerate(face, face.neutral, options.exaggeration)[1]);
-  face.annotation.regions.clear();
-  options.exaggeration.gammas = {0.0};
-  EXPECT_EQ(MakeLevels(face, {}, face.neutral, options, 0, arrays), std::vector{face.neutral});
-  EXPECT_TRUE(arrays.part_strengths.empty());
-}
-
 }  // namespace
 }  // namespace daumier::datasets

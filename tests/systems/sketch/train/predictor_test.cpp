@@ -46,8 +46,8 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
                   {.search = {.shares = {1.0}, .starts = 1, .rounds = 1}});
   const Manifest manifest = ReadManifest(folder / "out", "predictions");
   EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
-  EXPECT_EQ(manifest.checksums.size(), 6u);
-  EXPECT_EQ(ReadFile(folder / "out/face.obj"), ReadFile(folder / "out/face-2.obj"));
+  EXPECT_EQ(manifest.checksums.size(), 8u);
+  EXPECT_EQ(geometry::ReadObj(folder / "out/face.obj").vertices, geometry::ReadObj(folder / "out/face-2.obj").vertices);
   const Json record = manifest.details.at("drawings").at("face-2");
   EXPECT_GT(record.at("frame").at("scale").get<double>(), 0);
   EXPECT_EQ(record.at("frame").at("shift").size(), 2u);
@@ -55,7 +55,7 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
   EXPECT_LE(distance.at("after_trimmed").get<double>(), distance.at("after").get<double>());
   for (const char* when : {"before", "framed"}) EXPECT_GT(distance.at(when).get<double>(), 0) << when;
   const auto mesh = geometry::ReadObj(folder / "out/face.obj");
-  EXPECT_EQ(mesh.vertices.rows(), LoadSketchRun(folder / "run").face_template.num_vertices());
+  EXPECT_GT(mesh.vertices.rows(), LoadSketchRun(folder / "run").face_template.num_vertices());
   EXPECT_GT(render::ReadImage(folder / "out/face.png").width, 1000);
 }
 
