@@ -1,4 +1,5 @@
 #include "cli/config_kind.h"
+#include "cli/template_choice.h"
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -13,7 +14,9 @@
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
 #include "datasets/build/two_sample.h"
+#include "datasets/gallery/control_sheets.h"
 #include "datasets/gallery/face_gallery.h"
+#include "faces/controls/given_controls.h"
 
 #include <fmt/core.h>
 
@@ -177,6 +180,52 @@ std::function<void()> AddGallery(CLI::App& parent) {
   };
 }
 
+struct ControlsOptions {
+  faces::SourceOptions source;
+  std::vector<std::string> own_controls;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("source", source, Table{}, "The face source, where --template is none of a folder.");
+    visit("own_controls", own_controls, Text{},
+          "Further controls, each NAME=FILE.target (in the source's vertex numbers) or NAME=FROM.obj,TO.obj.");
+  }
+};
+
+std::function<void()> AddControls(CLI::App& parent) {
+  struct Arguments {
+    ConfigArguments config;
+    std::string template_name = "makehuman";
+    fs::path out;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = parent.add_subcommand("controls", "Sheets of the controls of a face, each at five values");
+  command->add_option("--template", arguments->template_name,
+                      "makehuman, ict (with source.path=...), or a folder of faces, whose template is used");
+  command->add_option("-o,--out", arguments->out, "Folder to write")->required();
+  AddConfigArguments(*command, arguments->config);
+  command->footer("Options:\n" + HelpText<ControlsOptions>());
+  return [arguments] {
+    const TemplateChoice choice = ChooseTemplate(arguments->template_name);
+    Json config = arguments->config.Load();
+    if (choice.folder.empty()) config["source"]["name"] = choice.source;
+    const auto options = ParseOptions<ControlsOptions>(config, arguments->config.Where());
+    CheckOutputFolder(arguments->out, {datasets::kControlSheetsKind}, {choice.folder, options.source.path});
+    faces::FaceModel model;
+    if (choice.folder.empty())
+      model = faces::LoadFaceModel(options.source);
+    else
+      model.face_template = faces::ReadFaceTemplate(choice.folder);
+    const faces::FaceControls controls(
+        model.face_template, faces::ReadGivenControls(options.own_controls, model.face_template, model.numbering));
+    MakeDirectory(arguments->out);
+    std::vector<std::string> files = datasets::ControlSheetNames(controls);
+    files.emplace_back("controls.json");
+    CheckOwnFiles(arguments->out, files);
+    datasets::WriteControlSheets(controls, model.face_template, arguments->out, TaskOfProcess());
+  };
+}
+
 }  // namespace
 
 Verb DatasetVerb() {
@@ -191,7 +240,8 @@ Verb DatasetVerb() {
                                command, "points", "Points on the surface of every face of a database, and attributes",
                                datasets::BuildPoints)},
                 {"stats", AddStats(command)},
-                {"gallery", AddGallery(command)}};
+                {"gallery", AddGallery(command)},
+                {"controls", AddControls(command)}};
             return [&command, actions] {
               for (const auto& [name, run] : actions) {
                 if (command.got_subcommand(name)) run();

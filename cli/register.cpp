@@ -1,3 +1,4 @@
+#include "cli/template_choice.h"
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -8,7 +9,6 @@
 #include "datasets/build/sharded_build.h"
 #include "datasets/gallery/registration_pictures.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace daumier::cli {
@@ -25,27 +25,18 @@ struct RegisterArguments {
   bool zero_is_absent = false, write_meshes = false, write_pictures = true, as_json = false;
 };
 
-/// @throws UsageError if it is no folder and no name of a source.
-void CheckTemplateName(const std::string& name) {
-  const auto& names = faces::kSourceNames;
-  if (fs::is_directory(name) || std::find(names.begin(), names.end(), name) != names.end()) return;
-  const char* found = fs::exists(name) ? "this is a file" : "there is no such folder";
-  throw UsageError(fmt::format("--template '{}': {} (expected a folder of faces, makehuman or ict)", name, found));
-}
-
 void Register(RegisterArguments arguments) {
   arguments.inputs.zero = arguments.zero_is_absent ? faces::ZeroPoints::kAbsent : faces::ZeroPoints::kPlaces;
   Json config = arguments.config.Load();
-  const bool is_folder = fs::is_directory(arguments.template_name);
-  CheckTemplateName(arguments.template_name);
-  if (!is_folder) config["source"]["name"] = arguments.template_name;
+  const TemplateChoice choice = ChooseTemplate(arguments.template_name);
+  if (choice.folder.empty()) config["source"]["name"] = choice.source;
   if (!arguments.licence.empty()) config["licence"] = arguments.licence;
   const auto options = ParseOptions<datasets::RegisterOptions>(config, arguments.config.Where());
   std::vector<fs::path> read = arguments.inputs.meshes;
-  read.insert(read.end(), {arguments.inputs.landmarks, arguments.inputs.vertex_map, options.source.path});
-  if (is_folder) read.emplace_back(arguments.template_name);
+  read.insert(read.end(),
+              {arguments.inputs.landmarks, arguments.inputs.vertex_map, options.source.path, choice.folder});
   CheckOutputFolder(arguments.out, datasets::BuildOutput("faces"), read);
-  const auto face_template = datasets::RegistrationTemplateOf(options, is_folder ? arguments.template_name : "");
+  const auto face_template = datasets::RegistrationTemplateOf(options, choice.folder);
   const auto failed =
       datasets::BuildRegisteredFaces(face_template, arguments.inputs, options, arguments.out, TaskOfProcess());
   const faces::FaceDatabase database(arguments.out);

@@ -261,6 +261,17 @@ std::span<const float> FaceDatabase::identity_weights(int person) const {
   return shard.contains("identity_weights") ? shard.at("identity_weights").As<float>() : std::span<const float>();
 }
 
+std::span<const float> FaceDatabase::control_values(int person, int level) const {
+  DAUMIER_CHECK(person >= 0 && person < num_persons_ && level >= 0 && level < num_levels_,
+                "person {}, level {} of a database of {} persons and {} levels", person, level, num_persons_,
+                num_levels_);
+  const SafetensorsFile& shard = shards_[person];
+  if (!shard.contains("control_values")) return {};
+  const auto all = shard.at("control_values").As<float>();
+  const size_t count = all.size() / num_levels_;
+  return all.subspan(level * count, count);
+}
+
 std::vector<int> FaceDatabase::persons(int face) const {
   if (face < num_grid_faces()) return {id(face).person};
   const int row = face - num_grid_faces();

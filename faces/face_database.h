@@ -50,6 +50,12 @@ class FaceDatabase {
   const std::vector<int>& groups() const { return groups_; }
   /// Weights of the source's identity shapes that made a person; none where faces were imported.
   std::span<const float> identity_weights(int person) const;
+  /// Values of the controls that made a level of a person, one for each of control_names(); none unless levels are by controls.
+  std::span<const float> control_values(int person, int level) const;
+  /// Names of these, as FaceControls::value_names; none unless levels are by controls.
+  std::vector<std::string> control_names() const {
+    return manifest_.details.value("controls", std::vector<std::string>{});
+  }
   /// The person shown, or both parents of an interpolated face.
   std::vector<int> persons(int face) const;
   /// The group of these, which is always the same one.

@@ -1,60 +1,32 @@
 #include "faces/controls/artist_habits.h"
 
-#include <map>
-
 namespace daumier::faces {
 
-ArtistHabit HabitOf(const std::string& control) {
+const std::map<std::string, ArtistHabit>& ArtistHabits() {
   static const std::map<std::string, ArtistHabit> habits = {
-      {"face_width", {1.5, -0.25}},
-      {"jaw_width", {1.5, 0}},
-      {"mouth_width", {1.5, 0}},
-      {"nose_length", {1.5, -0.2}},
-      {"nose_width", {1.5, -0.25}},
-      {"forehead_height", {1.5, 0}},
-      {"brow_height", {1.5, -0.2}},
-      {"ear_level", {1.5, 0}},
-      {"ear_size", {1.5, 0}},
-      {"chin_length", {1.5, 0.4}},
-      {"chin_width", {1.5, 0}},
-      {"chin_point", {1.5, 0.25}},
-      {"jaw_angle", {1.5, 0}},
-      {"face_length", {1.5, 0}},
-      {"eye_size", {1.5, 0}},
-      {"eye_level", {1.5, 0.15}},
-      {"temple_height", {1.5, 0}},
-      {"mouth_level", {1.5, -0.2}},
-      {"skull_height", {1.5, 0}},
-      {"nose_hump", {0.5, 0}},
-      {"eye_bags", {0.5, 0}},
-      {"philtrum", {0.5, 0}},
-      {"chin_cleft", {0.5, 0}},
-      {"cheek_hollows", {0.5, 0}},
-      {"face_bend", {0.5, 0}},
-      {"nose_tip", {0.5, 0}},
-      {"upper_lip", {0.5, 0}},
-      {"eye_height", {0.5, 0}},
-      {"neck_width", {0.5, 0}},
-      {"skull_width", {0.5, 0}},
-      {"nose_projection", {0.4, 0}},
-      {"chin_protrusion", {0.4, 0}},
-      {"mouth_protrusion", {0.4, 0}},
-      {"forehead_bulge", {0.4, 0}},
-      {"eye_depth", {0.4, 0}},
-      {"face_depth", {0.4, 0.4}},
-      {"profile_bend", {0.4, 0}},
-      {"skull_depth", {0.4, 0}},
-      {"nose_bridge", {0.4, 0}},
-      {"brow_ridge", {0.4, 0}},
-      {"neck_forward", {0.4, 0}},
-      {"forehead_slope", {0.4, 0}},
-      {"nose_tip_angle", {0.4, 0}},
-      {"eye_spacing", {1, -0.25}},
-      {"mouth_corners", {1, 0.3}},
+      {"face_width", {1.5, -0.25}},  {"jaw_width", {1.5, 0}},       {"mouth_width", {1.5, 0}},
+      {"nose_length", {1.5, -0.2}},  {"nose_width", {1.5, -0.25}},  {"forehead_height", {1.5, 0}},
+      {"brow_height", {1.5, -0.2}},  {"ear_level", {1.5, 0}},       {"ear_size", {1.5, 0}},
+      {"chin_length", {1.5, 0.4}},   {"chin_width", {1.5, 0}},      {"chin_point", {1.5, 0.25}},
+      {"jaw_angle", {1.5, 0}},       {"face_length", {1.5, 0}},     {"eye_size", {1.5, 0}},
+      {"eye_level", {1.5, 0.15}},    {"temple_height", {1.5, 0}},   {"mouth_level", {1.5, -0.2}},
+      {"skull_height", {1.5, 0}},    {"nose_hump", {0.5, 0}},       {"eye_bags", {0.5, 0}},
+      {"philtrum", {0.5, 0}},        {"chin_cleft", {0.5, 0}},      {"cheek_hollows", {0.5, 0}},
+      {"face_bend", {0.5, 0}},       {"nose_tip", {0.5, 0}},        {"upper_lip", {0.5, 0}},
+      {"eye_height", {0.5, 0}},      {"neck_width", {0.5, 0}},      {"skull_width", {0.5, 0}},
+      {"nose_projection", {0.4, 0}}, {"chin_protrusion", {0.4, 0}}, {"mouth_protrusion", {0.4, 0}},
+      {"forehead_bulge", {0.4, 0}},  {"eye_depth", {0.4, 0}},       {"face_depth", {0.4, 0.4}},
+      {"profile_bend", {0.4, 0}},    {"skull_depth", {0.4, 0}},     {"nose_bridge", {0.4, 0}},
+      {"brow_ridge", {0.4, 0}},      {"neck_forward", {0.4, 0}},    {"forehead_slope", {0.4, 0}},
+      {"nose_tip_angle", {0.4, 0}},  {"eye_spacing", {1, -0.25}},   {"mouth_corners", {1, 0.3}},
       {"face_taper", {1, -0.15}},
   };
-  const auto found = habits.find(control);
-  return found == habits.end() ? ArtistHabit{} : found->second;
+  return habits;
+}
+
+ArtistHabit HabitOf(const std::string& control) {
+  const auto found = ArtistHabits().find(control);
+  return found == ArtistHabits().end() ? ArtistHabit{} : found->second;
 }
 
 }  // namespace daumier::faces

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 
 namespace daumier::faces {
@@ -9,9 +10,12 @@ struct ArtistHabit {
   double tendency = 0;  ///< The value that an amount of caricature of 1 has on average.
 };
 
-/// The habit of a control by its name (without side); {} if nothing is known of it. Constants were judged by eye and on
-/// 15 caricature meshes by artists: they draw from the front, so depth varies little; they go far in the proportions of
-/// jaw, chin, nose and forehead, and less far in details; chins are long, eyes close together, features high.
+/// By the name of a control, without its side. Constants were judged by eye and on 15 caricature meshes by artists: they
+/// draw from the front, so depth varies little; they go far in the proportions of jaw, chin, nose and forehead, and less
+/// far in details; chins are long, eyes close together, features high.
+const std::map<std::string, ArtistHabit>& ArtistHabits();
+
+/// That of a control; {} where nothing is known of it.
 ArtistHabit HabitOf(const std::string& control);
 
 }  // namespace daumier::faces

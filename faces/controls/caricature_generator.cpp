@@ -90,8 +90,8 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
 
 CaricatureGenerator::Caricature CaricatureGenerator::Make(const geometry::Points& neutral, double amount,
                                                           Eigen::VectorXd values) const {
-  constexpr int kMaxRounds = 20;
-  constexpr double kReduction = 0.8, kLeastMotion = 0.05;  // cm at value 1: what has no part in a flip.
+  constexpr int kMaxRounds = 40, kLocalRounds = 15;
+  constexpr double kReduction = 0.8, kLeastMotion = 0.03;  // cm at value 1: what has no part in a flip.
   geometry::Points crisp = neutral;
   if (amount * options_.crispness > 0) {
     ExaggerationOptions curvature = exaggeration_;
@@ -99,8 +99,11 @@ CaricatureGenerator::Caricature CaricatureGenerator::Make(const geometry::Points
     crisp = Exaggerate(face_template_, neutral, curvature).front();
   }
   const std::vector<int>& face = RegionFor(face_template_.annotation, "face", "a caricature");
-  geometry::Points moved = controls_.Apply(crisp, values);
-  for (int round = 0; round < kMaxRounds; ++round) {
+  const Eigen::VectorXd weights = AlignmentWeights(face_template_);
+  geometry::Points moved;
+  for (int round = 0; round <= kMaxRounds; ++round) {
+    moved = controls_.Apply(crisp, values);
+    moved = geometry::AlignSimilarity(moved, neutral, weights).Apply(moved);
     const std::vector<int> flipped = geometry::FlippedTriangles(neutral, moved, face_template_.triangles, face);
     if (flipped.empty()) break;
     for (int k = 0; k < controls_.num_values(); ++k) {
@@ -108,11 +111,9 @@ CaricatureGenerator::Caricature CaricatureGenerator::Make(const geometry::Points
         const int v = face_template_.triangles(triangle, 0);
         return controls_.Jacobian().col(k).segment<3>(3 * v).norm() > kLeastMotion;
       };
-      if (std::any_of(flipped.begin(), flipped.end(), moves)) values[k] *= kReduction;
+      if (round >= kLocalRounds || std::any_of(flipped.begin(), flipped.end(), moves)) values[k] *= kReduction;
     }
-    moved = controls_.Apply(crisp, values);
   }
-  moved = geometry::AlignSimilarity(moved, neutral, AlignmentWeights(face_template_)).Apply(moved);
   return {std::move(moved), std::move(values)};
 }
 

@@ -65,7 +65,7 @@ class CaricatureGenerator {
   /// The neutral face (V x 3, cm), its curvature exaggerated by amount * crispness (faces::Exaggerate), with the
   /// controls applied, similarity-aligned to the face it came from by the 68 landmarks, those of the contour with a
   /// tenth of the others' weight (as registered faces are). Controls that move a triangle of the face whose normal
-  /// turns by more than 90 degrees are reduced by a fifth, again and again.
+  /// turns by more than 90 degrees are reduced by a fifth, again and again; if 15 rounds do not end it, all are.
   /// Promises: values of 0 and an amount of 0 return the face; no triangle of the face flips.
   Caricature Make(const geometry::Points& neutral, double amount, Eigen::VectorXd values) const;
 

@@ -23,7 +23,7 @@ struct Motion {
 /// [-3, 3]: 1 is about the standard deviation between persons, 3 an extreme caricature.
 struct FaceControl {
   enum class Sides {
-    kMiddle,   ///< One value.
+    kMiddle,   ///< One value; the region is the mean of the one given and its mirror image, as that of kSideways.
     kPaired,   ///< A value on each side; the region and motion are those of the left side (+x).
     kSideways  ///< One value; a symmetric face stays symmetric at 0 alone.
   };

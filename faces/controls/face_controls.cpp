@@ -52,9 +52,8 @@ const std::vector<FaceControl>& AnatomicalControls() {
   return controls;
 }
 
-void FaceControls::AddSide(const SoftRegion& region, const Motion& motion, const Anchor& pivot, int value,
+void FaceControls::AddSide(const Eigen::VectorXd& weights, const Motion& motion, const Anchor& pivot, int value,
                            Field& field) {
-  const Eigen::VectorXd weights = WeightsOf(region, face_template_);
   Side& side = field.sides.emplace_back(Side{{}, {}, motion, pivot, value});
   for (int v = 0; v < weights.size(); ++v) {
     if (weights[v] > kLeastWeight) side.vertices.push_back(v);
@@ -77,12 +76,14 @@ FaceControls::FaceControls(const FaceTemplate& face_template, std::vector<GivenC
     if (!HasRegion(control.region, face_template)) continue;
     controls_.push_back({control, num_values()});
     Field& field = fields_.emplace_back();
+    const Eigen::VectorXd weights = WeightsOf(control.region, face_template),
+                          mirrored = WeightsOf(Mirrored(control.region), face_template);
     if (control.sides != FaceControl::Sides::kPaired) {
-      AddSide(control.region, control.motion, control.pivot, add_value(control.name, control.group), field);
+      AddSide((weights + mirrored) / 2, control.motion, control.pivot, add_value(control.name, control.group), field);
       continue;
     }
-    AddSide(control.region, control.motion, control.pivot, add_value(control.name + "_left", control.group), field);
-    AddSide(Mirrored(control.region), MirroredMotion(control.motion), Mirrored(control.pivot),
+    AddSide(weights, control.motion, control.pivot, add_value(control.name + "_left", control.group), field);
+    AddSide(mirrored, MirroredMotion(control.motion), Mirrored(control.pivot),
             add_value(control.name + "_right", control.group), field);
   }
   for (const GivenControl& own : given_) {

@@ -58,7 +58,7 @@ class FaceControls {
   struct Field {
     std::vector<Side> sides;
   };
-  void AddSide(const SoftRegion& region, const Motion& motion, const Anchor& pivot, int value, Field& field);
+  void AddSide(const Eigen::VectorXd& weights, const Motion& motion, const Anchor& pivot, int value, Field& field);
 
   FaceTemplate face_template_;
   std::vector<Entry> controls_;

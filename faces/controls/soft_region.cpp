@@ -37,8 +37,7 @@ Ramp Mirrored(const Ramp& ramp) {
 
 std::vector<geometry::Vector3> PositionsOf(const std::vector<Anchor>& anchors, const FaceTemplate& face_template) {
   std::vector<geometry::Vector3> positions;
-  for (const Anchor& anchor : anchors)
-    positions.push_back(PositionOf(anchor, face_template, face_template.neutral));
+  for (const Anchor& anchor : anchors) positions.push_back(PositionOf(anchor, face_template, face_template.neutral));
   return positions;
 }
 
@@ -108,9 +107,9 @@ Eigen::VectorXd WeightsOf(const SoftRegion& region, const FaceTemplate& face_tem
   } else if (!region.annotated.empty()) {
     weights.setZero();
     for (const int v : RegionFor(face_template.annotation, region.annotated, "a control of the face")) weights[v] = 1;
-    weights = geometry::SmoothOverRings(weights, Eigen::VectorXd::Ones(num_vertices),
-                                        geometry::VertexNeighbours(face_template.triangles, num_vertices),
-                                        kRingsOfAnnotated);
+    weights =
+        geometry::SmoothOverRings(weights, Eigen::VectorXd::Ones(num_vertices),
+                                  geometry::VertexNeighbours(face_template.triangles, num_vertices), kRingsOfAnnotated);
   }
   for (const Ramp& ramp : region.ramps) {
     const std::vector<geometry::Vector3> line = PositionsOf(ramp.from, face_template);
