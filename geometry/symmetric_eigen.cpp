@@ -7,11 +7,11 @@
 namespace daumier::geometry {
 namespace {
 
-using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+using SymmetricSolver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
 
-Solver Solve(const Eigen::MatrixXd& matrix, int options) {
+SymmetricSolver Solve(const Eigen::MatrixXd& matrix, int options) {
   DAUMIER_CHECK(matrix.rows() == matrix.cols(), "a matrix of {} x {} is not symmetric", matrix.rows(), matrix.cols());
-  Solver solver(matrix, options);
+  SymmetricSolver solver(matrix, options);
   DAUMIER_CHECK(solver.info() == Eigen::Success && solver.eigenvalues().allFinite(),
                 "the eigenvalues of a {} x {} matrix do not converge", matrix.rows(), matrix.cols());
   return solver;
@@ -20,7 +20,7 @@ Solver Solve(const Eigen::MatrixXd& matrix, int options) {
 }  // namespace
 
 SymmetricEigen DecomposeSymmetric(const Eigen::MatrixXd& matrix) {
-  const Solver solver = Solve(matrix, Eigen::ComputeEigenvectors);
+  const SymmetricSolver solver = Solve(matrix, Eigen::ComputeEigenvectors);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -7,7 +7,7 @@ const std::map<std::string, ArtistHabit>& ArtistHabits() {
       {"face_width", {1.5, -0.25}},  {"jaw_width", {1.5, 0}},       {"mouth_width", {1.5, 0}},
       {"nose_length", {1.5, -0.2}},  {"nose_width", {1.5, -0.25}},  {"forehead_height", {1.5, 0}},
       {"brow_height", {1.5, -0.2}},  {"ear_level", {1.5, 0}},       {"ear_size", {1.5, 0}},
-      {"chin_length", {1.5, 0.4}},   {"chin_width", {1.5, 0}},      {"chin_point", {1.5, 0.25}},
+      {"chin_length", {1.5, 0.4}},   {"chin_width", {1.5, 0}},      {"chin_point", {1, 0.25}},
       {"jaw_angle", {1.5, 0}},       {"face_length", {1.5, 0}},     {"eye_size", {1.5, 0}},
       {"eye_level", {1.5, 0.15}},    {"temple_height", {1.5, 0}},   {"mouth_level", {1.5, -0.2}},
       {"skull_height", {1.5, 0}},    {"nose_hump", {0.5, 0}},       {"eye_bags", {0.5, 0}},

@@ -2,12 +2,14 @@
 
 #include "core/error.h"
 #include "faces/controls/artist_habits.h"
+#include "faces/controls/smooth_warps.h"
 #include "faces/landmark_order.h"
 #include "geometry/alignment.h"
 #include "geometry/flips.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace daumier::faces {
 namespace {
@@ -23,6 +25,12 @@ double HeavyTailed(Rng& rng) {
   for (int i = 0; i < kDegrees; ++i) squares += std::pow(rng.Normal(), 2);
   const double t = rng.Normal() / std::sqrt(squares / kDegrees);
   return std::clamp(t * std::sqrt((kDegrees - 2.0) / kDegrees), -3.0, 3.0);
+}
+
+std::vector<GivenControl> WithWarps(const FaceTemplate& face_template, std::vector<GivenControl> given) {
+  std::vector<GivenControl> all = SmoothWarps(face_template);
+  std::move(given.begin(), given.end(), std::back_inserter(all));
+  return all;
 }
 
 /// Of each vertex by how much it belongs to landmarks that an alignment uses.
@@ -42,7 +50,7 @@ CaricatureGenerator::CaricatureGenerator(const FaceTemplate& face_template,
     : face_template_(face_template),
       options_(std::move(options)),
       exaggeration_(std::move(exaggeration)),
-      controls_(face_template, std::move(given)),
+      controls_(face_template, WithWarps(face_template, std::move(given))),
       fit_(controls_, face_template, population) {
   if (options_.amounts.empty() || options_.amounts.front() != 0)
     throw UsageError("the first of caricature.amounts has to be 0");
@@ -68,10 +76,8 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
   };
   const auto invent = [&](int k) { return 0.6 * shared[controls_.value_groups()[k]] + 0.8 * HeavyTailed(rng); };
   Eigen::VectorXd values(controls_.num_values());
-  int num_anatomical = 0;
   for (const FaceControls::Entry& entry : controls_.entries()) {
     const int k = entry.first_value;
-    num_anatomical = k + entry.num_values();
     const ArtistHabit habit = HabitOf(entry.control.name);
     const double invented = invent(k);
     if (entry.control.sides == FaceControl::Sides::kSideways) {
@@ -84,7 +90,11 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
       values[k + 1] = value(k + 1, habit, invented - difference);
     }
   }
-  for (int k = num_anatomical; k < controls_.num_values(); ++k) values[k] = value(k, {}, invent(k));
+  for (int k = controls_.first_given_value(); k < controls_.num_values(); ++k) {
+    const GivenControl& given = controls_.given()[k - controls_.first_given_value()];
+    const double sideways = given.sides == FaceControl::Sides::kSideways ? 2 * options_.asymmetry : 1.0;
+    values[k] = value(k, {}, sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k)));
+  }
   return values;
 }
 

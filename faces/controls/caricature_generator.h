@@ -14,6 +14,7 @@ struct CaricatureOptions {
   double emphasis = 0.4;
   double group_spread = 0.5;
   double invention = 0.35;
+  double looseness = 1.0;
   double tendencies = 1.0;
   double asymmetry = 0.15;
   double inconsistent = 0.2;
@@ -29,6 +30,8 @@ struct CaricatureOptions {
           "Standard deviation of the logarithm of the strength of each group of controls.");
     visit("invention", invention, Range{0.0, 3.0},
           "Standard deviation of the control values that do not come from the person, for an amount of 1.");
+    visit("looseness", looseness, Range{0.0, 10.0},
+          "How far smooth warps of the whole head go, as a multiple of what is invented of controls.");
     visit("tendencies", tendencies, Range{0.0, 5.0},
           "How strongly what most caricatures have in common is added, such as long chins.");
     visit("asymmetry", asymmetry, Range{0.0, 1.0}, "Left and right differ, and sideways controls act, by this share.");

@@ -90,7 +90,7 @@ FaceControls::FaceControls(const FaceTemplate& face_template, std::vector<GivenC
     DAUMIER_CHECK(own.displacement.rows() == face_template.num_vertices(),
                   "control '{}' displaces {} vertices, the template has {}", own.name, own.displacement.rows(),
                   face_template.num_vertices());
-    add_value(own.name, "own");
+    add_value(own.name, own.group);
   }
   jacobian_.resize(3 * face_template.num_vertices(), num_values());
   constexpr double kStep = 1e-3;
@@ -107,8 +107,10 @@ geometry::Points FaceControls::Apply(const geometry::Points& face, const Eigen::
                 face_template_.num_vertices(), num_values());
   const double eye_span = EyeSpan(face_template_);
   geometry::Points result = face;
-  const auto num_own = static_cast<Eigen::Index>(given_.size());
-  for (Eigen::Index i = 0; i < num_own; ++i) result += values[num_values() - num_own + i] * given_[i].displacement;
+  for (int i = 0; i < static_cast<int>(given_.size()); ++i) {
+    const double value = values[first_given_value() + i];
+    if (value != 0) result += value * given_[i].displacement;
+  }
   for (const Field& field : fields_) {
     const geometry::Points before = result;
     for (const Side& side : field.sides) {

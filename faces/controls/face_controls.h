@@ -8,10 +8,12 @@
 
 namespace daumier::faces {
 
-/// A control of a user's own: a displacement of every vertex at value 1, V x 3 cm.
+/// A control that is a displacement of every vertex at value 1, V x 3 cm: a user's own, or a smooth warp.
 struct GivenControl {
   std::string name;
   geometry::Points displacement;
+  std::string group = "own";
+  FaceControl::Sides sides = FaceControl::Sides::kMiddle;  ///< Not kPaired.
 };
 
 /// The controls of a template, ready to be applied. A vector of values has num_values() entries, named value_names(): a
@@ -22,7 +24,7 @@ struct GivenControl {
 /// Thread-safe once made.
 class FaceControls {
  public:
-  /// AnatomicalControls, and behind them those of the user. Controls of regions that the annotation lacks (ears) are
+  /// AnatomicalControls, and behind them the given ones. Controls of regions that the annotation lacks (ears) are
   /// left out. @throws Error if a displacement has another number of vertices; UsageError if a name is taken.
   explicit FaceControls(const FaceTemplate& face_template, std::vector<GivenControl> given = {});
 
@@ -39,6 +41,9 @@ class FaceControls {
     int num_values() const { return control.sides == FaceControl::Sides::kPaired ? 2 : 1; }
   };
   const std::vector<Entry>& entries() const { return controls_; }
+  /// The given controls, whose values are the last ones.
+  const std::vector<GivenControl>& given() const { return given_; }
+  int first_given_value() const { return num_values() - static_cast<int>(given_.size()); }
 
   /// The face (V x 3, cm) with the controls applied, one after the other in their order; each acts on what those before
   /// it made of the face, the two sides of a pair at once. @throws Error if a shape disagrees.
