@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <string>
 
@@ -8,6 +9,8 @@ namespace daumier::faces {
 struct ArtistHabit {
   double boldness = 1;  ///< How far they go in it, as a multiple of what they do with others.
   double tendency = 0;  ///< The value that an amount of caricature of 1 has on average.
+  /// How it takes part in three types of heads, which are drawn as wholes: stout, long, childlike.
+  std::array<double, 3> types = {0, 0, 0};
 };
 
 /// By the name of a control, without its side. Constants were judged by eye and on 15 caricature meshes by artists: they

@@ -74,12 +74,16 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
     return kGreatestControlValue *
            std::tanh(whole * (drawn + options_.tendencies * habit.tendency) / kGreatestControlValue);
   };
-  const auto invent = [&](int k) { return 0.6 * shared[controls_.value_groups()[k]] + 0.8 * HeavyTailed(rng); };
+  const Eigen::Array3d types(HeavyTailed(rng), HeavyTailed(rng), HeavyTailed(rng));
+  const auto invent = [&](int k, const ArtistHabit& habit) {
+    const double of_types = (types * Eigen::Map<const Eigen::Array3d>(habit.types.data())).sum();
+    return of_types + 0.5 * shared[controls_.value_groups()[k]] + 0.7 * HeavyTailed(rng);
+  };
   Eigen::VectorXd values(controls_.num_values());
   for (const FaceControls::Entry& entry : controls_.entries()) {
     const int k = entry.first_value;
     const ArtistHabit habit = HabitOf(entry.control.name);
-    const double invented = invent(k);
+    const double invented = invent(k, habit);
     if (entry.control.sides == FaceControl::Sides::kSideways) {
       values[k] = value(k, habit, 2 * options_.asymmetry * invented);
     } else if (entry.num_values() == 1) {
@@ -93,7 +97,8 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
   for (int k = controls_.first_given_value(); k < controls_.num_values(); ++k) {
     const GivenControl& given = controls_.given()[k - controls_.first_given_value()];
     const double sideways = given.sides == FaceControl::Sides::kSideways ? 2 * options_.asymmetry : 1.0;
-    values[k] = value(k, {}, sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k)));
+    values[k] =
+        value(k, {}, sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k, {})));
   }
   return values;
 }

@@ -48,8 +48,10 @@ struct CaricatureOptions {
 ///   v_k = 3 tanh(a T (b_k (G_g own u_k max(|z_k|, 1/2)^emphasis + invention R_k) + tendencies t_k) / 3)
 /// with T = exp(0.25 n) the strength of the whole, G_g = exp(group_spread n_g) that of the group g of k, n and n_g of a
 /// normal distribution cut at two deviations, b_k and t_k the boldness and tendency of the control (ArtistHabit), and
-/// R_k = 0.6 s_g + 0.8 s_k, where s are of Student's t distribution with four degrees of freedom and a variance of 1,
-/// cut at 3: groups move together. In a share of caricatures (`inconsistent`) G_g is uniform in [-0.5, 2.5]. A pair has
+/// R_k = sum_j q_kj s_j + 0.5 s_g + 0.7 s_k, q_k the control's share of three types of heads (ArtistHabit::types), where
+/// s are of Student's t distribution with four degrees of freedom and a variance of 1, cut at 3: types and groups move
+/// together. In a share of caricatures (`inconsistent`) G_g is uniform in [-0.5, 2.5]. Smooth warps (SmoothWarps) have
+/// looseness s_k for R_k. A pair has
 /// the same s_k left and right, up to asymmetry.
 class CaricatureGenerator {
  public:

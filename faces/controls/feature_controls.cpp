@@ -17,7 +17,7 @@ const std::vector<Anchor> kEye = {{{42}}, {{43, 44}}, {{45}}, {{46, 47}}};
 const Anchor kEyeCentre{{42, 43, 44, 45, 46, 47}};
 const std::vector<Anchor> kBrow = {{{22}}, {{23}}, {{24}}, {{25}}, {{26}}};
 const std::vector<Anchor> kNose = {{{28}}, {{29}}, {{30}}, {{31}}, {{33}}, {{35}}};
-const std::vector<Anchor> kMouth = {{{48}}, {{50}}, {{52}}, {{54}}, {{56}}, {{58}}, {{48}}};
+const std::vector<Anchor> kMouthLoop = {{{48}}, {{50}}, {{52}}, {{54}}, {{56}}, {{58}}, {{48}}};
 const Anchor kMouthCentre{{48, 54}};
 const Anchor kNoseBase{{31, 35}};
 // The line between the lips, from right to left.
@@ -108,10 +108,15 @@ std::vector<FaceControl> MouthControls() {
        kPaired,
        Around({{{54}}, {{54, 54, 53, 55}}}, {0.13, 0.12, 0.25}),
        {kMove, {0.006, 0.032, 0}}},
-      {"mouth_height", "mouth", kMiddle, Around(kMouth, {0.20, 0.13, 0.30}), {kScale, {0, 0.13, 0.02}}, kMouthCentre},
-      {"mouth_width", "mouth", kMiddle, Around(kMouth, {0.20, 0.16, 0.35}), {kScale, {0.14, 0, 0}}, kMouthCentre},
-      {"mouth_protrusion", "mouth", kMiddle, Around(kMouth, {0.17, 0.15, 0.35}), {kMove, {0, 0, 0.045}}},
-      {"mouth_level", "mouth", kMiddle, Around(kMouth, {0.24, 0.20, 0.35}), {kMove, {0, -0.045, 0}}},
+      {"mouth_height",
+       "mouth",
+       kMiddle,
+       Around(kMouthLoop, {0.20, 0.13, 0.30}),
+       {kScale, {0, 0.13, 0.02}},
+       kMouthCentre},
+      {"mouth_width", "mouth", kMiddle, Around(kMouthLoop, {0.20, 0.16, 0.35}), {kScale, {0.14, 0, 0}}, kMouthCentre},
+      {"mouth_protrusion", "mouth", kMiddle, Around(kMouthLoop, {0.17, 0.15, 0.35}), {kMove, {0, 0, 0.045}}},
+      {"mouth_level", "mouth", kMiddle, Around(kMouthLoop, {0.24, 0.20, 0.35}), {kMove, {0, -0.045, 0}}},
   };
 }
 

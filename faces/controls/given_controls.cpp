@@ -23,7 +23,7 @@ geometry::Points OfTemplate(const geometry::Points& points, const FaceTemplate& 
   return numbering.cm_per_unit * points(numbering.vertices, Eigen::all);
 }
 
-geometry::Points VerticesOf(const fs::path& file) {
+geometry::Points VerticesInFile(const fs::path& file) {
   return (file.extension() == ".ply" ? geometry::ReadPly(file) : geometry::ReadObj(file)).vertices;
 }
 
@@ -43,7 +43,7 @@ std::vector<GivenControl> ReadGivenControls(const std::vector<std::string>& spec
     const fs::path first = specification.substr(equals + 1, comma == std::string::npos ? comma : comma - equals - 1);
     if (comma != std::string::npos) {
       const fs::path second = specification.substr(comma + 1);
-      const geometry::Points from = VerticesOf(first), to = VerticesOf(second);
+      const geometry::Points from = VerticesInFile(first), to = VerticesInFile(second);
       control.displacement =
           OfTemplate(to, face_template, numbering, second) - OfTemplate(from, face_template, numbering, first);
     } else if (first.extension() == ".target") {

@@ -9,7 +9,7 @@ using enum Motion::Kind;
 const geometry::Vector3 kAbove{0, 1, 0}, kBelow{0, -1, 0}, kBehind{0, 0, -1};
 
 /// All of the head above or below an anchor, fading in over a width.
-SoftRegion Beyond(Anchor from, const geometry::Vector3& direction, double width) {
+SoftRegion HeadBeyond(Anchor from, const geometry::Vector3& direction, double width) {
   return {.ramps = {{{std::move(from)}, direction, width}}};
 }
 
@@ -24,7 +24,6 @@ SoftRegion LeftEar() {
 const Anchor kEarRoot{{16}, {0.03, -0.20, -0.12}};
 const Anchor kChin{{8}};
 const Anchor kBrowLine{{21, 22}};
-const Anchor kHairline{{kHairlineAnchor}};
 const Anchor kNoseFoot{{33}};
 
 }  // namespace
@@ -106,16 +105,11 @@ std::vector<FaceControl> HeadControls() {
             {0.45, 0.32, 0.70}),
        {kScale, {0.10, 0, 0.03}},
        {{0, 16}}},
-      {"forehead_slope", "forehead", kMiddle, Beyond(kBrowLine, kAbove, 1.0), {kMove, {0, 0, -0.110}}},
-      {"forehead_height", "forehead", kMiddle, Beyond(kBrowLine, kAbove, 0.6), {kMove, {0, 0.065, 0}}},
-      {"skull_height",
-       "head",
-       kMiddle,
-       Beyond(kBrowLine, kAbove, 0.9),
-       {kScale, {0, 0.110, 0}},
-       kBrowLine},
-      {"skull_width", "head", kMiddle, Beyond({{0, 16}}, kAbove, 1.0), {kScale, {0.10, 0, 0}}, {{0, 16}}},
-      {"skull_depth", "head", kMiddle, Beyond({{0, 16}, {0, 0, -0.1}}, kBehind, 1.1), {kMove, {0, 0, -0.120}}},
+      {"forehead_slope", "forehead", kMiddle, HeadBeyond(kBrowLine, kAbove, 1.0), {kMove, {0, 0, -0.110}}},
+      {"forehead_height", "forehead", kMiddle, HeadBeyond(kBrowLine, kAbove, 0.6), {kMove, {0, 0.065, 0}}},
+      {"skull_height", "head", kMiddle, HeadBeyond(kBrowLine, kAbove, 0.9), {kScale, {0, 0.110, 0}}, kBrowLine},
+      {"skull_width", "head", kMiddle, HeadBeyond({{0, 16}}, kAbove, 1.0), {kScale, {0.10, 0, 0}}, {{0, 16}}},
+      {"skull_depth", "head", kMiddle, HeadBeyond({{0, 16}, {0, 0, -0.1}}, kBehind, 1.1), {kMove, {0, 0, -0.120}}},
       {"neck_width",
        "neck",
        kMiddle,
@@ -127,11 +121,11 @@ std::vector<FaceControl> HeadControls() {
        kMiddle,
        {.ramps = {{{kChin}, kBelow, 0.45}, {{{{8}, {0, 0, -0.25}}}, kBehind, 0.3}}},
        {kMove, {0, 0, 0.100}}},
-      {"face_length", "proportions", kMiddle, Beyond({{27}}, kBelow, 0.80), {kMove, {0, -0.090, 0}}},
-      {"face_taper", "proportions", kMiddle, Beyond({{28}}, kBelow, 1.0), {kScale, {-0.12, 0, -0.03}}, {{4, 12}}},
-      {"profile_bend", "proportions", kMiddle, Beyond({{29}}, kBelow, 1.1), {kTurn, {0.10, 0, 0}}, {{2, 14}}},
-      {"face_bend", "proportions", kSideways, Beyond({{28}}, kBelow, 1.0), {kTurn, {0, 0, 0.07}}, {{27}}},
-      {"face_twist", "proportions", kSideways, Beyond({{28}}, kBelow, 1.0), {kTurn, {0, 0.08, 0}}, {{0, 16}}},
+      {"face_length", "proportions", kMiddle, HeadBeyond({{27}}, kBelow, 0.80), {kMove, {0, -0.090, 0}}},
+      {"face_taper", "proportions", kMiddle, HeadBeyond({{28}}, kBelow, 1.0), {kScale, {-0.12, 0, -0.03}}, {{4, 12}}},
+      {"profile_bend", "proportions", kMiddle, HeadBeyond({{29}}, kBelow, 1.1), {kTurn, {0.10, 0, 0}}, {{2, 14}}},
+      {"face_bend", "proportions", kSideways, HeadBeyond({{28}}, kBelow, 1.0), {kTurn, {0, 0, 0.07}}, {{27}}},
+      {"face_twist", "proportions", kSideways, HeadBeyond({{28}}, kBelow, 1.0), {kTurn, {0, 0.08, 0}}, {{0, 16}}},
       {"face_width", "proportions", kMiddle, {}, {kScale, {0.07, 0, 0}}, {{27}}},
       {"face_depth", "proportions", kMiddle, {}, {kScale, {0, 0, 0.08}}, {{0, 16}}},
   };

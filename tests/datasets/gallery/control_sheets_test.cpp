@@ -4,13 +4,11 @@
 #include "core/json.h"
 #include "core/manifest.h"
 #include "render/image.h"
-#include "tests/support/expect_error.h"
+#include "tests/support/cancelled_task.h"
 #include "tests/support/synthetic_face.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
-
-#include <stop_token>
 
 namespace daumier::datasets {
 namespace {
@@ -38,11 +36,7 @@ TEST(ControlSheets, ShowEachControlAtFiveValues) {
 TEST(ControlSheets, StopBetweenPictures) {
   const faces::FaceTemplate face = testing::SyntheticFace();
   const testing::TempDir folder;
-  std::stop_source source;
-  source.request_stop();
-  EXPECT_THROW(
-      WriteControlSheets(faces::FaceControls(face), face, folder.path(), Task{.stop_token = source.get_token()}),
-      Cancelled);
+  EXPECT_THROW(WriteControlSheets(faces::FaceControls(face), face, folder.path(), testing::CancelledTask()), Cancelled);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::vector<Points> PopulationOf(const FaceModel& model, int count = 40) {
   return faces;
 }
 
-struct Subject {
+struct CaricatureSubject {
   FaceModel model = testing::SyntheticModel();
   std::vector<Points> population = PopulationOf(model);
   CaricatureGenerator Generator(const CaricatureOptions& options = {}) const {
@@ -33,7 +33,7 @@ struct Subject {
 };
 
 TEST(Caricatures, AnAmountOfZeroIsThePerson) {
-  const Subject subject;
+  const CaricatureSubject subject;
   const CaricatureGenerator generator = subject.Generator();
   Rng rng = Stream(1, "caricature", 0);
   const Eigen::VectorXd values = generator.DrawValues(subject.population[0], 0, rng);
@@ -43,7 +43,7 @@ TEST(Caricatures, AnAmountOfZeroIsThePerson) {
 }
 
 TEST(Caricatures, ExaggerateWhatDistinguishesThePerson) {
-  const Subject subject;
+  const CaricatureSubject subject;
   CaricatureOptions options;
   options.invention = options.group_spread = options.inconsistent = options.asymmetry = options.tendencies = 0;
   options.emphasis = options.crispness = 0;
@@ -66,7 +66,7 @@ TEST(Caricatures, ExaggerateWhatDistinguishesThePerson) {
 }
 
 TEST(Caricatures, ValuesOfAllAmountsAreOfTheRange) {
-  const Subject subject;
+  const CaricatureSubject subject;
   CaricatureOptions options;
   options.invention = 3;
   const CaricatureGenerator generator = subject.Generator(options);
@@ -79,7 +79,7 @@ TEST(Caricatures, ValuesOfAllAmountsAreOfTheRange) {
 }
 
 TEST(Caricatures, WithoutAsymmetryLeftAndRightAgree) {
-  Subject subject;
+  CaricatureSubject subject;
   const std::vector<int>& mirror = subject.model.face_template.annotation.mirror;
   for (Points& face : subject.population) {
     Points other = face(mirror, Eigen::all);
@@ -99,7 +99,7 @@ TEST(Caricatures, WithoutAsymmetryLeftAndRightAgree) {
 }
 
 TEST(Caricatures, NoTriangleOfTheFaceFlips) {
-  const Subject subject;
+  const CaricatureSubject subject;
   CaricatureOptions options;
   options.invention = 1;
   const CaricatureGenerator generator = subject.Generator(options);
@@ -119,7 +119,7 @@ TEST(Caricatures, NoTriangleOfTheFaceFlips) {
 }
 
 TEST(Caricatures, InconsistentOnesReverseGroups) {
-  const Subject subject;
+  const CaricatureSubject subject;
   CaricatureOptions options;
   options.inconsistent = 1;
   options.invention = options.asymmetry = options.tendencies = 0;
@@ -140,14 +140,14 @@ TEST(Caricatures, InconsistentOnesReverseGroups) {
 }
 
 TEST(Caricatures, TheFirstAmountHasToBeZero) {
-  const Subject subject;
+  const CaricatureSubject subject;
   CaricatureOptions options;
   options.amounts = {1.0};
   testing::ExpectError([&] { subject.Generator(options); }, "caricature.amounts");
 }
 
 TEST(Caricatures, AreMadeInSeveralThreads) {
-  const Subject subject;
+  const CaricatureSubject subject;
   const CaricatureGenerator generator = subject.Generator();
   testing::ExpectTheSameFromThreads(3, [&] {
     Rng rng = Stream(1, "caricature", 4);

@@ -10,7 +10,7 @@ namespace {
 
 using geometry::Points;
 
-std::vector<Points> NeutralFaces(const FaceModel& model, int count = 40) {
+std::vector<Points> FacesToFit(const FaceModel& model, int count = 40) {
   std::vector<Points> faces;
   for (int i = 0; i < count; ++i) {
     Rng rng = Stream(3, "population", i);
@@ -21,7 +21,7 @@ std::vector<Points> NeutralFaces(const FaceModel& model, int count = 40) {
 
 TEST(ControlFit, FindsTheValuesThatMadeAFace) {
   const FaceModel model = testing::SyntheticModel();
-  const std::vector<Points> population = NeutralFaces(model);
+  const std::vector<Points> population = FacesToFit(model);
   const FaceControls controls(model.face_template);
   const ControlFit fit(controls, model.face_template, population);
   EXPECT_LT(fit.ValuesOf(fit.mean()).norm(), 1e-4);
@@ -38,7 +38,7 @@ TEST(ControlFit, FindsTheValuesThatMadeAFace) {
 TEST(ControlFit, NeedsAPopulation) {
   const FaceModel model = testing::SyntheticModel();
   const FaceControls controls(model.face_template);
-  testing::ExpectError([&] { ControlFit(controls, model.face_template, NeutralFaces(model, 7)); }, "too few");
+  testing::ExpectError([&] { ControlFit(controls, model.face_template, FacesToFit(model, 7)); }, "too few");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 using geometry::Points;
 
-struct Subject {
+struct ControlsSubject {
   FaceTemplate face = testing::SyntheticFace();
   FaceControls controls{face};
 
@@ -44,19 +44,19 @@ TEST(FaceControls, AreSixtyWithUniqueNamesInGroups) {
   EXPECT_EQ(names.size(), 60u);
   EXPECT_EQ(groups, (std::set<std::string>{"brows", "cheeks", "chin", "ears", "eyes", "forehead", "head", "jaw",
                                            "mouth", "neck", "nose", "proportions"}));
-  const Subject subject;
+  const ControlsSubject subject;
   EXPECT_EQ(subject.controls.num_controls(), 60);
   EXPECT_EQ(subject.controls.group_names().size(), groups.size());
 }
 
 TEST(FaceControls, ValuesOfZeroReturnTheFace) {
-  const Subject subject;
+  const ControlsSubject subject;
   EXPECT_EQ(subject.controls.Apply(subject.face.neutral, Eigen::VectorXd::Zero(subject.controls.num_values())),
             subject.face.neutral);
 }
 
 TEST(FaceControls, DoWhatTheirNamesSay) {
-  const Subject subject;
+  const ControlsSubject subject;
   const Points& rest = subject.face.neutral;
   const auto eye_width = [&](const Points& p) { return subject.x(p, 45) - subject.x(p, 42); };
   EXPECT_GT(eye_width(subject.At("eye_size", 1)), 1.05 * eye_width(rest));
@@ -77,7 +77,7 @@ TEST(FaceControls, DoWhatTheirNamesSay) {
 }
 
 TEST(FaceControls, MoveTheirRegionTheFartherTheGreaterTheirValue) {
-  const Subject subject;
+  const ControlsSubject subject;
   for (const auto& entry : subject.controls.entries()) {
     for (const double sign : {-1.0, 1.0}) {
       double before = 0;
@@ -92,7 +92,7 @@ TEST(FaceControls, MoveTheirRegionTheFartherTheGreaterTheirValue) {
 }
 
 TEST(FaceControls, EqualSidesKeepASymmetricFaceSymmetric) {
-  const Subject subject;
+  const ControlsSubject subject;
   const auto& mirror = subject.face.annotation.mirror;
   for (const auto& entry : subject.controls.entries()) {
     Points moved = subject.controls.Apply(subject.face.neutral, subject.values(entry, 2));
@@ -107,7 +107,7 @@ TEST(FaceControls, EqualSidesKeepASymmetricFaceSymmetric) {
 }
 
 TEST(FaceControls, OneSideOfAPairMovesThatSide) {
-  const Subject subject;
+  const ControlsSubject subject;
   const auto& entry = subject.entry("cheek_fullness");
   EXPECT_EQ(subject.controls.value_names()[entry.first_value], "cheek_fullness_left");
   EXPECT_EQ(subject.controls.value_names()[entry.first_value + 1], "cheek_fullness_right");
@@ -123,7 +123,7 @@ TEST(FaceControls, OneSideOfAPairMovesThatSide) {
 }
 
 TEST(FaceControls, ATipTurnsWithTheNoseAndAScaleActsOnWhatIsThere) {
-  const Subject subject;
+  const ControlsSubject subject;
   // A bend about the axis towards the viewer turns the displacement of the chin with the face.
   Eigen::VectorXd both = subject.values(subject.entry("chin_length"), 2);
   const Points alone = subject.controls.Apply(subject.face.neutral, both) - subject.face.neutral;
@@ -136,7 +136,7 @@ TEST(FaceControls, ATipTurnsWithTheNoseAndAScaleActsOnWhatIsThere) {
 }
 
 TEST(FaceControls, TheJacobianIsTheFirstOrder) {
-  const Subject subject;
+  const ControlsSubject subject;
   constexpr double kStep = 1e-4;
   for (const char* name : {"nose_tip", "eye_slant", "jaw_width", "face_width"}) {
     const auto& entry = subject.entry(name);
@@ -174,12 +174,12 @@ TEST(FaceControls, WithoutEarsTheirControlsAreLeftOut) {
 }
 
 TEST(FaceControls, RefuseOtherShapes) {
-  const Subject subject;
+  const ControlsSubject subject;
   testing::ExpectError([&] { subject.controls.Apply(subject.face.neutral, Eigen::VectorXd::Zero(3)); }, "3 values");
 }
 
 TEST(FaceControls, AreAppliedInSeveralThreads) {
-  const Subject subject;
+  const ControlsSubject subject;
   const Eigen::VectorXd values = Eigen::VectorXd::Constant(subject.controls.num_values(), 0.5);
   testing::ExpectTheSameFromThreads(3, [&] { return subject.controls.Apply(subject.face.neutral, values); });
 }
