@@ -33,6 +33,11 @@ std::vector<GivenControl> WithWarps(const FaceTemplate& face_template, std::vect
   return all;
 }
 
+/// Where curvature is not exaggerated: lips that touch would pass through each other.
+SoftRegion AroundMouth() {
+  return {{{{48}}, {{51}}, {{54}}, {{57}}, {{48}}}, geometry::Vector3(0.2, 0.2, 0.6)};
+}
+
 /// Of each vertex by how much it belongs to landmarks that an alignment uses.
 Eigen::VectorXd AlignmentWeights(const FaceTemplate& face_template) {
   constexpr double kContourWeight = 0.1;
@@ -51,7 +56,9 @@ CaricatureGenerator::CaricatureGenerator(const FaceTemplate& face_template,
       options_(std::move(options)),
       exaggeration_(std::move(exaggeration)),
       controls_(face_template, WithWarps(face_template, std::move(given))),
-      fit_(controls_, face_template, population) {
+      fit_(controls_, face_template, population),
+      openings_(FindOpenings(face_template)),
+      mouth_(WeightsOf(AroundMouth(), face_template)) {
   if (options_.amounts.empty() || options_.amounts.front() != 0)
     throw UsageError("the first of caricature.amounts has to be 0");
 }
@@ -103,33 +110,53 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
   return values;
 }
 
+geometry::Points CaricatureGenerator::Sharpened(const geometry::Points& neutral, double amount) const {
+  if (amount * options_.crispness <= 0) return neutral;
+  ExaggerationOptions curvature = exaggeration_;
+  curvature.gammas = {amount * options_.crispness};
+  geometry::Points moved = Exaggerate(face_template_, neutral, curvature).front() - neutral;
+  moved.array().colwise() *= 1 - mouth_.array();
+  return neutral + moved;
+}
+
+std::vector<int> CaricatureGenerator::ValuesToReduce(const geometry::Points& neutral, const geometry::Points& made,
+                                                     int round) const {
+  constexpr int kLocalRounds = 15;
+  constexpr double kLeastMotion = 0.03, kLeastGap = 0.003;  // cm at value 1: less has no part in it.
+  constexpr double kCrossing = 0.01;                        // cm
+  std::vector<int> values;
+  const auto& region = RegionFor(face_template_.annotation, "face", "a caricature");
+  const std::vector<int> flipped = geometry::FlippedTriangles(neutral, made, face_template_.triangles, region);
+  const bool lips_cross =
+      CrossingDepth(openings_.lips, made) > std::max(0.0, CrossingDepth(openings_.lips, neutral)) + kCrossing;
+  for (int k = 0; k < controls_.num_values(); ++k) {
+    const auto motion = [&](int v) { return controls_.Jacobian().col(k).segment<3>(3 * v); };
+    const bool flips = std::ranges::any_of(flipped, [&](int triangle) {
+      return round >= kLocalRounds || motion(face_template_.triangles(triangle, 0)).norm() > kLeastMotion;
+    });
+    const bool crosses = lips_cross && std::ranges::any_of(openings_.lips.pairs, [&](const auto& pair) {
+                           return std::abs(motion(pair.first).y() - motion(pair.second).y()) > kLeastGap;
+                         });
+    if (flips || crosses) values.push_back(k);
+  }
+  return values;
+}
+
 CaricatureGenerator::Caricature CaricatureGenerator::Make(const geometry::Points& neutral, double amount,
                                                           Eigen::VectorXd values) const {
-  constexpr int kMaxRounds = 40, kLocalRounds = 15;
-  constexpr double kReduction = 0.8, kLeastMotion = 0.03;  // cm at value 1: what has no part in a flip.
-  geometry::Points crisp = neutral;
-  if (amount * options_.crispness > 0) {
-    ExaggerationOptions curvature = exaggeration_;
-    curvature.gammas = {amount * options_.crispness};
-    crisp = Exaggerate(face_template_, neutral, curvature).front();
-  }
-  const std::vector<int>& face = RegionFor(face_template_.annotation, "face", "a caricature");
+  constexpr int kMaxRounds = 40;
+  constexpr double kReduction = 0.8;
+  const geometry::Points sharp = Sharpened(neutral, amount);
   const Eigen::VectorXd weights = AlignmentWeights(face_template_);
-  geometry::Points moved;
+  geometry::Points made;
   for (int round = 0; round <= kMaxRounds; ++round) {
-    moved = controls_.Apply(crisp, values);
-    moved = geometry::AlignSimilarity(moved, neutral, weights).Apply(moved);
-    const std::vector<int> flipped = geometry::FlippedTriangles(neutral, moved, face_template_.triangles, face);
-    if (flipped.empty()) break;
-    for (int k = 0; k < controls_.num_values(); ++k) {
-      const auto moves = [&](int triangle) {
-        const int v = face_template_.triangles(triangle, 0);
-        return controls_.Jacobian().col(k).segment<3>(3 * v).norm() > kLeastMotion;
-      };
-      if (round >= kLocalRounds || std::any_of(flipped.begin(), flipped.end(), moves)) values[k] *= kReduction;
-    }
+    made = controls_.Apply(sharp, values);
+    made = geometry::AlignSimilarity(made, neutral, weights).Apply(made);
+    const std::vector<int> reduced = ValuesToReduce(neutral, made, round);
+    if (reduced.empty()) break;
+    for (const int k : reduced) values[k] *= kReduction;
   }
-  return {std::move(moved), std::move(values)};
+  return {std::move(made), std::move(values)};
 }
 
 }  // namespace daumier::faces

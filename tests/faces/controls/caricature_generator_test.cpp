@@ -118,6 +118,36 @@ TEST(Caricatures, NoTriangleOfTheFaceFlips) {
   EXPECT_GT(corrected, 0) << "the amount is too small to test anything";
 }
 
+TEST(Caricatures, LipsDoNotCross) {
+  const CaricatureSubject subject;
+  CaricatureOptions options;
+  options.invention = 1;
+  options.crispness = 0.1;
+  const CaricatureGenerator generator = subject.Generator(options);
+  const FaceOpenings openings = FindOpenings(subject.model.face_template);
+  for (int person = 0; person < 6; ++person) {
+    Rng rng = Stream(8, "caricature", person);
+    const Points& neutral = subject.population[person];
+    const Points made = generator.Make(neutral, 2, generator.DrawValues(neutral, 2, rng)).face;
+    EXPECT_LT(CrossingDepth(openings.lips, made), CrossingDepth(openings.lips, neutral) + 0.02) << person;
+  }
+}
+
+TEST(Caricatures, CrispnessSharpensButForTheMouth) {
+  const CaricatureSubject subject;
+  CaricatureOptions options;
+  options.crispness = 0.2;
+  const CaricatureGenerator generator = subject.Generator(options);
+  const Points& neutral = subject.population[0];
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(generator.controls().num_values());
+  const Points sharp = generator.Make(neutral, 1, none).face - neutral;
+  const auto& landmarks = subject.model.face_template.annotation.landmarks;
+  double mouth = 0;
+  for (const int i : {51, 57, 62, 66}) mouth = std::max(mouth, sharp.row(landmarks[i]).norm());
+  EXPECT_GT(sharp.rowwise().norm().maxCoeff(), 3 * mouth);
+  EXPECT_GT(sharp.rowwise().norm().maxCoeff(), 0.05);
+}
+
 TEST(Caricatures, InconsistentOnesReverseGroups) {
   const CaricatureSubject subject;
   CaricatureOptions options;
