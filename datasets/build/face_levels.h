@@ -20,7 +20,7 @@ struct Population {
 /// options. Thread-safe once made.
 class LevelMaker {
  public:
-  /// `population` is asked only where levels are by controls. @throws Error as faces::MakeFaceParts (levels by parts),
+  /// `population` is used only where levels are by controls. @throws Error as faces::MakeFaceParts (levels by parts),
   /// faces::CaricatureGenerator and faces::ReadGivenControls (levels by controls).
   LevelMaker(const faces::FaceTemplate& face_template, const FacesOptions& options, const Population& population,
              const faces::SourceNumbering& numbering = {});

@@ -66,7 +66,7 @@ const std::vector<double>& LevelStrengths(const FacesOptions& options);
 /// Writes a faces::FaceDatabase.
 /// - Person p is DrawIdentity from Stream(seed, "identity", p).
 /// - Levels of its neutral face are Exaggerate, ExaggerateParts with strengths from Stream(seed, "parts", p), or
-///   caricatures of CaricatureGenerator with values from Stream(seed, "caricature", p), which knows what distinguishes
+///   caricatures of CaricatureGenerator with values from Stream(seed, "caricature", p), which measures what distinguishes
 ///   a person from 200 identities of Stream(seed, "population", i).
 /// - Every expression is carried to every level by ExpressionTransfer; its displacement is multiplied by the person's
 ///   strength of that expression, from Stream(seed, "expression strengths", p), so that the faces are no plain

@@ -10,6 +10,8 @@
 #include "reports/face_pictures.h"
 #include "reports/face_surface.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -21,7 +23,8 @@ namespace {
 using faces::FaceDatabase;
 
 constexpr const char* kGalleryKind = "gallery";
-const std::vector<std::string> kFacePictures = {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg"};
+const std::vector<std::string> kFacePictures = {"identities.jpg", "expressions.jpg", "levels.jpg", "caricatures.jpg",
+                                                "curves.jpg"};
 const std::vector<std::string> kSketchPictures = {"sketches.jpg", "line_kinds.jpg", "augmentation.jpg", "contours.jpg"};
 using render::SheetCell;
 
@@ -96,6 +99,25 @@ render::Image Levels(const FaceDatabase& database) {
   return render::MakeSheet(cells, 2 * database.num_levels(), style);
 }
 
+/// 48 exaggerated faces, the first persons in turn at every level but the first, from the front and from three quarters.
+render::Image Caricatures(const FaceDatabase& database) {
+  constexpr int kNumFaces = 48, kPairsInARow = 6;
+  constexpr double kTurn = -0.6;  // Radians.
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(kTurn, geometry::Vector3::UnitY()).toRotationMatrix();
+  const int num_exaggerated = database.num_levels() - 1;
+  const auto& head = database.face_template();
+  const faces::FinishedHead finished(head);
+  const render::Frame frame = reports::FrameOfFaces({head.neutral}, 1.35);
+  std::vector<SheetCell> cells;
+  for (int i = 0; i < std::min(kNumFaces, database.num_persons() * num_exaggerated); ++i) {
+    const geometry::Points face =
+        database.points(database.index({i % database.num_persons(), 1 + i % num_exaggerated, 0}));
+    cells.push_back({reports::FrontView(finished, face, frame)});
+    cells.push_back({reports::FrontView(finished, face * turn.transpose(), frame)});
+  }
+  return render::MakeSheet(cells, 2 * kPairsInARow);
+}
+
 /// The mean face with the curves of one view drawn over it, and dots for landmarks.
 render::Image AnnotatedView(const faces::FaceTemplate& face_template, faces::View view) {
   constexpr int kSide = 560;
@@ -156,8 +178,9 @@ void WriteGallery(const FaceDatabase& database, const SketchDatabase* sketches, 
       {kFacePictures[0], [&] { return Identities(database); }},
       {kFacePictures[1], [&] { return Expressions(database); }},
       {kFacePictures[2], [&] { return Levels(database); }},
-      {kFacePictures[3], [&] { return Curves(database.face_template()); }},
   };
+  if (database.num_levels() > 1) pictures.push_back({kFacePictures[3], [&] { return Caricatures(database); }});
+  pictures.push_back({kFacePictures[4], [&] { return Curves(database.face_template()); }});
   if (sketches != nullptr) std::ranges::move(SketchPictures(database, *sketches), std::back_inserter(pictures));
   Manifest manifest{.kind = kGalleryKind, .verb = "dataset gallery"};
   manifest.sources = database.manifest().sources;

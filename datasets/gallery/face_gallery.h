@@ -16,6 +16,7 @@ void CheckGalleryFolder(const std::filesystem::path& out, const std::vector<std:
 ///   identities.jpg   the neutral face of the first persons
 ///   expressions.jpg  every expression of the first three persons, each at another level
 ///   levels.jpg       the levels of the first persons, front and side
+///   caricatures.jpg  where there are levels: 48 exaggerated faces, from the front and from three quarters
 ///   curves.jpg       feature curves and landmarks on the mean face, front and side
 /// into an existing folder, those of SketchPictures if `sketches` are given, and a manifest (kind "gallery"), which is
 /// there, with the pictures as kUnfinishedFiles, before the first. @throws Error as SketchPictures, and if a picture

@@ -15,7 +15,7 @@ ControlFit::ControlFit(const FaceControls& controls, const FaceTemplate& face_te
                        const std::vector<geometry::Points>& population)
     : region_(RegionFor(face_template.annotation, "face", "a measure of controls")) {
   DAUMIER_CHECK(population.size() >= size_t(kFewestFaces),
-                "{} neutral faces are too few to know what distinguishes a person; at least {} are needed",
+                "{} neutral faces are too few to measure what distinguishes a person; at least {} are needed",
                 population.size(), int(kFewestFaces));
   mean_ = geometry::Points::Zero(face_template.num_vertices(), 3);
   for (const geometry::Points& face : population) {

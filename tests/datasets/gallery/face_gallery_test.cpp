@@ -28,7 +28,7 @@ class Gallery : public ::testing::Test {
 TEST_F(Gallery, ShowsWhatADatabaseHolds) {
   const faces::FaceDatabase faces(folder_ / "faces");
   WriteGallery(faces, nullptr, folder_ / "out");
-  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg"}) {
+  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "caricatures.jpg", "curves.jpg"}) {
     const render::Image picture = render::ReadImage(folder_ / "out" / name);
     EXPECT_GT(picture.width, 300) << name;
     const auto [darkest, lightest] = std::minmax_element(picture.pixels.begin(), picture.pixels.end());
@@ -42,7 +42,7 @@ TEST_F(Gallery, ListsItsPicturesAndIsReplacedByThem) {
   EXPECT_NO_THROW(CheckGalleryFolder(out, {folder_ / "faces"}));
   WriteGallery(faces, nullptr, out);
   const Manifest manifest = ReadManifest(out, "gallery");
-  EXPECT_EQ(manifest.checksums.size(), 4u);
+  EXPECT_EQ(manifest.checksums.size(), 5u);
   EXPECT_NO_THROW(VerifyChecksums(out, manifest));
   EXPECT_NO_THROW(CheckGalleryFolder(out, {folder_ / "faces"}));
   WriteFileAtomically(out / "sketches.jpg", "mine");
@@ -54,7 +54,7 @@ TEST_F(Gallery, ListsItsPicturesAndIsReplacedByThem) {
 
 TEST_F(Gallery, PicturesOfAnotherOriginAreNotOverwritten) {
   const std::filesystem::path out = folder_ / "out";
-  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "curves.jpg"})
+  for (const char* name : {"identities.jpg", "expressions.jpg", "levels.jpg", "caricatures.jpg", "curves.jpg"})
     WriteFileAtomically(out / name, "mine");
   testing::ExpectError([&] { CheckGalleryFolder(out, {}); }, "is not empty and holds no earlier gallery");
 }
@@ -73,7 +73,7 @@ TEST_F(Gallery, AStoppedOneCanBeMadeAgain) {
   EXPECT_NO_THROW(CheckGalleryFolder(out, {})) << "what is there is its own";
   WriteGallery(faces, nullptr, out);
   const Manifest manifest = ReadManifest(out, "gallery");
-  EXPECT_EQ(manifest.checksums.size(), 4u);
+  EXPECT_EQ(manifest.checksums.size(), 5u);
   EXPECT_TRUE(manifest.details.empty());
 }
 
