@@ -67,7 +67,7 @@ TEST_F(Gallery, AStoppedOneCanBeMadeAgain) {
     if (progress.done == 1) source.request_stop();
   };
   testing::ExpectError([&] { WriteGallery(faces, nullptr, out, Task(source.get_token(), stop_after_the_first)); },
-                       "stopped after 1 of 4 pictures");
+                       "stopped after 1 of 5 pictures");
   EXPECT_TRUE(std::filesystem::exists(out / "identities.jpg"));
   EXPECT_FALSE(std::filesystem::exists(out / "levels.jpg"));
   EXPECT_NO_THROW(CheckGalleryFolder(out, {})) << "what is there is its own";

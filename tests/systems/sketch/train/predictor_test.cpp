@@ -15,6 +15,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/sketch_run_folder.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 namespace daumier::sketch {
 namespace {
@@ -36,6 +37,7 @@ void PredictSketches(const std::filesystem::path& run, const std::vector<std::fi
 }
 
 TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
+  testing::AllowWarnings();  // The face of a hardly trained network fits no drawing.
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   MakeDirectory(folder / "other");
@@ -60,6 +62,7 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
 }
 
 TEST(TrainedSketchPredictor, ReadsStrokesDirectly) {
+  testing::AllowWarnings();  // The face of a hardly trained network fits no drawing.
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   WriteFileAtomically(folder / "two.ndjson",
@@ -75,6 +78,7 @@ TEST(TrainedSketchPredictor, ReadsStrokesDirectly) {
 }
 
 TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
+  testing::AllowWarnings();  // The face of a hardly trained network fits no drawing.
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
@@ -85,6 +89,7 @@ TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
 }
 
 TEST(TrainedSketchPredictor, ADeformedSurfaceIsNearerToTheDrawing) {
+  testing::AllowWarnings();  // The face of a hardly trained network fits no drawing.
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
