@@ -1,5 +1,7 @@
 #include "datasets/build/person_faces.h"
 
+#include "geometry/flips.h"
+
 #include <algorithm>
 
 namespace daumier::datasets {
@@ -29,7 +31,9 @@ PersonFacesMaker::PersonFacesMaker(const faces::FaceModel& model, const std::vec
     : model_(model),
       options_(options),
       transfer_(model, expressions),
-      levels_(model.face_template, options, PopulationOf(model, options), model.numbering) {}
+      levels_(model.face_template, options, PopulationOf(model, options), model.numbering),
+      neighbours_(geometry::VertexNeighbours(model.face_template.triangles, model.face_template.num_vertices())),
+      region_(faces::RegionFor(model.face_template.annotation, "face", "a database of faces")) {}
 
 PersonArrays PersonFacesMaker::Make(int person) const {
   Rng identity_rng = Stream(options_.seed, "identity", person);
@@ -42,12 +46,19 @@ PersonArrays PersonFacesMaker::Make(int person) const {
   arrays.identity_weights.assign(identity.begin(), identity.end());
   arrays.expression_strengths.assign(strengths.begin(), strengths.end());
   const geometry::Points neutral = faces::IdentityFace(model_, identity);
+  std::vector<geometry::Points> regular;  // Of the first level, one an expression.
   for (const geometry::Points& level : levels_.Make(neutral, person, arrays)) {
-    const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
+    const bool is_regular = regular.size() < size_t(transfer_.num_expressions());
     const Eigen::MatrixXf offsets = transfer_.Offsets(level);
     for (Eigen::Index e = 0; e < offsets.cols(); ++e) {
-      const Eigen::VectorXf face = base + strengths[e] * offsets.col(e);
-      arrays.vertices.insert(arrays.vertices.end(), face.begin(), face.end());
+      const Eigen::VectorXd moved = (strengths[e] * offsets.col(e)).cast<double>();
+      geometry::Points face = level + Eigen::Map<const geometry::Points>(moved.data(), level.rows(), 3);
+      if (is_regular)
+        regular.push_back(face);
+      else if (options_.levels == "controls")
+        face = geometry::RelaxFlips(regular[e], face, model_.face_template.triangles, neighbours_, region_);
+      for (const double coordinate : Eigen::Map<const Eigen::VectorXd>(face.data(), face.size()))
+        arrays.vertices.push_back(static_cast<float>(coordinate));
     }
   }
   return arrays;

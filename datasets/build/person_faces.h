@@ -1,6 +1,7 @@
 #pragma once
 #include "datasets/build/face_levels.h"
 #include "faces/expression_transfer.h"
+#include "geometry/topology.h"
 
 #include <vector>
 
@@ -15,7 +16,8 @@ class PersonFacesMaker {
 
   Json Details() const { return levels_.Details(); }
 
-  /// The same for the same seed and person. May be called from several threads at once.
+  /// Where levels are by controls, triangles of the region `face` that flip against the regular face in the same
+  /// expression are relaxed (geometry::RelaxFlips). The same for the same seed and person. May be called from several threads at once.
   PersonArrays Make(int person) const;
 
  private:
@@ -23,6 +25,8 @@ class PersonFacesMaker {
   const FacesOptions& options_;
   faces::ExpressionTransfer transfer_;
   LevelMaker levels_;
+  geometry::Adjacency neighbours_;
+  std::vector<int> region_;  ///< `face`
 };
 
 }  // namespace daumier::datasets

@@ -1,5 +1,6 @@
 #include "datasets/build/face_levels.h"
 
+#include "geometry/flips.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_database.h"
 #include "tests/support/temp_dir.h"
@@ -75,6 +76,26 @@ TEST(LevelMaker, ADatabaseHoldsTheValuesOfItsControls) {
   EXPECT_NE(std::vector<float>(values.begin(), values.end()),
             std::vector<float>(database.control_values(0, 1).begin(), database.control_values(0, 1).end()));
   testing::ExpectError([&] { database.control_values(0, 2); }, "level 2");
+}
+
+TEST(LevelMaker, NoTriangleOfTheFaceFlipsInAnyExpression) {
+  const faces::FaceModel model = testing::SyntheticModel();
+  FacesOptions options = testing::SyntheticFacesOptions(3);
+  options.levels = "controls";
+  options.caricature.amounts = {0.0, 3.0};
+  options.caricature.invention = 0.6;
+  const testing::TempDir folder;
+  BuildFaces(model, options, folder / "faces");
+  const faces::FaceDatabase database(folder / "faces");
+  for (int person = 0; person < 3; ++person) {
+    for (int e = 0; e < database.num_expressions(); ++e) {
+      EXPECT_EQ(geometry::CountFlippedTriangles(
+                    database.points(database.index({person, 0, e})), database.points(database.index({person, 1, e})),
+                    model.face_template.triangles, model.face_template.annotation.regions.at("face")),
+                0)
+          << "person " << person << ", expression " << e;
+    }
+  }
 }
 
 TEST(LevelMaker, ADatabaseWithoutControlsHasNone) {
