@@ -132,11 +132,11 @@ std::function<void()> AddStats(CLI::App& parent) {
       "Another folder of faces of the same topology; measures how well the components of the first rebuild it");
   CLI::Option* compare =
       command->add_option("--compare", arguments->compare,
-                          "Another folder of faces: how often the nearest landmarks are of the same folder (two-sample "
-                          "test; 0.5: the folders agree)");
+                          "Another folder of faces; measures how often the nearest face by landmarks is of the same "
+                          "folder (two-sample test; 0.5: the folders agree)");
   command
       ->add_option("--compare-levels", arguments->compared_levels,
-                   "Levels that --compare takes, 1 the regular faces (default: all others)")
+                   "Levels that --compare uses; level 1 has the regular faces (default: all but level 1)")
       ->needs(compare);
   command->add_flag("--by-level", arguments->by_level,
                     "What each level does: displacement, persons recognised, flipped triangles, crossed lips and lids");
@@ -188,7 +188,8 @@ struct ControlsOptions {
   void Visit(V&& visit) {
     visit("source", source, Table{}, "The face source, where --template is none of a folder.");
     visit("own_controls", own_controls, Text{},
-          "Further controls, each NAME=FILE.target (in the source's vertex numbers) or NAME=FROM.obj,TO.obj.");
+          "Further controls. NAME=FILE.target: a target in the source's vertex numbers. NAME=FROM.obj,TO.obj: two "
+          "meshes; value 1 moves FROM to TO.");
   }
 };
 

@@ -45,13 +45,14 @@ struct FacesOptions {
           "cut off at two deviations.");
     visit("levels", levels, Choices{{"whole", "parts", "controls"}},
           "whole: a level exaggerates the whole face by its gamma. parts: a level exaggerates each part of the face by "
-          "its own random strength, in proportion to the gamma. controls: a level is a caricature by named controls, "
-          "of an amount of its own.");
+          "its own random strength, in proportion to the gamma. controls: each level is a caricature by named "
+          "controls, of the amount in caricature.amounts.");
     visit("exaggeration", exaggeration, Table{}, "Levels of exaggeration; the first gamma has to be 0.");
     visit("parts", parts, Table{}, "How strengths of parts are drawn.");
     visit("caricature", caricature, Table{}, "How values of controls are drawn.");
     visit("own_controls", own_controls, Text{},
-          "Further controls, each NAME=FILE.target (in the source's vertex numbers) or NAME=FROM.obj,TO.obj.");
+          "Further controls. NAME=FILE.target: a target in the source's vertex numbers. NAME=FROM.obj,TO.obj: two "
+          "meshes; value 1 moves FROM to TO.");
     visit("num_interpolated", num_interpolated, Range{0, 10000000},
           "Number of faces that are interpolated, each between two persons of a family.");
     visit("family_size", family_size, Range{2, 1000},

@@ -21,16 +21,17 @@ struct RegistrationLimits {
   template <class V>
   void Visit(V&& visit) {
     visit("max_landmark_misfit", max_landmark_misfit, Range{0.0, 10.0},
-          "Mean distance between the landmarks of mesh and template after a robust similarity, as a share of their "
-          "spread.");
+          "Largest mean distance between the landmarks of mesh and template after a robust similarity, as a share of "
+          "their spread.");
     visit("max_landmarks_off_mesh", max_landmarks_off_mesh, Range{0.0, 1e3},
-          "Median distance of the landmarks from the mesh, as a share of their spread.");
+          "Largest median distance of the landmarks from the mesh, as a share of their spread.");
     visit("min_normal_agreement", min_normal_agreement, Range{-1.0, 1.0},
-          "Mean cosine between the normals of mesh and template at the landmarks.");
-    visit("min_coverage", min_coverage, Range{0.0, 1.0}, "Share of the face's area that has a match on the mesh.");
-    visit("max_flipped", max_flipped, Range{0.0, 1.0}, "Share of the face's triangles that are flipped.");
+          "Smallest mean cosine between the normals of mesh and template at the landmarks.");
+    visit("min_coverage", min_coverage, Range{0.0, 1.0},
+          "Smallest share of the face's area that has a match on the mesh.");
+    visit("max_flipped", max_flipped, Range{0.0, 1.0}, "Largest share of the face's triangles that may be flipped.");
     visit("max_landmarks_mm", max_landmarks_mm, Range{0.0, 1e3},
-          "Mean distance between the landmarks of the mesh and of the registered template, mm.");
+          "Largest mean distance between the landmarks of the mesh and of the registered template, mm.");
   }
 };
 

@@ -17,7 +17,7 @@ struct SketchVariation {
   void Visit(V&& visit) {
     visit("wrinkles", wrinkles, Flag{}, "Show suggestive contours and the outer contour of the lips.");
     visit("all_views", all_views, Flag{},
-          "Read any view of a face that the sketches hold, another one in each epoch; false: only the exact view.");
+          "true: read all views of a face, another one in each epoch; false: read only the exact view.");
     visit("augmentation", augmentation, Table{}, "Augmented sketches; off at strength 0.");
   }
 

@@ -24,7 +24,8 @@ struct CaricatureOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("amounts", amounts, Range{0.0, 10.0}, "Amount of caricature, one for each level; the first is 0.");
-    visit("own", own, Range{0.0, 5.0}, "How many times a person's own deviation from the mean an amount of 1 adds.");
+    visit("own", own, Range{0.0, 5.0},
+          "Multiple of the person's own deviation from the mean that an amount of 1 adds.");
     visit("emphasis", emphasis, Range{0.0, 2.0},
           "A control that deviates z times as far as usual is exaggerated z^emphasis times as strongly.");
     visit("group_spread", group_spread, Range{0.0, 2.0},
@@ -32,10 +33,11 @@ struct CaricatureOptions {
     visit("invention", invention, Range{0.0, 3.0},
           "Standard deviation of the control values that do not come from the person, for an amount of 1.");
     visit("looseness", looseness, Range{0.0, 10.0},
-          "How far smooth warps of the whole head go, as a multiple of what is invented of controls.");
+          "Strength of smooth warps of the whole head, as a multiple of `invention`.");
     visit("tendencies", tendencies, Range{0.0, 5.0},
-          "How strongly what most caricatures have in common is added, such as long chins.");
-    visit("asymmetry", asymmetry, Range{0.0, 1.0}, "Left and right differ, and sideways controls act, by this share.");
+          "Strength of the traits that most caricatures share, such as long chins.");
+    visit("asymmetry", asymmetry, Range{0.0, 1.0},
+          "Strength of differences between left and right and of sideways controls, as a multiple of `invention`.");
     visit("inconsistent", inconsistent, Range{0.0, 1.0},
           "Share of caricatures whose groups of controls are exaggerated independently of each other, some reversed.");
     visit("crispness", crispness, Range{0.0, 0.2},
