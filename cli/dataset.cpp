@@ -186,7 +186,7 @@ struct ControlsOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("source", source, Table{}, "The face source, where --template is none of a folder.");
+    visit("source", source, Table{}, "The face source, used if --template is not a folder.");
     visit("own_controls", own_controls, Text{},
           "Further controls. NAME=FILE.target: a target in the source's vertex numbers. NAME=FROM.obj,TO.obj: two "
           "meshes; value 1 moves FROM to TO.");

@@ -8,8 +8,8 @@
 namespace daumier::faces {
 
 /// Reads controls of a user's own, each "NAME=FILE.target" (a morph target of MakeHuman in the numbers and unit of the
-/// source's files) or "NAME=FROM.obj,TO.obj" (two meshes, OBJ or PLY, of the template's vertices in cm or of the source's in its unit: the control
-/// at value 1 moves what FROM is to TO).
+/// source's files) or "NAME=FROM.obj,TO.obj" (two meshes, OBJ or PLY, of the template's vertices in cm, or of the source's
+/// in its unit: the control at value 1 moves what FROM is to TO).
 /// @throws UsageError on another form, or on a target for a source whose numbers are not known; Error naming the file
 /// that cannot be read or has another number of vertices.
 std::vector<GivenControl> ReadGivenControls(const std::vector<std::string>& specifications,
