@@ -113,7 +113,8 @@ render::Image Caricatures(const FaceDatabase& database) {
     const geometry::Points face =
         database.points(database.index({i % database.num_persons(), 1 + i % num_exaggerated, 0}));
     cells.push_back({reports::FrontView(finished, face, frame)});
-    cells.push_back({reports::FrontView(finished, face * turn.transpose(), frame)});
+    const geometry::Points turned = (face.rowwise() - frame.centre.transpose()) * turn.transpose();
+    cells.push_back({reports::FrontView(finished, turned.rowwise() + frame.centre.transpose(), frame)});
   }
   return render::MakeSheet(cells, 2 * kPairsInARow);
 }
