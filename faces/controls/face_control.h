@@ -20,7 +20,7 @@ struct Motion {
 /// An anatomical control of a face [Brennan 1985 exaggerates such measures of a face]: its name, the group of controls
 /// that artists exaggerate together, where it acts and how. It moves a point x of the face as it is, weight w in its
 /// region, to x + w (motion(x) - x), the pivot being the current place of its anchor. Values are dimensionless, of
-/// [-3, 3]: 1 is about the standard deviation between persons, 3 an extreme caricature.
+/// [-3, 3]: 1 is about two standard deviations between persons, 3 an extreme caricature.
 struct FaceControl {
   enum class Sides {
     kMiddle,   ///< One value; the region is the mean of the one given and its mirror image, as that of kSideways.
