@@ -9,7 +9,11 @@ namespace daumier::cli {
 
 TemplateChoice ChooseTemplate(const std::string& name) {
   namespace fs = std::filesystem;
-  if (fs::is_directory(name)) return {name, ""};
+  if (fs::is_directory(name)) {
+    if (!fs::exists(fs::path(name) / "template.json"))
+      throw UsageError(fmt::format("--template {}: this is no folder of faces (it has no template.json)", name));
+    return {name, ""};
+  }
   const auto& names = faces::kSourceNames;
   if (std::find(names.begin(), names.end(), name) != names.end()) return {{}, name};
   const char* found = fs::exists(name) ? "this is a file" : "there is no such folder";

@@ -1,5 +1,6 @@
 #include "datasets/build/face_levels.h"
 
+#include "core/files.h"
 #include "faces/controls/given_controls.h"
 
 namespace daumier::datasets {
@@ -35,6 +36,11 @@ Json LevelMaker::Details() const {
   if (generator_.has_value()) {
     details["controls"] = generator_->controls().value_names();
     const Eigen::VectorXd& deviations = generator_->fit().deviations();
+    for (const faces::GivenControl& given : generator_->controls().given()) {
+      if (given.group != "own") continue;
+      const auto* bytes = reinterpret_cast<const char*>(given.displacement.data());
+      details["own_controls"][given.name] = Sha256({bytes, given.displacement.size() * sizeof(double)});
+    }
     details["control_deviations"] = std::vector<double>(deviations.begin(), deviations.end());
   }
   return details;

@@ -37,6 +37,8 @@ const std::vector<double>& LevelStrengths(const FacesOptions& options) {
 ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOptions& options, int num_persons,
                        const std::vector<std::string>& expressions) {
   const std::vector<double>& gammas = LevelStrengths(options);
+  if (!options.own_controls.empty() && options.levels != "controls")
+    throw UsageError("own_controls need levels = \"controls\"");
   if (gammas.empty() || gammas.front() != 0.0) {
     throw UsageError(fmt::format("the first of {} has to be 0",
                                  options.levels == "controls" ? "caricature.amounts" : "exaggeration.gammas"));
@@ -50,6 +52,7 @@ ShardedBuild PlanFaces(const faces::FaceTemplate& face_template, const FacesOpti
   build.manifest.verb = "dataset faces";
   build.manifest.config = ToJson(options);
   for (const char* path : {"path", "annotation", "template_mesh"}) build.manifest.config["source"].erase(path);
+  build.manifest.config.erase("own_controls");  // Files; their content is in details.own_controls.
   build.manifest.seed = options.seed;
   build.manifest.sources = Json::array({face_template.provenance});
   build.units_per_shard = static_cast<int>(gammas.size() * expressions.size());

@@ -27,6 +27,9 @@ TEST(MorphTarget, NamesFileAndLineOfAFault) {
   expect("0 1 2 3\n1 2\n", "a.target:2: expected a vertex and three numbers");
   expect("3 0 0 0\n", "vertex 3 is out of range (0 to 2)");
   expect("0 nan 0 0\n", "a.target:1");
+  expect("1.5 0 0 1\n", "a.target:1: expected a vertex and three numbers");
+  expect("1 0 0 1 7\n", "nothing behind them");
+  expect("1 0 0 1\n1 0 1 0\n", "a.target:2: vertex 1 has two lines");
 }
 
 }  // namespace

@@ -106,6 +106,15 @@ TEST(LevelMaker, ADatabaseWithoutControlsHasNone) {
   EXPECT_TRUE(database.control_values(0, 1).empty());
 }
 
+TEST(LevelMaker, OwnControlsNeedLevelsByControls) {
+  FacesOptions options;
+  options.own_controls = {"a=b.target"};
+  const faces::FaceTemplate face = testing::SyntheticFace();
+  testing::ExpectError([&] { PlanFaces(face, options, 1, {"neutral"}); }, "own_controls need levels");
+  options.levels = "controls";
+  EXPECT_FALSE(PlanFaces(face, options, 1, {"neutral"}).manifest.config.contains("own_controls")) << "a path";
+}
+
 TEST(LevelMaker, TheFirstAmountHasToBeZero) {
   FacesOptions options;
   options.levels = "controls";

@@ -5,6 +5,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +45,21 @@ TEST_F(GivenControls, ATargetIsReadInTheNumbersAndUnitOfTheSource) {
 
 TEST_F(GivenControls, SaysWhatIsWrong) {
   const std::string mesh = Write("mesh.obj", face_.neutral);
-  testing::ExpectError([&] { ReadGivenControls({"horn"}, face_, {}); }, "it has no name");
+  testing::ExpectError([&] { ReadGivenControls({"horn"}, face_, {}); }, "there is no '='");
   testing::ExpectError([&] { ReadGivenControls({"horn=" + mesh}, face_, {}); }, "NAME=FROM.obj,TO.obj");
   testing::ExpectError([&] { ReadGivenControls({"horn=" + mesh + "," + mesh}, face_, {}); }, "moves no vertex");
+  testing::ExpectError([&] { ReadGivenControls({"a/b=" + mesh + "," + mesh}, face_, {}); }, "letters, digits");
+  testing::ExpectError([&] { ReadGivenControls({"eye_slant=" + mesh + "," + mesh}, face_, {}); },
+                       "of this name already");
+  testing::ExpectError([&] { ReadGivenControls({"a=,"}, face_, {}); }, "it has no file");
+  testing::ExpectError([&] { ReadGivenControls({"a=" + mesh + ","}, face_, {}); }, "two meshes are needed");
+  const std::string decimetres = Write("decimetres.obj", 0.1 * face_.neutral);
+  testing::ExpectError([&] { ReadGivenControls({"a=" + mesh + "," + decimetres}, face_, {}); },
+                       "more than a quarter of the head");
+  WriteFileAtomically(folder_ / "nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 3 4\n");
+  testing::AllowWarnings();
+  testing::ExpectError([&] { ReadGivenControls({"a=" + mesh + "," + (folder_ / "nan.obj").string()}, face_, {}); },
+                       "vertex 0 is not finite");
   WriteFileAtomically(folder_ / "a.target", "0 1 1 1\n");
   testing::ExpectError([&] { ReadGivenControls({"a=" + (folder_ / "a.target").string()}, face_, {}); },
                        "are not known");
