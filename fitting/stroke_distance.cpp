@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace daumier::fitting {
@@ -32,7 +31,8 @@ uint32_t SpreadBits(uint32_t bits) {
 std::vector<Segment> InSpatialOrder(const std::vector<Segment>& segments) {
   Eigen::AlignedBox2f box;
   for (const Segment& segment : segments) box.extend(segment.from), box.extend(segment.to);
-  const float scale = 65535.0f / std::max(box.sizes().maxCoeff(), std::numeric_limits<float>::min());
+  constexpr float kSmallest = 1e-20f;  // Of a box with an order; a single dot has none.
+  const float size = box.sizes().maxCoeff(), scale = size > kSmallest ? 65535.0f / size : 0.0f;
   std::vector<std::pair<uint32_t, size_t>> order;
   for (size_t i = 0; i < segments.size(); ++i) {
     const Vector2f place =
