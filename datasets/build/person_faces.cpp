@@ -48,17 +48,23 @@ PersonArrays PersonFacesMaker::Make(int person) const {
   const geometry::Points neutral = faces::IdentityFace(model_, identity);
   std::vector<geometry::Points> regular;  // Of the first level, one an expression.
   for (const geometry::Points& level : levels_.Make(neutral, person, arrays)) {
+    const Eigen::VectorXf base = Eigen::Map<const Eigen::VectorXd>(level.data(), level.size()).cast<float>();
     const bool is_regular = regular.size() < size_t(transfer_.num_expressions());
     const Eigen::MatrixXf offsets = transfer_.Offsets(level);
     for (Eigen::Index e = 0; e < offsets.cols(); ++e) {
-      const Eigen::VectorXd moved = (strengths[e] * offsets.col(e)).cast<double>();
-      geometry::Points face = level + Eigen::Map<const geometry::Points>(moved.data(), level.rows(), 3);
-      if (is_regular)
-        regular.push_back(face);
-      else if (options_.levels == "controls")
-        face = geometry::RelaxFlips(regular[e], face, model_.face_template.triangles, neighbours_, region_);
-      for (const double coordinate : Eigen::Map<const Eigen::VectorXd>(face.data(), face.size()))
-        arrays.vertices.push_back(static_cast<float>(coordinate));
+      Eigen::VectorXf face = base + strengths[e] * offsets.col(e);
+      if (options_.levels == "controls") {
+        const Eigen::VectorXd coordinates = face.cast<double>();
+        const Eigen::Map<const geometry::Points> points(coordinates.data(), level.rows(), 3);
+        if (is_regular) {
+          regular.emplace_back(points);
+        } else {
+          const geometry::Points relaxed =
+              geometry::RelaxFlips(regular[e], points, model_.face_template.triangles, neighbours_, region_);
+          face = Eigen::Map<const Eigen::VectorXd>(relaxed.data(), relaxed.size()).cast<float>();
+        }
+      }
+      arrays.vertices.insert(arrays.vertices.end(), face.begin(), face.end());
     }
   }
   return arrays;

@@ -112,9 +112,11 @@ geometry::Points FaceControls::Apply(const geometry::Points& face, const Eigen::
     if (value != 0) result += value * given_[i].displacement;
   }
   for (const Field& field : fields_) {
+    const auto is_still = [&](const Side& side) { return values[side.value] == 0; };
+    if (std::ranges::all_of(field.sides, is_still)) continue;
     const geometry::Points before = result;
     for (const Side& side : field.sides) {
-      if (values[side.value] == 0) continue;
+      if (is_still(side)) continue;
       const geometry::Vector3 centre = PositionOf(side.pivot, face_template_, before);
       const AffineMap map = MapOf(side.motion, values[side.value], centre, eye_span);
       const Eigen::Matrix3d change = map.matrix - Eigen::Matrix3d::Identity();
