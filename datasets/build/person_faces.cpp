@@ -1,7 +1,5 @@
 #include "datasets/build/person_faces.h"
 
-#include "geometry/flips.h"
-
 #include <algorithm>
 
 namespace daumier::datasets {
@@ -32,8 +30,8 @@ PersonFacesMaker::PersonFacesMaker(const faces::FaceModel& model, const std::vec
       options_(options),
       transfer_(model, expressions),
       levels_(model.face_template, options, PopulationOf(model, options), model.numbering),
-      neighbours_(geometry::VertexNeighbours(model.face_template.triangles, model.face_template.num_vertices())),
-      region_(faces::RegionFor(model.face_template.annotation, "face", "a database of faces")) {}
+      repair_(options.levels == "controls" ? std::optional<faces::ExpressionRepair>(model.face_template)
+                                           : std::nullopt) {}
 
 PersonArrays PersonFacesMaker::Make(int person) const {
   Rng identity_rng = Stream(options_.seed, "identity", person);
@@ -53,15 +51,14 @@ PersonArrays PersonFacesMaker::Make(int person) const {
     const Eigen::MatrixXf offsets = transfer_.Offsets(level);
     for (Eigen::Index e = 0; e < offsets.cols(); ++e) {
       Eigen::VectorXf face = base + strengths[e] * offsets.col(e);
-      if (options_.levels == "controls") {
+      if (repair_.has_value()) {
         const Eigen::VectorXd coordinates = face.cast<double>();
         const Eigen::Map<const geometry::Points> points(coordinates.data(), level.rows(), 3);
         if (is_regular) {
           regular.emplace_back(points);
         } else {
-          const geometry::Points relaxed =
-              geometry::RelaxFlips(regular[e], points, model_.face_template.triangles, neighbours_, region_);
-          face = Eigen::Map<const Eigen::VectorXd>(relaxed.data(), relaxed.size()).cast<float>();
+          const geometry::Points repaired = repair_->Repair(points, regular[e]);
+          face = Eigen::Map<const Eigen::VectorXd>(repaired.data(), repaired.size()).cast<float>();
         }
       }
       arrays.vertices.insert(arrays.vertices.end(), face.begin(), face.end());

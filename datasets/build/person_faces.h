@@ -1,8 +1,9 @@
 #pragma once
 #include "datasets/build/face_levels.h"
+#include "faces/expression_repair.h"
 #include "faces/expression_transfer.h"
-#include "geometry/topology.h"
 
+#include <optional>
 #include <vector>
 
 namespace daumier::datasets {
@@ -16,8 +17,8 @@ class PersonFacesMaker {
 
   Json Details() const { return levels_.Details(); }
 
-  /// Where levels are by controls, triangles of the region `face` that flip against the regular face in the same
-  /// expression are relaxed (geometry::RelaxFlips). The same for the same seed and person. May be called from several threads at once.
+  /// Where levels are by controls, expressions are repaired where triangles flip or lips or lids cross
+  /// (faces::ExpressionRepair). The same for the same seed and person. May be called from several threads at once.
   PersonArrays Make(int person) const;
 
  private:
@@ -25,8 +26,7 @@ class PersonFacesMaker {
   const FacesOptions& options_;
   faces::ExpressionTransfer transfer_;
   LevelMaker levels_;
-  geometry::Adjacency neighbours_;
-  std::vector<int> region_;  ///< `face`
+  std::optional<faces::ExpressionRepair> repair_;  ///< Where levels are by controls.
 };
 
 }  // namespace daumier::datasets

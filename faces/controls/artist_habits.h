@@ -13,9 +13,11 @@ struct ArtistHabit {
   std::array<double, 3> types = {0, 0, 0};
 };
 
-/// By the name of a control, without its side. Constants were judged by eye and on 15 caricature meshes by artists: they
-/// draw from the front, so depth varies little; they go far in the proportions of jaw, chin, nose and forehead, and less
-/// far in details; chins are long, eyes close together, features high.
+/// By the name of a control, without its side, or of a smooth warp. Boldness and tendency come from 15 caricature meshes
+/// by artists, in values of ControlFit from ICT's mean: a tendency is half the meshes' mean value, since an amount of
+/// caricature is 2 on average; boldness was scaled once by the ratio of the meshes' standard deviation to the generator's,
+/// and rounded. So artists draw long, pointed chins, wide wings of the nose, open and raised mouths, narrow skulls and
+/// features set high, vary depth little, and go far in jaw, lips and nose. Types of heads were judged by eye.
 const std::map<std::string, ArtistHabit>& ArtistHabits();
 
 /// That of a control; {} where nothing is known of it.

@@ -103,9 +103,10 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
   }
   for (int k = controls_.first_given_value(); k < controls_.num_values(); ++k) {
     const GivenControl& given = controls_.given()[k - controls_.first_given_value()];
+    const ArtistHabit habit = HabitOf(given.name);
     const double sideways = given.sides == FaceControl::Sides::kSideways ? 2 * options_.asymmetry : 1.0;
-    values[k] =
-        value(k, {}, sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k, {})));
+    values[k] = value(k, habit,
+                      sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k, habit)));
   }
   return values;
 }

@@ -11,7 +11,7 @@ namespace daumier::faces {
 
 struct CaricatureOptions {
   std::vector<double> amounts = {0.0, 1.0, 2.0, 3.0};
-  double own = 0.8;
+  double own = 0.9;
   double emphasis = 0.4;
   double group_spread = 0.5;
   double invention = 0.3;

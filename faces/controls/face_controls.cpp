@@ -111,19 +111,22 @@ geometry::Points FaceControls::Apply(const geometry::Points& face, const Eigen::
     const double value = values[first_given_value() + i];
     if (value != 0) result += value * given_[i].displacement;
   }
+  std::vector<geometry::Points> moves;  // Of the sides of a field, all from the face before it.
   for (const Field& field : fields_) {
-    const auto is_still = [&](const Side& side) { return values[side.value] == 0; };
-    if (std::ranges::all_of(field.sides, is_still)) continue;
-    const geometry::Points before = result;
+    moves.clear();
     for (const Side& side : field.sides) {
-      if (is_still(side)) continue;
-      const geometry::Vector3 centre = PositionOf(side.pivot, face_template_, before);
-      const AffineMap map = MapOf(side.motion, values[side.value], centre, eye_span);
+      const double value = values[side.value];
+      geometry::Points& move = moves.emplace_back(geometry::Points(value == 0 ? 0 : side.vertices.size(), 3));
+      if (value == 0) continue;
+      const AffineMap map = MapOf(side.motion, value, PositionOf(side.pivot, face_template_, result), eye_span);
       const Eigen::Matrix3d change = map.matrix - Eigen::Matrix3d::Identity();
-      for (size_t i = 0; i < side.vertices.size(); ++i) {
-        const geometry::Vector3 point = before.row(side.vertices[i]);
-        result.row(side.vertices[i]) += side.weights[Eigen::Index(i)] * (change * point + map.translation).transpose();
+      for (Eigen::Index i = 0; i < move.rows(); ++i) {
+        const geometry::Vector3 point = result.row(side.vertices[i]);
+        move.row(i) = side.weights[i] * (change * point + map.translation).transpose();
       }
+    }
+    for (size_t s = 0; s < moves.size(); ++s) {
+      for (Eigen::Index i = 0; i < moves[s].rows(); ++i) result.row(field.sides[s].vertices[i]) += moves[s].row(i);
     }
   }
   return result;
