@@ -26,7 +26,9 @@ TEST(Rasterise, BarycentricsAreThoseWorkedOutByHand) {
       EXPECT_EQ(raster.triangle[pixel], is_covered ? 0 : -1) << row << " " << column;
       EXPECT_DOUBLE_EQ(raster.barycentric[2 * pixel], is_covered ? 1 - (row + column + 1) / 4.0 : 0);
       EXPECT_DOUBLE_EQ(raster.barycentric[2 * pixel + 1], is_covered ? (column + 0.5) / 4 : 0);
-      if (is_covered) EXPECT_DOUBLE_EQ(raster.depth[pixel], 3 + 4 * (column + 0.5) / 4);
+      if (is_covered) {
+        EXPECT_DOUBLE_EQ(raster.depth[pixel], 3 + 4 * (column + 0.5) / 4);
+      }
     }
   }
 }
