@@ -20,20 +20,28 @@ void ColourPicture<T>::Forward(const MeshTopology& topology, const T* positions,
   }
   DAUMIER_CHECK(differences == 0, "colours have a number that is not finite");
 
-  std::fill_n(picture, 4 * raster_.num_pixels(), T(0));
   raster_.barycentric.resize(2 * raster_.num_pixels());
-  ForEachCoveredPixel(topology, raster_, [&](int64_t pixel, const std::array<int, 3>& corners, T fx, T fy) {
-    const SurfacePoint<T> point = SurfacePointAt(raster_.vertices[corners[0]], raster_.vertices[corners[1]],
-                                                 raster_.vertices[corners[2]], fx, fy);
-    const T b0 = point.u[0] * point.inverse_sum, b1 = point.u[1] * point.inverse_sum;
-    raster_.barycentric[2 * pixel] = b0;
-    raster_.barycentric[2 * pixel + 1] = b1;
-    Lanes<T> c0, c1, c2;
-    LoadLanes(colours_[corners[0]].data(), c0);
-    LoadLanes(colours_[corners[1]].data(), c1);
-    LoadLanes(colours_[corners[2]].data(), c2);
-    StoreLanes<T>(picture + 4 * pixel, b0 * (c0 - c2) + b1 * (c1 - c2) + c2);  // Coverage is 1 exactly.
-  });
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int64_t pixel = int64_t(row) * width + column;
+      const int triangle = raster_.triangle[pixel];
+      if (triangle < 0) {
+        StoreLanes<T>(picture + 4 * pixel, Lanes<T>{});
+        continue;
+      }
+      const auto& corners = topology.triangles[triangle];
+      const SurfacePoint<T> point = SurfacePointAt(raster_.vertices[corners[0]], raster_.vertices[corners[1]],
+                                                   raster_.vertices[corners[2]], T(column) + T(0.5), T(row) + T(0.5));
+      const T b0 = point.u[0] * point.inverse_sum, b1 = point.u[1] * point.inverse_sum;
+      raster_.barycentric[2 * pixel] = b0;
+      raster_.barycentric[2 * pixel + 1] = b1;
+      Lanes<T> c0, c1, c2;
+      LoadLanes(colours_[corners[0]].data(), c0);
+      LoadLanes(colours_[corners[1]].data(), c1);
+      LoadLanes(colours_[corners[2]].data(), c2);
+      StoreLanes<T>(picture + 4 * pixel, b0 * (c0 - c2) + b1 * (c1 - c2) + c2);  // Coverage is 1 exactly.
+    }
+  }
 
   FindCrossings(topology, raster_, options.facing, options.antialias, memory_, crossings_);
   differences_.resize(crossings_.size());

@@ -2,6 +2,10 @@
 #include <cstdint>
 #include <cstring>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace daumier::raster {
 
 /// Four numbers at a time, in the vector registers of the processor (GCC's and Clang's vector extension).
@@ -25,6 +29,13 @@ inline __attribute__((always_inline)) void StoreLanes(T* to, const Lanes<T>& lan
 /// Whether a comparison of lanes holds in one of them.
 template <class Mask>
 inline __attribute__((always_inline)) bool AnyLane(const Mask& mask) {
+#if defined(__SSE2__)
+  if constexpr (sizeof(Mask) == sizeof(__m128)) {
+    __m128 bits;
+    std::memcpy(&bits, &mask, sizeof(mask));
+    return _mm_movemask_ps(bits) != 0;
+  }
+#endif
   int64_t words[sizeof(Mask) / sizeof(int64_t)];
   std::memcpy(words, &mask, sizeof(mask));
   int64_t any = 0;
