@@ -14,8 +14,8 @@
 namespace daumier::faces {
 namespace {
 
-constexpr double kBandSigma = 0.022, kBandFall = 0.06;  // Of the first band; how fast they fall.
-const Eigen::Vector3f kLightnessStep{1.0f, 1.0f, 0.95f}, kRednessStep{0.7f, -0.45f, -0.35f};
+constexpr double kBandSigma = 0.012, kBandFall = 0.06;  // Of the first band; how fast they fall.
+const Eigen::Vector3f kLightnessStep{1.0f, 1.0f, 0.95f}, kRednessStep{0.40f, -0.30f, -0.22f};
 
 std::vector<std::string> AlbedoModeNames() {
   std::vector<std::string> names;

@@ -103,6 +103,11 @@ void DrawAlbedo(const LooksOptions& options, double feminine, Rng& rng, Looks& l
     move("blush", 0.8, 0.8);
     move("lid_line", 0.6, 1.0);
   }
+  // Freckles are there or not; on dark skin colours differ less.
+  const bool freckled = rng.Uniform() < 0.15;
+  for (const char* mode : {"freckles", "fine_freckles"}) move(mode, freckled ? 0.5 : 0.2, freckled ? 1.6 : 0.0);
+  const double darkness = std::clamp(double(looks.albedo[0]) / 2.5, 0.0, 1.0);
+  for (int k = 1; k < kNumAlbedoModes; ++k) looks.albedo[k] *= float(1 - 0.45 * darkness);
   const double lines = 2.6 * looks.age - 1.0;
   for (const char* mode : {"nasolabial_lines", "forehead_lines", "eye_bags"}) move(mode, 0.7, lines);
   const double stubble = 0.7 - 1.6 * feminine;
