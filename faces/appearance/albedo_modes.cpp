@@ -45,8 +45,8 @@ const std::vector<AlbedoModeSpec>& NamedAlbedoModes() {
       {"scalp_shadow", "scalp", {-0.033f, -0.029f, -0.024f}},
       {"neck_darkness", "neck", {-0.021f, -0.022f, -0.019f}},
       // Spots and sun.
-      {"freckles", "freckles", {-0.075f, -0.085f, -0.075f}},
-      {"fine_freckles", "fine_freckles", {-0.060f, -0.070f, -0.060f}},
+      {"freckles", "freckles", {-0.040f, -0.052f, -0.050f}},
+      {"fine_freckles", "fine_freckles", {-0.035f, -0.045f, -0.042f}},
       {"sun", "sun", {0.006f, -0.024f, -0.021f}},
       // Age.
       {"nasolabial_lines", "nasolabial", {-0.055f, -0.060f, -0.050f}},

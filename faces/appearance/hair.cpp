@@ -22,7 +22,8 @@ constexpr double kEndLength = 2.2;  // How much of the hair bends down to its en
 /// Outside and inside of the hair at the points of a column, from the crown to its end.
 struct HairPoint {
   geometry::Vector3 outside, inside;
-  double share;  ///< Of the column's length.
+  double share;       ///< Of the column's length.
+  double wave, fine;  ///< HairWaves there.
 };
 
 struct HairGuide {
@@ -34,7 +35,7 @@ struct HairGuide {
 std::vector<HairPoint> HairColumn(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, int column) {
   const double azimuth = SkullGrid::Azimuth(column), hang = shape.HangAt(azimuth), size = shape.size;
   const double end = hang > 0 ? kHangFrom : shape.EndAt(azimuth);
-  constexpr int kSteps = 24, kHangSteps = 16;
+  constexpr int kSteps = 16, kHangSteps = 10;
   std::vector<HairGuide> guides;
   for (int k = 0; k <= kSteps; ++k) {
     const double elevation = 90 + (end - 90) * k / kSteps;
@@ -73,9 +74,11 @@ std::vector<HairPoint> HairColumn(const SkullGrid& skull, const HairShape& shape
     const geometry::Vector3 outwards = ((1 - t) * p.outwards + t * q.outwards).normalized();
     const double height = (1 - t) * p.height + t * q.height;
     const double to_end = std::clamp(1 - (total - length) / bend, 0.0, 1.0);
-    const double waves = 0.22 * size * shape.waves.At(azimuth, share) + 0.06 * size * shape.waves.Fine(azimuth, share);
     HairPoint point;
     point.share = share;
+    point.wave = shape.waves.At(azimuth, share);
+    point.fine = shape.waves.Fine(azimuth, share);
+    const double waves = size * (0.22 * point.wave + 0.06 * point.fine);
     if (q.hangs) {
       const double thick = std::min(height, 1.6 * size) * (1 - 0.75 * to_end * to_end);
       point.outside = base + (height - 0.55 * height * to_end * to_end + waves) * outwards;
@@ -98,10 +101,9 @@ void AddShell(const SkullGrid& skull, const HairShape& shape, const HatFit& hat,
   constexpr int kColumns = SkullGrid::kColumns, kInside = kHairRows / 2 + 1, kStride = kHairRows + 1 + kInside;
   const int first = soup.size();
   for (int c = 0; c < kColumns; ++c) {
-    const double azimuth = SkullGrid::Azimuth(c);
     const std::vector<HairPoint> points = HairColumn(skull, shape, hat, c);
     for (const HairPoint& point : points) {
-      const double strand = 0.10 * shape.waves.Fine(azimuth, point.share) + 0.05 * shape.waves.At(azimuth, point.share);
+      const double strand = 0.10 * point.fine + 0.05 * point.wave;
       const double shine = 0.14 * std::exp(-std::pow((point.share - 0.42) / 0.10, 2));
       const auto light = static_cast<float>(0.94 + strand + shine - 0.15 * std::pow(point.share, 4));
       soup.AddVertex(point.outside, light * looks.hair_colour + Eigen::Vector3f::Constant(0.12f * float(shine)));
