@@ -84,6 +84,7 @@ double HairShape::HangAt(double azimuth) const {
 
 double HairShape::HeightAt(double azimuth, double elevation) const {
   const double a = std::abs(azimuth), up = SmoothBetween(0, 70, elevation), volume = looks->hair_volume * size;
+  const double off_crown = 1 - SmoothBetween(68, 88, elevation);  // The crown has one height.
   double height = 0;
   switch (style) {
     case HairStyle::kBald:
@@ -114,11 +115,12 @@ double HairShape::HeightAt(double azimuth, double elevation) const {
       break;
   }
   if (style == HairStyle::kShort || style == HairStyle::kParted)
-    height += 0.9 * Bell(azimuth, 40) * SmoothBetween(25, 60, elevation) * (1 - 0.6 * SmoothBetween(70, 90, elevation));
+    height += 0.9 * Bell(azimuth, 40) * SmoothBetween(25, 60, elevation) * off_crown;
   if (style == HairStyle::kParted || style == HairStyle::kBob || style == HairStyle::kLong) {
     // A furrow from the hairline over the crown.
     const double across = std::sin(RadiansOf(azimuth)) * std::cos(RadiansOf(elevation));
-    const double furrow = Bell(across - 0.42 * looks->hair_parting, 0.045) * (1 - SmoothBetween(75, 115, a));
+    const double furrow =
+        Bell(across - 0.42 * looks->hair_parting, 0.045) * (1 - SmoothBetween(75, 115, a)) * off_crown;
     height *= 1 - 0.55 * furrow;
   }
   // Over the ears, which long hair covers.

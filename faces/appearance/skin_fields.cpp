@@ -42,7 +42,7 @@ const std::map<std::string, SkinRegion>& SkinRegions() {
       {"nose_tip", {{{{{30}}, {{33}}}, {0.11, 0.09, 0.14}}}},
       {"nose_wings", {{{{{35}}, {{30, 35}}}, {0.06, 0.06, 0.12}}, true}},
       {"nose_bridge", {{{{{27}}, {{29}}}, {0.05, 0.10, 0.12}}}},
-      {"nostrils", {{{{{34}, {0.005, -0.005, -0.02}}}, {0.035, 0.02, 0.05}}, true}},
+      {"nostrils", {{{{{34}, {0.006, 0.022, 0.0}}}, {0.030, 0.022, 0.04}}, true}},
       {"forehead", {{{{{19, kHairlineAnchor}}, {{24, kHairlineAnchor}}}, {0.25, 0.16, 0.4}}}},
       {"forehead_lines",
        {{{{{20, 21, kHairlineAnchor}, {-0.12, -0.02, 0}}, {{22, 23, kHairlineAnchor}, {0.12, -0.02, 0}}},
