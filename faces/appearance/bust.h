@@ -6,7 +6,7 @@
 
 namespace daumier::faces {
 
-/// What a head stands on: the neck below its border, shoulders in a garment. Closed surfaces. `border`: points of the
+/// What is below a head: the neck below its border, shoulders in a garment. Closed surfaces. `border`: points of the
 /// lower border of the head in any order; nothing is added where there are fewer than six.
 void AddBust(const std::vector<geometry::Vector3>& border, const Eigen::Vector3f& skin_colour, double size,
              const Looks& looks, HeadSoup& soup);

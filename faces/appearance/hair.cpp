@@ -125,13 +125,14 @@ void AddShell(const SkullGrid& skull, const HairShape& shape, const HatFit& hat,
   }
 }
 
-/// A direction drawn evenly over the hair, as column and elevation, at least `margin` degrees inside its ends.
+/// A direction drawn evenly over the hair, as column and elevation, at least `margin` degrees inside its ends and `under_hat` below a hat.
 struct HairPlace {
   int column;
   double azimuth, elevation;
 };
 
-std::vector<HairPlace> HairPlaces(const HairShape& shape, const HatFit& hat, int count, double margin, Rng& rng) {
+std::vector<HairPlace> HairPlaces(const HairShape& shape, const HatFit& hat, int count, double margin, double under_hat,
+                                  Rng& rng) {
   // A spiral of even density over the sphere.
   std::vector<HairPlace> places;
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0)), start = rng.Uniform(0, 2 * std::numbers::pi);
@@ -141,7 +142,7 @@ std::vector<HairPlace> HairPlaces(const HairShape& shape, const HatFit& hat, int
     double azimuth = std::fmod((start + turn * k) * 180 / std::numbers::pi, 360.0) - 180;
     const int column = static_cast<int>((azimuth + 180) / 360 * SkullGrid::kColumns) % SkullGrid::kColumns;
     if (elevation < shape.EndAt(azimuth) + margin) continue;
-    if (hat.is_there() && elevation > hat.BorderAt(azimuth) - margin) continue;
+    if (hat.is_there() && elevation > hat.BorderAt(azimuth) - under_hat) continue;
     places.push_back({column, azimuth, elevation});
   }
   return places;
@@ -149,7 +150,7 @@ std::vector<HairPlace> HairPlaces(const HairShape& shape, const HatFit& hat, int
 
 void AddCurls(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, const Looks& looks, HeadSoup& soup) {
   Rng rng = Stream(looks.detail_seed, "curls");
-  for (const HairPlace& place : HairPlaces(shape, hat, 150, 4, rng)) {
+  for (const HairPlace& place : HairPlaces(shape, hat, 150, 4, 14, rng)) {
     const geometry::Vector3 outwards = skull.Outwards(place.column, place.elevation);
     const double radius = shape.size * (1.25 + 0.6 * rng.Uniform()) * std::sqrt(looks.hair_volume);
     const double height = shape.HeightAt(place.azimuth, place.elevation) - 0.15 * radius;
@@ -165,7 +166,7 @@ void AddCurls(const SkullGrid& skull, const HairShape& shape, const HatFit& hat,
 void AddSpikes(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, const Looks& looks, HeadSoup& soup) {
   Rng rng = Stream(looks.detail_seed, "spikes");
   const double length = 5.2 * shape.size * looks.hair_length;
-  for (const HairPlace& place : HairPlaces(shape, hat, 90, 3, rng)) {
+  for (const HairPlace& place : HairPlaces(shape, hat, 90, 3, 8, rng)) {
     if (place.elevation < 2) continue;
     const geometry::Vector3 outwards = skull.Outwards(place.column, place.elevation);
     // Swept up and back.

@@ -1,13 +1,12 @@
 #include "faces/appearance/albedo_basis.h"
 
 #include "faces/appearance/albedo_modes.h"
-#include "faces/appearance/skin_fields.h"
-#include "faces/appearance/skin_tone.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace daumier::faces {
@@ -71,53 +70,6 @@ TEST(AlbedoBasis, ColoursAreLinearUntilTheyAreClamped) {
   EXPECT_LT((AlbedoOf(basis, a) - colours).cwiseAbs().maxCoeff(), 1e-5);
   EXPECT_EQ(AlbedoOf(basis, UnitCoefficients(0, 30)).maxCoeff(), 0) << "clamped";
   testing::ExpectError([&] { AlbedoOf(basis, Eigen::VectorXf::Zero(3)); }, "3 albedo coefficients, expected 80");
-}
-
-TEST(SkinFields, OfLipsAndBrowsLieWhereTheLandmarksAre) {
-  const FaceTemplate face = testing::SyntheticFace();
-  const auto& landmarks = face.annotation.landmarks;
-  const Eigen::VectorXd lips = LipIndicator(face);
-  for (size_t l = 48; l < 68; ++l) EXPECT_EQ(lips[landmarks[l]], 1) << l;
-  for (const size_t l : {8, 30, 33, 36, 2, 14}) EXPECT_EQ(lips[landmarks[l]], 0) << l;
-  const Eigen::VectorXd brows = SkinField(face, "brows");
-  EXPECT_GT(brows[landmarks[19]], 0.9);
-  EXPECT_EQ(brows[landmarks[30]], 0);
-  for (const char* name : {"skin", "lips", "upper_lip", "cheeks", "beard", "scalp", "freckles", "ears", "neck"}) {
-    const Eigen::VectorXd field = SkinField(face, name);
-    EXPECT_GE(field.minCoeff(), 0) << name;
-    EXPECT_LE(field.maxCoeff(), 1) << name;
-  }
-  EXPECT_GT(SkinField(face, "scalp")[face.num_vertices() - 1], 0.99) << "the crown";
-  EXPECT_EQ(SkinField(face, "scalp")[landmarks[30]], 0);
-  testing::ExpectError([&] { SkinField(face, "elbow"); }, "elbow");
-}
-
-TEST(SkinTone, NeverRisesWithLightnessAndAllSixExist) {
-  std::set<int> tones;
-  double before = 1000;
-  int tone_before = 0;
-  for (float melanin = -2; melanin <= 3; melanin += 0.05f) {
-    Eigen::VectorXf a = Eigen::VectorXf::Zero(kNumAlbedoModes);
-    a[0] = melanin;
-    const double lightness = Lightness(SkinColour(melanin, 0, 0));
-    const int tone = SkinToneOf(a);
-    EXPECT_LE(lightness, before);
-    EXPECT_GE(tone, tone_before);
-    before = lightness, tone_before = tone;
-    tones.insert(tone);
-  }
-  EXPECT_EQ(tones.size(), size_t(kNumSkinTones));
-  for (int tone = 0; tone < kNumSkinTones; ++tone) {
-    Eigen::VectorXf a = Eigen::VectorXf::Zero(3);
-    a[0] = MelaninOfTone(tone);
-    EXPECT_EQ(SkinToneOf(a), tone);
-    EXPECT_LT(std::abs(a[0]), 2.5) << "within the prior";
-  }
-  EXPECT_NEAR(Lightness({1, 1, 1}), 100, 1e-6);
-  EXPECT_EQ(Lightness({0, 0, 0}), 0);
-  EXPECT_NEAR(Lightness({0.466f, 0.466f, 0.466f}), 50, 0.1);
-  testing::ExpectError([] { MelaninOfTone(6); }, "skin tone 6");
-  testing::ExpectError([] { SkinToneOf(Eigen::VectorXf::Zero(2)); }, "expected 3");
 }
 
 }  // namespace
