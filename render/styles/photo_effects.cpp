@@ -160,7 +160,7 @@ Image ApplyPhotoEffects(const Image& image, const PhotoEffects& effects, Rng& rn
     }
     if (effects.sharpen > 0) {
       for (Plane& plane : colours) {
-        const Plane smooth = Blur(plane, pixels);
+        const Plane smooth = Blur(plane, std::max(pixels, 0.5f));
         for (size_t i = 0; i < smooth.values.size(); ++i) {
           plane.values[i] += effects.sharpen * (plane.values[i] - smooth.values[i]);
         }

@@ -10,9 +10,9 @@ namespace daumier::render {
 /// What happens to a picture between the artist and the file. All at their defaults: nothing.
 /// Lengths are pixels of a picture 224 high.
 struct PhotoEffects {
-  float downscale = 1;                    ///< Shrunk by this factor and enlarged again, >= 1.
-  float blur = 0;                         ///< Standard deviation, pixels.
-  float sharpen = 0;                      ///< Unsharp mask: added share of what a blur of 1 pixel removes.
+  float downscale = 1;  ///< Shrunk by this factor and enlarged again, >= 1.
+  float blur = 0;       ///< Standard deviation, pixels.
+  float sharpen = 0;    ///< Unsharp mask: added share of what a blur of 1 pixel (at least half of the file's) removes.
   std::array<float, 3> cast = {1, 1, 1};  ///< Factor of each channel.
   float contrast = 1;                     ///< About 0.5.
   float brightness = 0;                   ///< Added; 1 is white.

@@ -94,7 +94,7 @@ TEST(SmoothColours, WithoutExtrasIsAlbedoTimesShade) {
 TEST(FlatColours, HaveOneColourARegionAndKeepEyes) {
   const PictureLayers layers = MakePictureLayers(BallHead());
   const ColourPlanes colours = FlatColours(layers);
-  EXPECT_EQ(colours[0].at(32, 20), colours[0].at(32, 44)) << "both cheeks";
+  EXPECT_EQ(colours[0].at(38, 20), colours[0].at(38, 44)) << "both cheeks";
   EXPECT_NEAR(colours[0].at(32, 32), 0.8f, 0.01);
   EXPECT_NEAR(colours[1].at(29, 40), 0.35f, 0.01) << "the left iris, 3.2 cm from the middle and 1 cm above it";
   EXPECT_NEAR(colours[1].at(42, 32), 0.35f, 0.05) << "lips, 4 cm below the middle";
@@ -116,7 +116,8 @@ TEST(Occlusion, IsWhatLiesBehindItsSurroundings) {
   for (int row = 0; row < 16; ++row) {
     for (int column = 30; column < 34; ++column) buffers.depth[size_t(row) * 64 + column] = 103;
   }
-  const PictureLayers layers = MakePictureLayers(buffers);
+  PictureLayers layers = MakePictureLayers(buffers);
+  layers.scale = 1;
   const Plane occlusion = Occlusion(layers);
   EXPECT_GT(occlusion.at(8, 32), 0.5f);
   EXPECT_EQ(occlusion.at(8, 5), 0);
