@@ -1,7 +1,5 @@
 #include "render/styles/colour_planes.h"
 
-#include "core/error.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -137,23 +135,6 @@ Plane Blur(const Plane& plane, float deviation) {
     BlurColumns(other, current, r);
   }
   return current;
-}
-
-Plane AverageDown(const Plane& plane, int factor) {
-  DAUMIER_CHECK(factor >= 1 && plane.height % factor == 0 && plane.width % factor == 0,
-                "the plane is {} x {}, expected multiples of {}", plane.height, plane.width, factor);
-  if (factor == 1) return plane;
-  Plane small(plane.height / factor, plane.width / factor);
-  const float share = 1.0f / static_cast<float>(factor * factor);
-  for (int row = 0; row < plane.height; ++row) {
-    const float* source = plane.row(row);
-    float* target = small.row(row / factor);
-    for (int column = 0; column < small.width; ++column) {
-      for (int i = 0; i < factor; ++i) target[column] += source[column * factor + i];
-    }
-  }
-  for (float& value : small.values) value *= share;
-  return small;
 }
 
 float SampleAt(const Plane& plane, float x, float y) {

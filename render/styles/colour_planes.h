@@ -38,9 +38,6 @@ Plane BoxBlur(const Plane& plane, int radius);
 /// About a Gaussian of a standard deviation in pixels: three box blurs. Below 0.3 pixels it copies.
 Plane Blur(const Plane& plane, float deviation);
 
-/// Mean of each block of factor x factor pixels. @throws Error if the sizes are no multiples of the factor.
-Plane AverageDown(const Plane& plane, int factor);
-
 /// Bilinear at (x, y) in pixels, centres at + 0.5; the border continues outside.
 float SampleAt(const Plane& plane, float x, float y);
 

@@ -1,6 +1,6 @@
 #include "render/styles/photo_effects.h"
 
-#include "render/styles/jpeg_loss.h"
+#include "tests/render/styles/colourful_picture.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -10,17 +10,8 @@
 namespace daumier::render {
 namespace {
 
-Image ColourfulPicture(int height = 40, int width = 56) {
-  Image image(height, width, 3);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      image.at(row, column, 0) = static_cast<uint8_t>(255 * column / width);
-      image.at(row, column, 1) = static_cast<uint8_t>(255 * row / height);
-      image.at(row, column, 2) = (row / 8 + column / 8) % 2 ? 200 : 40;
-    }
-  }
-  return image;
-}
+using daumier::testing::ColourfulPicture;
+using daumier::testing::RootMeanSquare;
 
 Image Effected(const Image& image, const PhotoEffects& effects) {
   Rng rng(4);
@@ -31,12 +22,6 @@ double MeanOf(const Image& image) {
   double sum = 0;
   for (const uint8_t value : image.pixels) sum += value;
   return sum / static_cast<double>(image.pixels.size());
-}
-
-double RootMeanSquare(const Image& first, const Image& second) {
-  double sum = 0;
-  for (size_t i = 0; i < first.pixels.size(); ++i) sum += std::pow(double(first.pixels[i]) - second.pixels[i], 2);
-  return std::sqrt(sum / static_cast<double>(first.pixels.size()));
 }
 
 TEST(ApplyPhotoEffects, WithoutEffectsReturnsTheSameBytes) {
@@ -115,31 +100,6 @@ TEST(DrawPhotoEffects, AllOfThemArePossibleAndInRange) {
   }
   EXPECT_NEAR(with_jpeg, 200, 40);
   EXPECT_GT(with_any, 350);
-}
-
-TEST(JpegLoss, ShrinksWithTheQuality) {
-  const Image picture = ColourfulPicture();
-  double last = 0;
-  for (const int quality : {100, 90, 60, 30, 8}) {
-    const double loss = RootMeanSquare(JpegLoss(picture, quality), picture);
-    EXPECT_GT(loss, last) << quality;
-    last = loss;
-  }
-  EXPECT_LT(RootMeanSquare(JpegLoss(Image(17, 9, 3, 77), 90), Image(17, 9, 3, 77)), 1.01);
-  daumier::testing::ExpectError([&] { JpegLoss(picture, 0); }, "quality is 0");
-  daumier::testing::ExpectError([&] { JpegLoss(Image(8, 8, 1), 50); }, "1 channels");
-}
-
-TEST(JpegLoss, OfOneCosineIsItsRoundedCoefficient) {
-  // 128 + 20 cos((2 i + 1) pi / 16) down a block: one coefficient, 20 * 4 * sqrt(1/2) * ... = 20 * 8 * 0.5 * 0.5 * sqrt(2).
-  Image image(8, 8, 3);
-  for (int row = 0; row < 8; ++row) {
-    const auto value = static_cast<uint8_t>(std::lround(128 + 20 * std::cos((2 * row + 1) * 3.14159265358979 / 16)));
-    for (int i = 0; i < 24; ++i) image.pixels[size_t(row) * 24 + i] = value;
-  }
-  // 113.1 is a multiple of 2 (step 12 at quality 92: (12 * 16 + 50) / 100 = 2) to within 1: the picture comes back.
-  const Image back = JpegLoss(image, 92);
-  for (size_t i = 0; i < back.pixels.size(); ++i) EXPECT_NEAR(back.pixels[i], image.pixels[i], 2);
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 #pragma once
+#include "render/styles/colour_planes.h"
 #include "render/styles/picture_buffers.h"
 
 #include <cmath>
+#include <numeric>
 
-namespace daumier::render::testing {
+namespace daumier::testing {
 
 /// A head of simple forms: a ball of skin with brows, lips, ears of the same, two eyes with irises and a cap of hair,
 /// lit from the upper left. size x size pixels of the picture.
-inline PictureBuffers BallHead(int size = 64, int supersampling = 2) {
+inline render::PictureBuffers BallHead(int size = 64, int supersampling = 2) {
+  using namespace render;
   PictureBuffers buffers = EmptyPictureBuffers(size * supersampling, size * supersampling, supersampling);
   const float pixels = static_cast<float>(size * supersampling);
   buffers.pixels_per_cm = pixels / 24;
@@ -51,4 +54,20 @@ inline PictureBuffers BallHead(int size = 64, int supersampling = 2) {
   return buffers;
 }
 
-}  // namespace daumier::render::testing
+/// A strip of skin whose shade rises from 0 to 1, 16 rows.
+inline render::PictureBuffers ShadeRamp(int width) {
+  render::PictureBuffers buffers = render::EmptyPictureBuffers(16, width);
+  for (size_t i = 0; i < buffers.size(); ++i) {
+    buffers.depth[i] = 100;
+    buffers.classes[i] = static_cast<uint8_t>(render::PictureClass::kSkin);
+    buffers.shade[i] = static_cast<float>(i % width) / static_cast<float>(width - 1);
+    for (int channel = 0; channel < 3; ++channel) buffers.albedo[3 * i + channel] = 0.5f;
+  }
+  return buffers;
+}
+
+inline double MeanOfPlane(const render::Plane& plane) {
+  return std::accumulate(plane.values.begin(), plane.values.end(), 0.0) / static_cast<double>(plane.values.size());
+}
+
+}  // namespace daumier::testing

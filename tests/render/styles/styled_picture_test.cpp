@@ -15,8 +15,8 @@
 namespace daumier::render {
 namespace {
 
+using daumier::testing::BallHead;
 using daumier::testing::ExpectError;
-using testing::BallHead;
 
 StyleChoice PlainChoice(PictureStyle style) {
   StyleChoice choice;
@@ -165,28 +165,6 @@ TEST(DrawStyled, GivenStrokesAreDrawn) {
   EXPECT_LT(picture.at(48, 32), 60) << "buffers are twice the picture";
   buffers.lines[0].points[1][0] = std::numeric_limits<float>::quiet_NaN();
   ExpectError([&] { DrawnWith(buffers, choice); }, "not finite");
-}
-
-TEST(DrawStyled, RefusesBuffersThatDoNotFit) {
-  const StyleChoice choice = PlainChoice(PictureStyle::kSmooth);
-  const auto refused = [&](auto&& spoil, const std::string& part) {
-    PictureBuffers buffers = BallHead();
-    spoil(buffers);
-    ExpectError([&] { DrawnWith(buffers, choice); }, part);
-  };
-  refused([](PictureBuffers& b) { b.albedo.pop_back(); }, "albedo");
-  refused([](PictureBuffers& b) { b.normal.pop_back(); }, "normal");
-  refused([](PictureBuffers& b) { b.shade.push_back(0); }, "shade");
-  refused([](PictureBuffers& b) { b.depth.clear(); }, "depth");
-  refused([](PictureBuffers& b) { b.classes.pop_back(); }, "classes");
-  refused([](PictureBuffers& b) { b.parts.pop_back(); }, "parts");
-  refused([](PictureBuffers& b) { b.classes[0] = 8; }, "classes");
-  refused([](PictureBuffers& b) { b.parts[0] = 13; }, "parts");
-  refused([](PictureBuffers& b) { b.supersampling = 4; }, "supersampling");
-  refused([](PictureBuffers& b) { b.supersampling = 3; }, "multiples");
-  refused([](PictureBuffers& b) { b.pixels_per_cm = 0; }, "pixels_per_cm");
-  refused([](PictureBuffers& b) { b.shade[b.size() / 2 + 64] = NAN; }, "not finite");
-  ExpectError([] { EmptyPictureBuffers(0, 4); }, "0 x 4");
 }
 
 }  // namespace
