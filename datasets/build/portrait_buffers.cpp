@@ -20,12 +20,22 @@ static_assert(int(PortraitPart::kSkin) == int(PicturePart::kSkin) &&
               int(PortraitPart::kLens) == int(PicturePart::kLens) &&
               faces::kNumMaskClasses == render::kNumPictureClasses);
 
-/// What is interpolated over triangles: colour, and the normal in camera space with y up and z to the viewer.
+/// Cloth is cloth, on the head or below it.
+PicturePart PictureOf(PortraitPart part) {
+  return part == PortraitPart::kClothes ? PicturePart::kHat : PicturePart(part);
+}
+
+constexpr float kTurnedAway = -0.1f;  // z of normals that point away from the viewer.
+
+/// What is interpolated over triangles: colour, the normal in camera space with y up and z to the viewer, and the light
+/// on its front and on its back.
 struct VertexLook {
   std::array<float, 3> colour, normal;
+  float front, back;
 };
 
-std::vector<VertexLook> LooksOfVertices(const faces::PortraitHead& head, const render::Camera& camera) {
+std::vector<VertexLook> LooksOfVertices(const faces::PortraitHead& head, const render::Camera& camera,
+                                        const SphericalLight& light) {
   const geometry::Points normals = geometry::VertexNormals({head.vertices, head.triangles});
   const Eigen::Matrix3d view = Eigen::Vector3d(1, -1, -1).asDiagonal() * camera.camera_from_world;
   std::vector<VertexLook> looks(static_cast<size_t>(head.vertices.rows()));
@@ -36,6 +46,8 @@ std::vector<VertexLook> LooksOfVertices(const faces::PortraitHead& head, const r
       look.colour[size_t(c)] = head.colours(v, c);
       look.normal[size_t(c)] = static_cast<float>(normal[c]);
     }
+    look.front = LightOn(light, normal.cast<float>());
+    look.back = LightOn(light, -normal.cast<float>());
   }
   return looks;
 }
@@ -53,15 +65,35 @@ std::vector<float> HomogeneousPixels(const render::Camera& camera, const geometr
   return positions;
 }
 
-raster::Raster<float> RasteriseHead(const faces::PortraitHead& head, const render::Camera& camera) {
-  raster::MeshTopology topology;  // Edges are not used.
-  topology.num_vertices = static_cast<int>(head.vertices.rows());
-  topology.triangles.resize(size_t(head.triangles.rows()));
-  std::copy_n(head.triangles.data(), head.triangles.size(), topology.triangles.front().data());
-  raster::Raster<float> raster;
-  raster::Rasterise(topology, HomogeneousPixels(camera, head.vertices).data(), camera.height, camera.width,
-                    raster::Facing::kBoth, raster);
-  return raster;
+/// Whether a part shows its outside alone: closed surfaces, and the face, whose openings have something behind them.
+bool IsSolid(PortraitPart part) {
+  return part == PortraitPart::kSkin || part == PortraitPart::kEyeball || part == PortraitPart::kTeeth ||
+         part == PortraitPart::kClothes;
+}
+
+/// Triangles that may be seen: all but those of solid parts that face away.
+struct FacingTriangles {
+  raster::MeshTopology topology;  ///< Without edges, which nothing here reads.
+  std::vector<int> rows;          ///< Of the head, of each triangle of the topology.
+};
+
+FacingTriangles FindFacing(const faces::PortraitHead& head, const std::vector<float>& positions) {
+  FacingTriangles facing;
+  facing.topology.num_vertices = static_cast<int>(head.vertices.rows());
+  facing.topology.triangles.reserve(size_t(head.triangles.rows()));
+  const auto x = [&](int v) { return positions[4 * size_t(v)] / positions[4 * size_t(v) + 3]; };
+  const auto y = [&](int v) { return positions[4 * size_t(v) + 1] / positions[4 * size_t(v) + 3]; };
+  for (int t = 0; t < head.triangles.rows(); ++t) {
+    const int* const corner = head.triangles.data() + 3 * size_t(t);
+    if (IsSolid(PortraitPart(head.parts[size_t(t)]))) {
+      const float x0 = x(corner[0]), y0 = y(corner[0]);
+      // With y downwards, a triangle that is counter-clockwise for the viewer has a negative area.
+      if ((x(corner[1]) - x0) * (y(corner[2]) - y0) - (x(corner[2]) - x0) * (y(corner[1]) - y0) > 0) continue;
+    }
+    facing.topology.triangles.push_back({corner[0], corner[1], corner[2]});
+    facing.rows.push_back(t);
+  }
+  return facing;
 }
 
 }  // namespace
@@ -70,32 +102,38 @@ render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render
                                    const SphericalLight& light, int supersampling) {
   DAUMIER_CHECK(camera.perspective && head.triangles.rows() > 0, "portraits are of triangles, in perspective");
   const render::Camera enlarged = render::Enlarged(camera, supersampling);
-  const raster::Raster<float> raster = RasteriseHead(head, enlarged);
-  const std::vector<VertexLook> looks = LooksOfVertices(head, camera);
+  const std::vector<float> positions = HomogeneousPixels(enlarged, head.vertices);
+  const FacingTriangles facing = FindFacing(head, positions);
+  raster::Raster<float> raster;
+  raster::Rasterise(facing.topology, positions.data(), enlarged.height, enlarged.width, raster::Facing::kBoth, raster);
+  const std::vector<VertexLook> looks = LooksOfVertices(head, camera, light);
 
   render::PictureBuffers buffers = render::EmptyPictureBuffers(enlarged.height, enlarged.width, supersampling);
   buffers.pixels_per_cm = static_cast<float>(enlarged.scale / camera.translation.z());
   for (size_t pixel = 0; pixel < buffers.size(); ++pixel) {
-    const int triangle = raster.triangle[pixel];
-    if (triangle < 0) continue;
+    if (raster.triangle[pixel] < 0) continue;
+    const int triangle = facing.rows[size_t(raster.triangle[pixel])];
     const float b0 = raster.barycentric[2 * pixel], b1 = raster.barycentric[2 * pixel + 1], b2 = 1 - b0 - b1;
     const int* const corners = head.triangles.data() + 3 * size_t(triangle);
     const VertexLook &l0 = looks[size_t(corners[0])], &l1 = looks[size_t(corners[1])], &l2 = looks[size_t(corners[2])];
-    Eigen::Vector3f normal;
-    for (int c = 0; c < 3; ++c) {
-      const auto k = static_cast<size_t>(c);
-      buffers.albedo[3 * pixel + k] = std::clamp(b0 * l0.colour[k] + b1 * l1.colour[k] + b2 * l2.colour[k], 0.0f, 1.0f);
-      normal[c] = b0 * l0.normal[k] + b1 * l1.normal[k] + b2 * l2.normal[k];
+    const auto mix = [&](float v0, float v1, float v2) { return b0 * v0 + b1 * v1 + b2 * v2; };
+    float* const colour = buffers.albedo.data() + 3 * pixel;
+    std::array<float, 3> normal;
+    for (size_t k = 0; k < 3; ++k) {
+      colour[k] = std::clamp(mix(l0.colour[k], l1.colour[k], l2.colour[k]), 0.0f, 1.0f);
+      normal[k] = mix(l0.normal[k], l1.normal[k], l2.normal[k]);
     }
-    const float length = normal.norm();
-    normal = length > 1e-6f ? Eigen::Vector3f(normal / length) : Eigen::Vector3f::UnitZ();
+    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
     // Surfaces that are seen from inside are lit as if they had two sides.
-    if (normal.z() < -0.1f) normal = -normal;
-    for (int c = 0; c < 3; ++c) buffers.normal[3 * pixel + size_t(c)] = normal[c];
-    buffers.shade[pixel] = std::max(0.0f, LightOn(light, normal));
+    const bool is_back = normal[2] < kTurnedAway * std::sqrt(square);
+    if (square > 1e-12f) {
+      const float scale = (is_back ? -1 : 1) / std::sqrt(square);
+      for (size_t k = 0; k < 3; ++k) buffers.normal[3 * pixel + k] = scale * normal[k];
+    }
+    buffers.shade[pixel] = std::max(0.0f, is_back ? mix(l0.back, l1.back, l2.back) : mix(l0.front, l1.front, l2.front));
     buffers.depth[pixel] = -1 / raster.depth[pixel];
     buffers.classes[pixel] = head.classes[size_t(triangle)];
-    buffers.parts[pixel] = head.parts[size_t(triangle)];
+    buffers.parts[pixel] = static_cast<uint8_t>(PictureOf(PortraitPart(head.parts[size_t(triangle)])));
   }
   return buffers;
 }

@@ -8,7 +8,7 @@
 namespace daumier::datasets {
 
 /// What the camera sees of a head, rasterised once: colours, smooth normals [Max 1999] turned to the viewer, light on
-/// them (LightOn, at least 0), depth, classes and parts. `supersampling` pixels of the buffers a pixel and axis of the camera. No lines.
+/// them (LightOn at vertices, interpolated, at least 0), depth, classes and parts. `supersampling` pixels of the buffers a pixel and axis of the camera. No lines.
 /// @throws Error as render::Rasterise.
 render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render::Camera& camera,
                                    const SphericalLight& light, int supersampling);
