@@ -74,11 +74,18 @@ BrowPatches::BrowPatches(const FaceTemplate& face) : eye_span_(EyeSpan(face)) {
   const FaceOpenings openings = FindOpenings(face);
   for (size_t side = 0; side < 2; ++side) {
     std::vector<int> lid = side < openings.lids.size() ? openings.lids[side].upper : std::vector<int>{};
+    // The line that is drawn lies at the outer edge of a lid that has a thickness.
+    for (const FeatureCurve& curve : face.annotation.curves) {
+      if (curve.kind != "upper_eye" || curve.view != View::kFrontal || curve.vertices.size() < 4) continue;
+      const double x = face.neutral(curve.vertices, 0).mean();
+      if ((x > 0.5 * (lines[0].centre[0].x() + lines[1].centre[0].x())) == (side == 1)) lid = curve.vertices;
+    }
     const auto& l = face.annotation.landmarks;
     if (lid.size() < 4)
       lid = side == 0 ? std::vector<int>{l[36], l[37], l[38], l[39]} : std::vector<int>{l[42], l[43], l[44], l[45]};
-    // Paths run from right to left: from the inner corner on the left side alone.
-    if (side == 0) std::reverse(lid.begin(), lid.end());
+    const bool outwards = std::abs(face.neutral(lid.back(), 0) - face.neutral(l[27], 0)) >
+                          std::abs(face.neutral(lid.front(), 0) - face.neutral(l[27], 0));
+    if (!outwards) std::reverse(lid.begin(), lid.end());
     lids_.push_back(std::move(lid));
   }
 }
@@ -143,11 +150,13 @@ void BrowPatches::AddBrows(const geometry::Points& face, const geometry::Points&
   }
 }
 
-void BrowPatches::AddLashes(const geometry::Points& face, const Looks& looks, HeadSoup& soup) const {
+void BrowPatches::AddLashes(const geometry::Points& face, const geometry::Points& normals, const Looks& looks,
+                            HeadSoup& soup) const {
   if (looks.lash_length <= 0 && looks.lid_line <= 0) return;
   for (size_t side = 0; side < lids_.size(); ++side) {
     std::vector<geometry::Vector3> line;
-    for (const int v : lids_[side]) line.emplace_back(face.row(v));
+    const double lift = 0.008 * (face.row(lids_[side].back()) - face.row(lids_[side].front())).norm();
+    for (const int v : lids_[side]) line.emplace_back(face.row(v) + lift * normals.row(v));
     const std::vector<geometry::Vector3> lid = EvenlyAlong(line, kLashSteps + 1);
     const double width = (lid.back() - lid.front()).norm();
     const geometry::Vector3 middle = 0.5 * (lid.back() + lid.front()) - geometry::Vector3(0, 0.10 * width, 0);
@@ -160,14 +169,14 @@ void BrowPatches::AddLashes(const geometry::Points& face, const Looks& looks, He
       geometry::Vector3 up = lid[size_t(i)] - middle;
       up.z() = 0;
       up = (up.normalized() + geometry::Vector3(0, 0.6, 0)).normalized();
-      const geometry::Vector3 along = (0.75 * up + geometry::Vector3(0.35 * outer * t, 0, 0.75)).normalized();
+      const geometry::Vector3 along = (0.7 * up + geometry::Vector3(0.4 * outer * t, 0, 0.9)).normalized();
       const double shape = std::sin(std::numbers::pi * std::min(1.0, 0.08 + 0.80 * t)) * (0.45 + 0.75 * t);
       const double spike = i % 2 == 0 ? 1.0 : 0.45;
       const double length = width * looks.lash_length * 0.135 * shape * spike;
       const double half = thick * std::min(1.0, 0.25 + 4 * std::min(t, 1.1 - t));
       soup.AddVertex(lid[size_t(i)] - 0.6 * half * up + geometry::Vector3(0, 0, 0.004 * width), colour);
-      soup.AddVertex(lid[size_t(i)] + half * up + geometry::Vector3(0, 0, 0.012 * width), colour);
-      soup.AddVertex(lid[size_t(i)] + (length + 0.5 * half) * along + geometry::Vector3(0, 0, 0.006 * width), colour);
+      soup.AddVertex(lid[size_t(i)] + half * up + geometry::Vector3(0, 0, 0.016 * width), colour);
+      soup.AddVertex(lid[size_t(i)] + (length + half) * along + geometry::Vector3(0, 0, 0.010 * width), colour);
     }
     const auto quad = [&](int a, int b, int c, int d) {
       side == 1 ? soup.AddQuad(a, b, c, d, kLashKind) : soup.AddQuad(a, d, c, b, kLashKind);

@@ -18,7 +18,8 @@ class BrowPatches {
   void AddBrows(const geometry::Points& face, const geometry::Points& normals, const Looks& looks,
                 HeadSoup& soup) const;
   /// Along the upper lids.
-  void AddLashes(const geometry::Points& face, const Looks& looks, HeadSoup& soup) const;
+  void AddLashes(const geometry::Points& face, const geometry::Points& normals, const Looks& looks,
+                 HeadSoup& soup) const;
 
  private:
   static constexpr int kAlong = 21, kAcross = 11;  ///< Places of a patch.
@@ -35,7 +36,6 @@ class BrowPatches {
   std::vector<Patch> patches_;
   std::vector<std::vector<int>> lids_;  ///< Upper lids, right and left, from the inner corner to the outer one.
   double eye_span_;
-  std::array<int, 2> outer_corners_{};
 };
 
 }  // namespace daumier::faces

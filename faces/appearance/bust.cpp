@@ -38,7 +38,7 @@ void AddBustRings(const std::vector<BustRing>& rings, const std::vector<geometry
           ring.scale * outline[size_t(k)] + ring.wider * size * geometry::Vector3(x, 0, z);
       const geometry::Vector3 of_ellipse(ring.across * size * x, 0, ring.deep * size * z);
       geometry::Vector3 p = (1 - ring.of_ellipse) * from_neck + ring.of_ellipse * of_ellipse;
-      p.y() -= neckline * size * (1 - ring.of_ellipse) * std::pow(std::max(0.0, z), 6);
+      p.y() -= neckline * size * (1 - ring.of_ellipse) * std::pow(std::max(0.0, z), 3);
       soup.AddVertex(
           centre + p + std::min(ring.down, 9.0) * along - geometry::Vector3(0, std::max(0.0, ring.down - 9) * size, 0),
           ring.light * colour);
@@ -92,12 +92,11 @@ void AddBust(const std::vector<geometry::Vector3>& border, const Eigen::Vector3f
   AddBustRings({{-0.8, 0.93, 0, 0, 0, 0, 1.0f},
                 {0.0, 1.0, 0, 0, 0, 0, 1.0f},
                 {2.5, 1.0, 0.1, 0, 0, 0, 0.97f},
-                {5.0, 1.05, 0.6, 0, 0, 0, 0.92f},
-                {7.5, 1.1, 1.2, 0.35, 11, 7, 0.9f},
-                {10.0, 1.1, 1.2, 0.5, 12, 7, 0.9f}},
+                {4.0, 1.0, 0.1, 0, 0, 0, 0.92f},
+                {6.0, 0.8, 0, 0, 0, 0, 0.9f}},
                outline, centre, size, 0, skin_colour, kNeckKind, soup);
   const double top = looks.collar == CollarStyle::kHigh ? 0.3 : looks.collar == CollarStyle::kRound ? 2.4 : 3.6;
-  const double neckline = looks.collar == CollarStyle::kOpen ? 4.5 : 0.0;
+  const double neckline = looks.collar == CollarStyle::kOpen ? 1.2 : 0.0;
   AddBustRings({{top + 1.2, 1.0, 0.1, 0, 0, 0, 0.5f},
                 {top + 0.2, 1.0, 0.25, 0, 0, 0, 0.8f},
                 {top, 1.02, 0.65, 0, 0, 0, 1.06f},

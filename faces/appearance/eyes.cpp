@@ -55,7 +55,7 @@ void AddEye(const Eyeball& eyeball, const Looks& looks, HeadSoup& soup) {
   const double iris = std::min(0.8, looks.iris_size * eyeball.iris_radius / eyeball.radii.x());
   const double pupil = std::min(0.75, 0.42 * looks.pupil_size) * iris;
   const TurnedEye eye(eyeball, looks.gaze_yaw, looks.gaze_pitch, iris);
-  const Eigen::Vector3f black(0.03f, 0.03f, 0.04f), white(0.965f, 0.955f, 0.94f), pink(0.93f, 0.83f, 0.80f);
+  const Eigen::Vector3f black(0.03f, 0.03f, 0.04f), white(0.93f, 0.92f, 0.90f), pink(0.86f, 0.75f, 0.72f);
   const Eigen::Vector3f colour = looks.iris_colour;
   const std::vector<EyeBand> bands = {
       {0, pupil, true, black, black},

@@ -88,11 +88,11 @@ double HatFit::Offset(double azimuth, double elevation) const {
   const double up = SmoothBetween(BorderAt(azimuth), 90, elevation);
   switch (style_) {
     case HatStyle::kCap:
-      return size_ * (0.75 + 0.9 * up);
+      return size_ * (1.0 + 0.9 * up);
     case HatStyle::kBeanie:
-      return size_ * (0.8 + 1.9 * up * up);
+      return size_ * (1.0 + 1.9 * up * up);
     default:
-      return size_ * (0.8 + 3.0 * SmoothBetween(0.15, 0.75, up));
+      return size_ * (1.05 + 3.0 * SmoothBetween(0.15, 0.75, up));
   }
 }
 

@@ -93,6 +93,7 @@ void DrawAlbedo(const LooksOptions& options, double feminine, Rng& rng, Looks& l
   const bool even = rng.Uniform() < options.even_tones;
   const int tone = int(rng.Below(kNumSkinTones));
   if (even) looks.albedo[0] = float(MelaninOfTone(tone) + 0.15 * CutNormal(rng, 2));
+  looks.albedo[0] = std::max(looks.albedo[0], MelaninOfTone(0) - 0.3f);
   const auto move = [&](const char* mode, double share, double offset) {
     float& a = looks.albedo[AlbedoMode(mode)];
     a = float(std::clamp(share * a + offset, -3.0, 3.0));

@@ -156,7 +156,7 @@ PortraitHead HeadDresser::Dress(const geometry::Points& face, const Looks& looks
   for (const Eyeball& eyeball : parts.finished.Eyeballs(face)) AddEye(eyeball, looks, soup);
   AddTeeth(parts.lips, face, soup);
   parts.brows.AddBrows(face, normals, looks, soup);
-  parts.brows.AddLashes(face, looks, soup);
+  parts.brows.AddLashes(face, normals, looks, soup);
 
   const SkullGrid skull = parts.scalp.GridOf(face);
   const double size = skull.radius() / kUsualRadius;

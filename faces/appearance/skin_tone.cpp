@@ -11,7 +11,7 @@ namespace daumier::faces {
 namespace {
 
 /// Lightness between neighbouring tones.
-constexpr std::array<double, kNumSkinTones - 1> kToneBorders = {78, 69, 58, 46, 35};
+constexpr std::array<double, kNumSkinTones - 1> kToneBorders = {74, 66, 57, 46, 35};
 
 double LinearLightOf(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
@@ -40,7 +40,7 @@ int SkinToneOf(const Eigen::VectorXf& a) {
 
 float MelaninOfTone(int tone) {
   DAUMIER_CHECK(0 <= tone && tone < kNumSkinTones, "skin tone {}, expected 0 to 5", tone);
-  constexpr std::array<double, kNumSkinTones> kMiddles = {82, 73.5, 63.5, 52, 40.5, 28};
+  constexpr std::array<double, kNumSkinTones> kMiddles = {78, 70, 61.5, 51.5, 40.5, 29};
   double low = -4, high = 4;
   for (int k = 0; k < 40; ++k) {
     const double middle = 0.5 * (low + high);
