@@ -51,7 +51,7 @@ SmoothestFunctions FindSmoothestFunctions(const TriangleMesh& mesh, int count) {
   const Eigen::VectorXd areas = all_areas(used), root = areas.cwiseSqrt();
   const double total = areas.sum(), shift = kShift / total;
 
-  const SparseMatrix laplacian = CotangentLaplacian(mesh);
+  const SparseMatrix laplacian = CotangentLaplacian(mesh, kUnclamped);
   std::vector<Eigen::Triplet<double>> entries;
   for (int column = 0; column < laplacian.outerSize(); ++column) {
     for (SparseMatrix::InnerIterator it(laplacian, column); it; ++it) {

@@ -12,7 +12,7 @@ struct AlbedoModeSpec {
   Eigen::Vector3f step;
 };
 
-/// 40, in the order of the coefficients. docs/albedo.md shows them.
+/// 40, in the order of the coefficients. docs/appearance.md shows them.
 const std::vector<AlbedoModeSpec>& NamedAlbedoModes();
 
 /// What the mean differs from plain skin by: lips, cheeks, lids and so on.

@@ -144,7 +144,7 @@ void BrowPatches::AddBrows(const geometry::Points& face, const geometry::Points&
     for (const bool at_end : {false, true}) {
       const int p = first + (at_end ? kBrowSteps * kStride : 0);
       for (int j = 1; j + 1 < kStride; ++j)
-        at_end == patch.left ? soup.AddTriangle(p, p + j, p + j + 1, kBrowKind)
+        at_end != patch.left ? soup.AddTriangle(p, p + j, p + j + 1, kBrowKind)
                              : soup.AddTriangle(p, p + j + 1, p + j, kBrowKind);
     }
   }

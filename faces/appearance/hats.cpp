@@ -114,9 +114,10 @@ void AddHat(const SkullGrid& skull, const HatFit& fit, double size, const Looks&
       const bool is_band = share > (looks.hat == HatStyle::kBeanie ? 0.72 : 0.83);
       if (looks.hat == HatStyle::kBeanie) {
         if (is_band) offset += 0.45 * size * std::sqrt(std::max(0.0, 1 - std::pow((share - 0.86) / 0.14, 2)));
-        offset += 0.06 * size * std::cos(azimuth * std::numbers::pi / 180 * 32);  // Knitted.
+        offset += 0.06 * size * SmoothBetween(0, 0.2, share) * CosineOf(32 * azimuth);  // Knitted.
       }
-      if (looks.hat == HatStyle::kCap) offset -= 0.05 * size * std::pow(std::abs(CosineOf(3 * azimuth)), 12);  // Seams.
+      if (looks.hat == HatStyle::kCap)
+        offset -= 0.05 * size * SmoothBetween(0, 0.2, share) * std::pow(std::abs(CosineOf(3 * azimuth)), 12);  // Seams.
       const Eigen::Vector3f colour = is_band && looks.hat != HatStyle::kCap ? looks.hat_band : looks.hat_colour;
       soup.AddVertex(skull.At(c, elevation) + offset * skull.Outwards(c, elevation), colour);
     }

@@ -40,7 +40,7 @@ TEST(SmoothestFunctions, OfARectangleAreCosines) {
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(found.values[k], expected[k], 0.02 * expected[k]);
   for (int v = 0; v < mesh.vertices.rows(); ++v) {
     const double cosine = std::sqrt(2) * std::cos(std::numbers::pi * mesh.vertices(v, 0) / 3);
-    EXPECT_NEAR(std::abs(found.functions(v, 0)), std::abs(cosine), 0.02);
+    EXPECT_NEAR(std::abs(found.functions(v, 0)), std::abs(cosine), 0.05);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -48,22 +49,28 @@ std::set<int> ClassesOf(const PortraitHead& head) {
   return {head.classes.begin(), head.classes.end()};
 }
 
-/// Triangles of a part between places: equal positions are one. Triangles without area are left out.
-std::map<std::pair<int, int>, int> EdgesBetweenPlaces(const PortraitHead& head, PortraitPart part) {
+/// How often each directed edge between two places occurs in each part: equal positions are one place. Triangles without
+/// area are left out.
+using PartEdges = std::map<uint8_t, std::map<std::pair<int, int>, int>>;
+PartEdges EdgesBetweenPlaces(const PortraitHead& head) {
   std::map<std::array<double, 3>, int> places;
-  const auto place_of = [&](int v) {
-    // Parts are computed twice at some places, by the same formulas.
+  std::vector<int> place_of(size_t(head.vertices.rows()));
+  for (int v = 0; v < head.vertices.rows(); ++v) {
+    // Some places are computed twice, by the same formulas.
     std::array<double, 3> key;
     for (int k = 0; k < 3; ++k) key[size_t(k)] = std::round(head.vertices(v, k) * 1e7);
-    return places.emplace(key, int(places.size())).first->second;
-  };
-  std::map<std::pair<int, int>, int> edges;
+    place_of[size_t(v)] = places.emplace(key, int(places.size())).first->second;
+  }
+  PartEdges edges;
   for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
-    if (head.parts[size_t(t)] != uint8_t(part)) continue;
+    const auto part = static_cast<PortraitPart>(head.parts[size_t(t)]);
+    if (part == PortraitPart::kSkin || part == PortraitPart::kMouth || part == PortraitPart::kLidRim ||
+        part == PortraitPart::kHighlight)
+      continue;
     std::array<int, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[size_t(k)] = place_of(head.triangles(t, k));
+    for (int k = 0; k < 3; ++k) corners[size_t(k)] = place_of[size_t(head.triangles(t, k))];
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    for (size_t k = 0; k < 3; ++k) ++edges[{corners[k], corners[(k + 1) % 3]}];
+    for (size_t k = 0; k < 3; ++k) ++edges[head.parts[size_t(t)]][{corners[k], corners[(k + 1) % 3]}];
   }
   return edges;
 }
@@ -79,10 +86,7 @@ void ExpectSoundHead(const HeadDresser& dresser, const geometry::Points& face, c
   ASSERT_EQ(head.parts.size(), size_t(head.triangles.rows()));
   EXPECT_GE(head.triangles.minCoeff(), 0);
   EXPECT_LT(head.triangles.maxCoeff(), head.vertices.rows());
-  for (const PortraitPart part : {PortraitPart::kEyeball, PortraitPart::kLash, PortraitPart::kBrow,
-                                  PortraitPart::kTeeth, PortraitPart::kHair, PortraitPart::kBeard, PortraitPart::kHat,
-                                  PortraitPart::kGlasses, PortraitPart::kLens, PortraitPart::kClothes}) {
-    const auto edges = EdgesBetweenPlaces(head, part);
+  for (const auto& [part, edges] : EdgesBetweenPlaces(head)) {
     for (const auto& [edge, count] : edges) {
       const auto other = edges.find({edge.second, edge.first});
       ASSERT_TRUE(other != edges.end() && other->second == count)
@@ -95,9 +99,9 @@ void ExpectSoundHead(const HeadDresser& dresser, const geometry::Points& face, c
     const bool hides = part == PortraitPart::kHat || part == PortraitPart::kGlasses || part == PortraitPart::kLens ||
                        part == PortraitPart::kClothes;
     ASSERT_EQ(hides, mask == MaskClass::kBackground);
-    if (part == PortraitPart::kHair || part == PortraitPart::kBeard) ASSERT_EQ(mask, MaskClass::kHair);
-    if (part == PortraitPart::kBrow) ASSERT_EQ(mask, MaskClass::kBrows);
-    if (part == PortraitPart::kEyeball) ASSERT_EQ(mask, MaskClass::kEyes);
+    const bool is_hair = part == PortraitPart::kHair || part == PortraitPart::kBeard;
+    ASSERT_EQ(is_hair, mask == MaskClass::kHair);
+    ASSERT_EQ(part == PortraitPart::kBrow, mask == MaskClass::kBrows);
   }
 }
 
@@ -106,6 +110,13 @@ std::optional<double> FrontOf(const PortraitHead& head, PortraitPart part, doubl
   std::optional<double> front;
   for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
     if (head.parts[size_t(t)] != uint8_t(part)) continue;
+    const auto corner = head.triangles.row(t);
+    const auto beyond = [&](int axis, double at) {
+      const double a = head.vertices(corner[0], axis), b = head.vertices(corner[1], axis),
+                   c = head.vertices(corner[2], axis);
+      return std::min({a, b, c}) > at || std::max({a, b, c}) < at;
+    };
+    if (beyond(0, x) || beyond(1, y)) continue;
     Eigen::Matrix3d corners;
     for (int k = 0; k < 3; ++k) {
       const Eigen::RowVector3d p = head.vertices.row(head.triangles(t, k));
@@ -169,11 +180,11 @@ void ExpectGlassesOutside(const HeadDresser& dresser, const geometry::Points& fa
     ASSERT_FALSE(vertices.empty());
     int inside = 0, count = 0;
     for (const int v : vertices) {
-      if (head.vertices(v, 2) < ear_depth || v % 5 != 0) continue;
+      if (head.vertices(v, 2) < ear_depth || v % 15 != 0) continue;
       ++count;
       inside += std::abs(TurnsAround(solid, head.vertices.row(v).transpose())) > 0.6;
     }
-    EXPECT_GT(count, 50);
+    EXPECT_GT(count, 15);
     EXPECT_EQ(inside, 0) << kGlassesStyleNames[size_t(style)] << " of " << count;
   }
 }
@@ -184,9 +195,10 @@ void ExpectHeadsOf(const FaceModel& model, int num_faces) {
   const std::vector<Looks> all = AllLooks();
   for (int i = 0; i < num_faces; ++i) {
     const geometry::Points face = IdentityFace(model, DrawIdentity(model, rng, i == 0 ? 0.0 : 1.5));
-    for (size_t k = size_t(i); k < all.size(); k += i == 0 ? 1 : 4) ExpectSoundHead(dresser, face, all[k]);
+    for (size_t k = size_t(i); k < all.size(); k += i == 0 && face.rows() < 5000 ? 1 : 3)
+      ExpectSoundHead(dresser, face, all[k]);
     if (i < 2) ExpectGlassesOutside(dresser, face);
-    if (i < 2) ExpectHairLeavesTheFaceFree(dresser, face);
+    if (i < 1) ExpectHairLeavesTheFaceFree(dresser, face);
   }
   const PortraitHead plain = DressHead(dresser, model.face_template.neutral, PlainLooks());
   EXPECT_EQ(ClassesOf(plain), (std::set<int>{0, 1, 2, 3, 4, 5, 6, 7}));
