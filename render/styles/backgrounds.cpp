@@ -213,12 +213,12 @@ void DrawFoliage(const BackgroundScene& scene) {
   const float hue = scene.Draw(0.2, 0.42);
   for (int layer = 0; layer < 3; ++layer) {
     const float depth = static_cast<float>(layer) / 2;  // From far to near: smaller and paler to larger and darker.
-    const int count = 50 - 10 * layer;
+    const int count = 60 - 10 * layer;
     for (int i = 0; i < count; ++i) {
       const float value = scene.Draw(0.3, 0.7) * (1 - 0.35f * depth);
       const Colour leaf = MixedColour(ColourOfHue(hue + scene.Draw(-0.05, 0.05), scene.Draw(0.35, 0.7), value),
                                       scene.choice.first, 0.4f * (1 - depth));
-      const float size = scene.Draw(5, 11) * scene.unit * (0.8f + 0.9f * depth);
+      const float size = scene.Draw(7, 15) * scene.unit * (0.8f + 0.9f * depth);
       const float x = scene.Draw(0, 1) * scene.width, high = scene.Draw(0, 1);
       const float y = scene.height * (0.1f + 0.25f * depth + (0.9f - 0.2f * depth) * high);
       FillEllipse(scene.colours, x, y, size, size * scene.Draw(0.35, 0.7), scene.Draw(0, 3.1415927), {leaf, 0.9f});

@@ -62,6 +62,14 @@ float BorderStrength(const PictureBuffers& buffers, size_t here, size_t there, i
   return strength;
 }
 
+/// Whether two samples may have a border between them; false for most, at little cost.
+bool MayHaveBorder(const PictureBuffers& buffers, size_t here, size_t there) {
+  if (buffers.classes[here] != buffers.classes[there] || buffers.parts[here] != buffers.parts[there]) return true;
+  const float depth = buffers.depth[here], other = buffers.depth[there];
+  if (depth >= PictureBuffers::kBackgroundDepth && other >= PictureBuffers::kBackgroundDepth) return false;
+  return buffers.parts[here] == static_cast<uint8_t>(PicturePart::kEyeball) || !(std::abs(depth - other) <= kLeastStep);
+}
+
 }  // namespace
 
 std::vector<LinePoint> BorderLines(const PictureBuffers& buffers) {
@@ -73,11 +81,11 @@ std::vector<LinePoint> BorderLines(const PictureBuffers& buffers) {
     for (int column = 0; column < width; ++column) {
       const size_t here = size_t(row) * width + column;
       const float x = static_cast<float>(column), y = static_cast<float>(row);
-      if (column + 1 < width) {
+      if (column + 1 < width && MayHaveBorder(buffers, here, here + 1)) {
         const float strength = BorderStrength(buffers, here, here + 1, 0);
         if (strength > 0) points.push_back({x + 1, y + 0.5f, strength});
       }
-      if (row + 1 < height) {
+      if (row + 1 < height && MayHaveBorder(buffers, here, here + width)) {
         const float strength = BorderStrength(buffers, here, here + width, 1);
         if (strength > 0) points.push_back({x + 0.5f, y + 1, strength});
       }

@@ -8,21 +8,41 @@
 namespace daumier::render {
 namespace {
 
-/// Running mean along each row, from -> to.
-void BlurRows(const Plane& from, Plane& to, int radius) {
+/// Running mean along rows first to first + count - 1; several rows at once hide the latency of their sums.
+template <int count>
+void BlurTheseRows(const Plane& from, Plane& to, int first, int radius) {
   const int width = from.width;
-  for (int row = 0; row < from.height; ++row) {
-    const float* source = from.row(row);
-    float* target = to.row(row);
-    float sum = 0;
-    int count = 0;
-    for (int column = 0; column < std::min(radius, width); ++column, ++count) sum += source[column];
-    for (int column = 0; column < width; ++column) {
-      if (column + radius < width) sum += source[column + radius], ++count;
-      if (column - radius > 0) sum -= source[column - radius - 1], --count;
-      target[column] = sum / static_cast<float>(count);
-    }
+  std::array<const float*, count> source;
+  std::array<float*, count> target;
+  std::array<float, count> sums{};
+  for (int i = 0; i < count; ++i) {
+    source[i] = from.row(first + i);
+    target[i] = to.row(first + i);
+    for (int column = 0; column < std::min(radius, width); ++column) sums[i] += source[i][column];
   }
+  const auto step = [&](int column, bool enters, bool leaves, float share) {
+    for (int i = 0; i < count; ++i) {
+      if (enters) sums[i] += source[i][column + radius];
+      if (leaves) sums[i] -= source[i][column - radius - 1];
+      target[i][column] = sums[i] * share;
+    }
+  };
+  const float whole = 1.0f / static_cast<float>(2 * radius + 1);
+  for (int column = 0; column < width; ++column) {
+    if (column == radius + 1) {
+      for (; column + radius < width; ++column) step(column, true, true, whole);
+      if (column >= width) break;
+    }
+    const bool enters = column + radius<width, leaves = column> radius;
+    const int in_window = std::min(column + radius, width - 1) - std::max(column - radius, 0) + 1;
+    step(column, enters, leaves, 1.0f / static_cast<float>(in_window));
+  }
+}
+
+void BlurRows(const Plane& from, Plane& to, int radius) {
+  int row = 0;
+  for (; row + 4 <= from.height; row += 4) BlurTheseRows<4>(from, to, row, radius);
+  for (; row < from.height; ++row) BlurTheseRows<1>(from, to, row, radius);
 }
 
 /// Running mean along each column, a row at a time.

@@ -15,9 +15,16 @@ float Ramp(float from, float to, float value) {
   return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
 }
 
-/// The brightness at which paper is left white: of the lightest skin, as far as that is dark, so that dark faces are
-/// drawn with light and shade, too.
-float WhiteOf(const Plane& luma, const PictureLayers& layers) {
+Plane RelativeDarkness(const MediumInput& input, const PictureLayers& layers) {
+  Plane darkness = Luma(input.colours);
+  const float scale = 1 / WhiteOfPaper(darkness, layers);
+  for (float& value : darkness.values) value = std::clamp(1 - value * scale, 0.0f, 1.0f);
+  return darkness;
+}
+
+}  // namespace
+
+float WhiteOfPaper(const Plane& luma, const PictureLayers& layers) {
   std::vector<float> skin;
   for (size_t i = 0; i < layers.size(); i += 2) {
     if (layers.coverage.values[i] > 0.99f && layers.classes[i] == static_cast<uint8_t>(PictureClass::kSkin)) {
@@ -27,17 +34,8 @@ float WhiteOf(const Plane& luma, const PictureLayers& layers) {
   if (skin.size() < 16) return 0.95f;
   const auto place = skin.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(skin.size()));
   std::nth_element(skin.begin(), place, skin.end());
-  return std::clamp(0.3f + 0.72f * *place, 0.45f, 0.95f);
+  return std::clamp(0.16f + 0.82f * *place, 0.25f, 0.95f);
 }
-
-Plane RelativeDarkness(const MediumInput& input, const PictureLayers& layers) {
-  Plane darkness = Luma(input.colours);
-  const float scale = 1 / WhiteOf(darkness, layers);
-  for (float& value : darkness.values) value = std::clamp(1 - value * scale, 0.0f, 1.0f);
-  return darkness;
-}
-
-}  // namespace
 
 ColourPlanes PencilDrawing(const MediumInput& input, const PictureLayers& layers, const StyleChoice& choice, Rng& rng) {
   const Plane darkness = RelativeDarkness(input, layers);
@@ -52,7 +50,7 @@ ColourPlanes PencilDrawing(const MediumInput& input, const PictureLayers& layers
     const float line = 0.85f * input.ink.values[i];
     float graphite = std::max(tone, line);
     graphite *= std::clamp(0.55f + 1.1f * (graphite + 0.9f * (grain.values[i] - 0.55f)), 0.0f, 1.15f);
-    graphite = std::min(graphite, 0.92f);
+    graphite = std::min(graphite, 0.88f);
     for (int channel = 0; channel < 3; ++channel) {
       const float paper = choice.paper[channel] * (0.98f + 0.04f * grain.values[i]);
       float& value = drawing[channel].values[i];
@@ -60,7 +58,7 @@ ColourPlanes PencilDrawing(const MediumInput& input, const PictureLayers& layers
       // Coloured pencils: as much pigment as the colour is away from white, in strokes as well.
       const float pigment =
           std::clamp((0.62f + 0.3f * hatches.values[i]) * (0.72f + 0.5f * grain.values[i]), 0.0f, 1.0f);
-      const float deep = std::pow(std::max(value, 0.0f), 0.9f) * paper;
+      const float deep = std::max(value, 0.0f) * (1.12f - 0.12f * value) * paper;
       const float coloured =
           (paper + pigment * (deep - paper)) * (1 - 0.75f * std::max(line, 0.45f * (graphite - 0.3f)));
       value = grey + choice.coloured * (coloured - grey);
@@ -86,9 +84,13 @@ ColourPlanes InkDrawing(const MediumInput& input, const PictureLayers& layers, c
                          layers.classes[i] != static_cast<uint8_t>(PictureClass::kBrows);
     const bool is_lip = layers.classes[i] == static_cast<uint8_t>(PictureClass::kLips);
     const bool is_eye = layers.parts[i] == static_cast<uint8_t>(PicturePart::kEyeball);
-    // Black hair and cloth with lights left out; skin is never black.
-    if (!is_skin)
+    // Brows, black hair and cloth with lights left out; skin is never black.
+    const bool is_brow = layers.classes[i] == static_cast<uint8_t>(PictureClass::kBrows);
+    if (is_brow) {
+      black.values[i] = Ramp(0.70f, 0.50f, albedo.values[i]);
+    } else if (!is_skin) {
       black.values[i] = Ramp(0.40f, 0.24f, albedo.values[i] + (is_eye ? 0.02f : 0.14f * Ramp(0.75f, 1, lit)));
+    }
     const float own = is_skin ? (is_lip ? 0.25f : 0.10f) : 0.75f * Ramp(0.85f, 0.25f, albedo.values[i]);
     tone.values[i] =
         is_eye ? 0.0f : std::clamp(own + 0.62f * Ramp(0.45f, 0.0f, lit) - (is_skin ? 0.08f : 0.0f), 0.0f, 0.9f);
@@ -114,14 +116,21 @@ ColourPlanes Watercolour(const MediumInput& input, const PictureLayers& layers, 
   const float scale = layers.scale;
   const Plane across = FractalNoise(height, width, 16 * scale, 2, rng),
               down = FractalNoise(height, width, 16 * scale, 2, rng);
+  const float last_column = static_cast<float>(width - 1), last_row = static_cast<float>(height - 1);
   ColourPlanes washes = input.colours;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const size_t i = size_t(row) * width + column;
-      const float x = static_cast<float>(column) + 0.5f + 0.9f * scale * across.values[i];
-      const float y = static_cast<float>(row) + 0.5f + 0.9f * scale * down.values[i];
+      const float x = std::clamp(static_cast<float>(column) + 0.9f * scale * across.values[i], 0.0f, last_column);
+      const float y = std::clamp(static_cast<float>(row) + 0.9f * scale * down.values[i], 0.0f, last_row);
+      const int left = static_cast<int>(x), top = static_cast<int>(y);
+      const size_t corner = size_t(top) * width + left, below = top + 1 < height ? width : 0, right = left + 1 < width;
+      const float u = x - static_cast<float>(left), v = y - static_cast<float>(top);
       for (int channel = 0; channel < 3; ++channel) {
-        washes[channel].values[i] = SampleAt(input.colours[channel], x, y);
+        const float* from = input.colours[channel].values.data() + corner;
+        const float upper = from[0] + u * (from[right] - from[0]);
+        const float lower = from[below] + u * (from[below + right] - from[below]);
+        washes[channel].values[i] = upper + v * (lower - upper);
       }
     }
   }

@@ -26,4 +26,8 @@ ColourPlanes Watercolour(const MediumInput& input, const PictureLayers& layers, 
 /// yellow and black at four angles.
 ColourPlanes HalftonePrint(const MediumInput& input, const PictureLayers& layers, const StyleChoice& choice);
 
+/// The brightness at which these media leave paper white: of the lightest skin, as far as that is dark, so that dark
+/// faces are drawn with light and shade, too; 0.25..0.95, 0.95 where there is no skin. `luma`: of the picture.
+float WhiteOfPaper(const Plane& luma, const PictureLayers& layers);
+
 }  // namespace daumier::render

@@ -41,10 +41,11 @@ ColourPlanes HalftonePrint(const MediumInput& input, const PictureLayers& layers
   switch (choice.screens) {
     case ScreenKind::kBlack: {
       const Plane luma = Luma(input.colours);
+      const float scale = 0.95f / WhiteOfPaper(luma, layers);
       const DotScreen screen(spacing, choice.angle);
       over_pixels([&](size_t i, float x, float y) {
         // The darkest tones are solid black, the lightest bare paper.
-        const float tone = std::clamp(1.12f - 1.18f * std::sqrt(std::max(luma.values[i], 0.0f)) * 1.05f, 0.0f, 1.0f);
+        const float tone = std::clamp(1.12f - 1.24f * std::sqrt(std::max(luma.values[i] * scale, 0.0f)), 0.0f, 1.0f);
         const float dot = screen.Coverage(x, y, tone);
         for (int channel = 0; channel < 3; ++channel) {
           print[channel].values[i] =

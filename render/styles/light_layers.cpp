@@ -13,7 +13,7 @@ constexpr float kOcclusionDepth = 1.5f;  ///< Cm.
 constexpr float kShadowReach = 7;        ///< Cm.
 constexpr float kShadowBias = 0.3f;      ///< Cm.
 constexpr float kShadowThickness = 6;    ///< Cm.
-constexpr int kShadowSteps = 12;
+constexpr int kShadowSteps = 16;
 
 bool IsSkinPixel(const PictureLayers& layers, size_t pixel) {
   return layers.classes[pixel] == static_cast<uint8_t>(PictureClass::kSkin);
@@ -110,7 +110,7 @@ Plane CastShadows(const PictureLayers& layers, const std::array<float, 3>& light
   for (size_t i = 0; i < shadow.values.size(); ++i) {
     if (layers.coverage.values[i] == 0) shadow.values[i] = 0;
   }
-  return MaskedBlur(shadow, layers.coverage, layers.scale, 0.0f);
+  return Blur(shadow, layers.scale);
 }
 
 Plane SmoothShade(const PictureLayers& layers, float deviation) {

@@ -7,6 +7,7 @@ namespace daumier::render {
 namespace {
 
 constexpr float kColourReach = 0.13f;  ///< Difference from a stroke's colour at which it ends.
+constexpr float kDetail = 0.05f;       ///< Difference of brightness that wants fine strokes.
 constexpr int kNumBristles = 64;
 
 struct BrushStroke {
@@ -22,64 +23,108 @@ std::array<float, kNumBristles> DrawBristles(Rng& rng) {
   return bristles;
 }
 
+/// Largest difference of brightness between a pixel and those two pixels away.
+Plane DetailOf(const ColourPlanes& picture) {
+  const Plane luma = Luma(picture);
+  Plane detail(luma.height, luma.width);
+  for (int row = 2; row + 2 < luma.height; ++row) {
+    const float *above = luma.row(row - 2), *here = luma.row(row), *below = luma.row(row + 2);
+    float* target = detail.row(row);
+    for (int column = 2; column + 2 < luma.width; ++column) {
+      target[column] = std::max(std::abs(here[column + 2] - here[column - 2]), std::abs(below[column] - above[column]));
+    }
+  }
+  return detail;
+}
+
+/// Paint and its thickness, next to each other, over a ground.
+struct PaintedPixel {
+  std::array<float, 3> colour;
+  float thickness;
+};
+
 class Canvas {
  public:
   Canvas(const ColourPlanes& ground, const std::array<float, kNumBristles>& bristles)
-      : ground_(ground), colours_(ground), height_(ground[0].height, ground[0].width, 0.5f), bristles_(bristles) {}
+      : height_(ground[0].height), width_(ground[0].width), bristles_(bristles) {
+    ground_.resize(ground[0].values.size());
+    for (size_t i = 0; i < ground_.size(); ++i) {
+      ground_[i] = {{ground[0].values[i], ground[1].values[i], ground[2].values[i]}, 0.5f};
+    }
+    paint_ = ground_;
+  }
 
   void Add(const BrushStroke& stroke) {
     const float half_length = 0.5f * stroke.length, half_width = 0.5f * stroke.width;
-    const float reach_x = std::abs(stroke.along_x) * half_length + std::abs(stroke.along_y) * half_width + 1;
-    const float reach_y = std::abs(stroke.along_y) * half_length + std::abs(stroke.along_x) * half_width + 1;
+    const float reach_y = std::abs(stroke.along_y) * half_length + std::abs(stroke.along_x) * half_width + 0.5f;
     const int top = std::max(0, static_cast<int>(stroke.y - reach_y)),
-              bottom = std::min(height_.height - 1, static_cast<int>(stroke.y + reach_y)),
-              left = std::max(0, static_cast<int>(stroke.x - reach_x)),
-              right = std::min(height_.width - 1, static_cast<int>(stroke.x + reach_x));
+              bottom = std::min(height_ - 1, static_cast<int>(stroke.y + reach_y));
+    const float inverse_length = 1 / half_length;
     for (int row = top; row <= bottom; ++row) {
       const float down = static_cast<float>(row) + 0.5f - stroke.y;
+      // Where |u| < half_length + 1/2 and |v| < half_width + 1/2 in this row.
+      float from = -1e6f, to = 1e6f;
+      Narrow(stroke.along_x, down * stroke.along_y, half_length + 0.5f, from, to);
+      Narrow(-stroke.along_y, down * stroke.along_x, half_width + 0.5f, from, to);
+      const int left = std::max(0, static_cast<int>(std::max(from + stroke.x, 0.0f))),
+                right = std::min(width_ - 1, static_cast<int>(std::max(to + stroke.x, -1.0f)));
       for (int column = left; column <= right; ++column) {
         const float across = static_cast<float>(column) + 0.5f - stroke.x;
         const float u = across * stroke.along_x + down * stroke.along_y;
         const float v = down * stroke.along_x - across * stroke.along_y;
         float alpha = std::min(half_width + 0.5f - std::abs(v), half_length + 0.5f - std::abs(u));
         if (alpha <= 0) continue;
-        const size_t pixel = size_t(row) * height_.width + column;
-        float difference = 0;
-        for (int channel = 0; channel < 3; ++channel) {
-          difference += std::abs(ground_[channel].values[pixel] - stroke.colour[channel]);
-        }
+        const size_t pixel = size_t(row) * width_ + column;
+        const auto& ground = ground_[pixel].colour;
+        const float difference = std::abs(ground[0] - stroke.colour[0]) + std::abs(ground[1] - stroke.colour[1]) +
+                                 std::abs(ground[2] - stroke.colour[2]);
         if (difference >= kColourReach) continue;
-        const float ridge = bristles_[(stroke.bristle + static_cast<int>((v + half_width) * 1.7f)) % kNumBristles];
+        const float ridge = bristles_[(stroke.bristle + static_cast<int>((v + half_width + 1) * 1.7f)) % kNumBristles];
         // Paint runs out towards the end of a stroke.
-        const float left_over = 1 - 0.5f * std::max(0.0f, u / half_length) * (1 - ridge);
-        alpha = std::min(alpha, 1.0f) * left_over * std::min(1.0f, 2 - 2 * difference / kColourReach) * 0.9f;
+        const float left_over = 1 - 0.5f * std::max(0.0f, u * inverse_length) * (1 - ridge);
+        alpha = std::min(alpha, 1.0f) * left_over * std::min(1.0f, 2 - 2 * difference / kColourReach) * 0.92f;
+        auto& [colour, thickness] = paint_[pixel];
         for (int channel = 0; channel < 3; ++channel) {
-          float& value = colours_[channel].values[pixel];
-          value += alpha * (stroke.colour[channel] - value);
+          colour[channel] += alpha * (stroke.colour[channel] - colour[channel]);
         }
-        float& thickness = height_.values[pixel];
         const float edge = std::abs(v) > half_width - 0.7f ? 0.25f : 0.0f;
         thickness += alpha * (0.3f + 0.5f * ridge + edge - thickness);
       }
     }
   }
 
-  ColourPlanes Lit(float strength) && {
-    for (int row = height_.height - 1; row > 0; --row) {
-      for (int column = height_.width - 1; column > 0; --column) {
-        const size_t pixel = size_t(row) * height_.width + column;
-        const float rise =
-            height_.values[pixel] - 0.5f * (height_.values[pixel - 1] + height_.values[pixel - height_.width]);
-        for (Plane& plane : colours_) plane.values[pixel] *= 1 + strength * rise;
+  /// The paint with light from the upper left on its ridges.
+  ColourPlanes Lit(float strength) const {
+    ColourPlanes colours = MakeColourPlanes(height_, width_, {0, 0, 0});
+    for (int row = 0; row < height_; ++row) {
+      for (int column = 0; column < width_; ++column) {
+        const size_t pixel = size_t(row) * width_ + column;
+        const float thickness = paint_[pixel].thickness;
+        const float before = column > 0 ? paint_[pixel - 1].thickness : thickness;
+        const float above = row > 0 ? paint_[pixel - width_].thickness : thickness;
+        const float light = 1 + strength * (thickness - 0.5f * (before + above));
+        for (int channel = 0; channel < 3; ++channel) {
+          colours[channel].values[pixel] = paint_[pixel].colour[channel] * light;
+        }
       }
     }
-    return std::move(colours_);
+    return colours;
   }
 
  private:
-  const ColourPlanes& ground_;
-  ColourPlanes colours_;
-  Plane height_;
+  /// Narrows `from`..`to` to where |slope t + offset| < reach.
+  static void Narrow(float slope, float offset, float reach, float& from, float& to) {
+    if (std::abs(slope) < 1e-4f) {
+      if (std::abs(offset) >= reach) to = from - 1;
+      return;
+    }
+    const float inverse = 1 / slope, first = (-reach - offset) * inverse, second = (reach - offset) * inverse;
+    from = std::max(from, std::min(first, second));
+    to = std::min(to, std::max(first, second));
+  }
+
+  int height_, width_;
+  std::vector<PaintedPixel> ground_, paint_;
   const std::array<float, kNumBristles>& bristles_;
 };
 
@@ -171,10 +216,11 @@ ColourPlanes Paint(const ColourPlanes& picture, float brush, Rng& rng) {
   const int height = picture[0].height, width = picture[0].width;
   const ColourPlanes ground = Kuwahara(picture, std::max(1, static_cast<int>(std::lround(0.6f * brush))));
   const FlowField flow = FlowAlongForms(Luma(ground), 1.2f * brush);
+  const Plane detail = DetailOf(ground);
   const auto bristles = DrawBristles(rng);
   Canvas canvas(ground, bristles);
-  for (const float size : {2.2f, 1.0f}) {
-    const float stroke_width = size * brush, spacing = 0.85f * stroke_width;
+  for (const float size : {2.4f, 1.2f}) {
+    const float stroke_width = size * brush, spacing = (size > 2 ? 0.85f : 0.95f) * stroke_width;
     const int rows = static_cast<int>(static_cast<float>(height) / spacing) + 1,
               columns = static_cast<int>(static_cast<float>(width) / spacing) + 1;
     const std::vector<int> order = rng.Permutation(rows * columns);
@@ -187,6 +233,8 @@ ColourPlanes Paint(const ColourPlanes& picture, float brush, Rng& rng) {
       const int row = static_cast<int>(stroke.y), column = static_cast<int>(stroke.x);
       if (row >= height || column >= width) continue;
       const size_t pixel = size_t(row) * width + column;
+      // Fine strokes are for details; elsewhere most of the coarse ones stay.
+      if (size < 2 && detail.values[pixel] < kDetail && fraction(0) > 0.25f) continue;
       // Where there is no form, strokes go about one way.
       const float aimless = 0.25f * (1 - std::min(1.0f, flow.strength.values[pixel]));
       stroke.along_x = flow.x.values[pixel] * (flow.x.values[pixel] < 0 ? -1.0f : 1.0f) + aimless;
@@ -196,15 +244,15 @@ ColourPlanes Paint(const ColourPlanes& picture, float brush, Rng& rng) {
       stroke.along_x /= norm;
       stroke.along_y /= norm;
       stroke.width = stroke_width * (0.7f + 0.6f * fraction(24));
-      stroke.length = stroke_width * (2.0f + 2.5f * fraction(32));
+      stroke.length = stroke_width * (2.0f + 1.6f * fraction(32));
       stroke.bristle = static_cast<int>(bits >> 40 & 63);
-      const float lighter = 0.05f * (fraction(48) - 0.5f), warmer = 0.03f * (fraction(56) - 0.5f);
+      const float lighter = 0.075f * (fraction(48) - 0.5f), warmer = 0.045f * (fraction(56) - 0.5f);
       stroke.colour = {ground[0].values[pixel] + lighter + warmer, ground[1].values[pixel] + lighter,
                        ground[2].values[pixel] + lighter - warmer};
       canvas.Add(stroke);
     }
   }
-  return std::move(canvas).Lit(0.35f);
+  return canvas.Lit(0.24f);
 }
 
 }  // namespace daumier::render

@@ -15,32 +15,42 @@ std::array<Plane*, kNumSoftened> SoftenedPlanes(PictureLayers& layers) {
           &layers.normal[1], &layers.normal[2], &layers.shade};
 }
 
-/// Sums of the covered samples of each pixel, and what the nearest of them shows.
-void SumSamples(const PictureBuffers& buffers, PictureLayers& layers) {
+/// Means of the covered samples of each pixel, and what the nearest of them shows.
+void AverageSamples(const PictureBuffers& buffers, PictureLayers& layers) {
   const int factor = buffers.supersampling;
-  float *red = layers.albedo[0].values.data(), *green = layers.albedo[1].values.data(),
-        *blue = layers.albedo[2].values.data(), *x = layers.normal[0].values.data(),
-        *y = layers.normal[1].values.data(), *z = layers.normal[2].values.data(), *shade = layers.shade.values.data(),
-        *depth = layers.depth.values.data(), *coverage = layers.coverage.values.data();
-  size_t from = 0;
-  for (int row = 0; row < buffers.height; ++row) {
-    const size_t first = size_t(row / factor) * layers.width;
-    for (int column = 0; column < buffers.width; ++column, ++from) {
-      if (!buffers.is_covered(from)) continue;
-      const size_t to = first + column / factor;
-      red[to] += buffers.albedo[3 * from];
-      green[to] += buffers.albedo[3 * from + 1];
-      blue[to] += buffers.albedo[3 * from + 2];
-      x[to] += buffers.normal[3 * from];
-      y[to] += buffers.normal[3 * from + 1];
-      z[to] += buffers.normal[3 * from + 2];
-      shade[to] += buffers.shade[from];
-      coverage[to] += 1;
-      if (buffers.depth[from] < depth[to]) {
-        depth[to] = buffers.depth[from];
-        layers.classes[to] = buffers.classes[from];
-        layers.parts[to] = buffers.parts[from];
+  const float share = 1.0f / static_cast<float>(factor * factor);
+  for (int row = 0; row < layers.height; ++row) {
+    for (int column = 0; column < layers.width; ++column) {
+      std::array<float, kNumSoftened> sums{};
+      int num_covered = 0;
+      size_t nearest = 0;
+      float depth = PictureBuffers::kBackgroundDepth;
+      for (int i = 0; i < factor; ++i) {
+        size_t from = size_t(row * factor + i) * buffers.width + size_t(column) * factor;
+        for (int j = 0; j < factor; ++j, ++from) {
+          if (!buffers.is_covered(from)) continue;
+          ++num_covered;
+          const float *albedo = buffers.albedo.data() + 3 * from, *normal = buffers.normal.data() + 3 * from;
+          for (int channel = 0; channel < 3; ++channel) {
+            sums[channel] += albedo[channel];
+            sums[3 + channel] += normal[channel];
+          }
+          sums[6] += buffers.shade[from];
+          if (buffers.depth[from] < depth) depth = buffers.depth[from], nearest = from;
+        }
       }
+      if (num_covered == 0) continue;
+      const size_t to = size_t(row) * layers.width + column;
+      const float each = 1.0f / static_cast<float>(num_covered);
+      for (int channel = 0; channel < 3; ++channel) {
+        layers.albedo[channel].values[to] = sums[channel] * each;
+        layers.normal[channel].values[to] = sums[3 + channel] * each;
+      }
+      layers.shade.values[to] = sums[6] * each;
+      layers.depth.values[to] = depth;
+      layers.coverage.values[to] = static_cast<float>(num_covered) * share;
+      layers.classes[to] = buffers.classes[nearest];
+      layers.parts[to] = buffers.parts[nearest];
     }
   }
 }
@@ -109,21 +119,9 @@ PictureLayers MakePictureLayers(const PictureBuffers& buffers) {
   layers.depth = Plane(height, width, PictureBuffers::kBackgroundDepth);
   layers.classes.assign(layers.size(), 0);
   layers.parts.assign(layers.size(), 0);
-  SumSamples(buffers, layers);
+  AverageSamples(buffers, layers);
   CheckFinite(layers);
-  if (factor == 1) {
-    SoftenBorders(layers);
-    return layers;
-  }
-  const auto planes = SoftenedPlanes(layers);
-  const float share = 1.0f / static_cast<float>(factor * factor);
-  for (size_t i = 0; i < layers.size(); ++i) {
-    const float covered = layers.coverage.values[i];
-    if (covered == 0) continue;
-    const float each = 1.0f / covered;
-    for (Plane* plane : planes) plane->values[i] *= each;
-    layers.coverage.values[i] = covered * share;
-  }
+  if (factor == 1) SoftenBorders(layers);
   return layers;
 }
 

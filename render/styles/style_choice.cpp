@@ -106,7 +106,7 @@ void DrawMedia(Rng& rng, const StyleOptions& options, StyleChoice& choice) {
       break;
     case PictureStyle::kHalftone: {
       choice.screens = static_cast<ScreenKind>(rng.Below(3));
-      choice.screen = choice.screens == ScreenKind::kShadows ? Between(rng, 3.5, 6.0) : Between(rng, 2.4, 3.8);
+      choice.screen = choice.screens == ScreenKind::kShadows ? Between(rng, 3.5, 6.0) : Between(rng, 2.2, 3.4);
       DrawLines(rng, options, options.lines, choice);
       break;
     }
