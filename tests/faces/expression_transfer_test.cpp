@@ -88,5 +88,20 @@ TEST(ExpressionTransfer, IctExpressionsComeBackOnTheirOwnTemplate) {
   EXPECT_LT(LargestError(model, offsets), 2e-3) << "cm";
 }
 
+TEST(ExpressionTransfer, AMixOnATargetIsTheSumOfItsOffsets) {
+  const FaceModel model = testing::SyntheticModel();
+  const ExpressionTransfer transfer(model, model.expressions);
+  const geometry::Points face = 1.1 * model.face_template.neutral;
+  const Eigen::MatrixXf offsets = transfer.Offsets(face);
+  const ExpressionTransfer::Target target = transfer.On(face);
+  Eigen::VectorXf weights = Eigen::VectorXf::Zero(transfer.num_expressions());
+  EXPECT_EQ(target.Face(weights), face);
+  weights[1] = 0.7f, weights[3] = 0.4f, weights[5] = 1;
+  const Eigen::VectorXf sum = offsets * weights;
+  const geometry::Points mixed = target.Face(weights);
+  for (Eigen::Index k = 0; k < face.size(); ++k) EXPECT_NEAR(mixed.data()[k], face.data()[k] + sum[k], 1e-5);
+  testing::ExpectError([&] { target.Face(Eigen::VectorXf::Zero(2)); }, "2 weights of 8 expressions");
+}
+
 }  // namespace
 }  // namespace daumier::faces

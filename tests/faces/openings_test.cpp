@@ -1,5 +1,6 @@
 #include "faces/openings.h"
 
+#include "core/error.h"
 #include "tests/support/synthetic_face.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,15 @@ struct TwoPaths {
   Opening opening{{0, 1, 2}, {3, 4, 5}, {}};
   geometry::Points points{{0, 1, 0}, {2, 1, 0}, {4, 1, 0}, {0, 0, 0}, {1, 0, 0}, {4, 0, 0}};
 };
+
+TEST(MeanGap, IsTheMeanHeightBetweenPairs) {
+  TwoPaths face;
+  face.opening.pairs = {{0, 3}, {1, 4}};
+  face.points(1, 1) = -0.5;
+  EXPECT_NEAR(MeanGap(face.opening, face.points), (1.0 - 0.5) / 2, 1e-12);
+  face.opening.pairs.clear();
+  EXPECT_THROW(MeanGap(face.opening, face.points), Error);
+}
 
 TEST(CrossingDepth, IsZeroWhileTheSidesAreApartOrTouch) {
   TwoPaths face;

@@ -84,6 +84,16 @@ TEST(ImageFile, WriteRefusesUnknownExtensionEmptyPictureAndMissingFolder) {
   EXPECT_THROW(WriteImage(folder / "missing" / "image.png", Gradient(4, 4, 1)), Error);
 }
 
+TEST(EncodeImage, GivesTheBytesOfTheFiles) {
+  const TempDir folder;
+  const Image image = Gradient(6, 5, 3);
+  WriteImage(folder / "a.png", image);
+  WriteImage(folder / "a.jpg", image, 93);
+  EXPECT_EQ(EncodeImage(image, ImageFormat::kPng), ReadFile(folder / "a.png"));
+  EXPECT_EQ(EncodeImage(image, ImageFormat::kJpeg, 93), ReadFile(folder / "a.jpg"));
+  EXPECT_THROW(EncodeImage(Image(), ImageFormat::kPng), Error);
+}
+
 TEST(ImageFile, ErrorsNameTheFile) {
   const testing::TempDir folder;
   WriteFileAtomically(folder / "noise.png", "this is no picture");

@@ -1,5 +1,6 @@
 #include "render/visibility.h"
 
+#include "core/error.h"
 #include "core/random.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
@@ -30,6 +31,22 @@ TEST(Visibility, ASphereHidesItsBackAndWhatLiesBehindIt) {
   EXPECT_TRUE(sees(2.5, 0, -3)) << "next to it";
   EXPECT_TRUE(sees(2, 0, 0)) << "the contour itself";
   EXPECT_TRUE(sees(900, 0, 0)) << "outside of the picture";
+}
+
+TEST(Visibility, ADepthMapAtHandHidesWhatItsSurfaceHides) {
+  const TriangleMesh sphere = testing::Sphere(2, 4);
+  const Visibility from_mesh(kFrontCamera, sphere, 0.05);
+  Raster depth{.height = kFrontCamera.height, .width = kFrontCamera.width};
+  depth.depth = Rasterise(kFrontCamera, sphere).depth;
+  const Visibility from_depth(kFrontCamera, depth, 0.05);
+  for (double x = -3; x <= 3; x += 0.25) {
+    for (double z = -3; z <= 3; z += 0.5) {
+      const Eigen::RowVector3d point = Projected(kFrontCamera, {x, 0.1, z});
+      EXPECT_EQ(from_depth.Sees(point), from_mesh.Sees(point)) << x << " " << z;
+    }
+  }
+  depth.depth.pop_back();
+  EXPECT_THROW(Visibility(kFrontCamera, depth, 0.05), Error);
 }
 
 TEST(Visibility, TheToleranceIsADepthInCm) {

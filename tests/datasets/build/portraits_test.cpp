@@ -1,0 +1,219 @@
+#include "datasets/build/portraits.h"
+
+#include "core/config.h"
+#include "core/files.h"
+#include "datasets/build/portrait_buffers.h"
+#include "datasets/read/portrait_database.h"
+#include "faces/face_database.h"
+#include "render/exr.h"
+#include "tests/support/cancelled_task.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
+#include "tests/support/synthetic_portraits.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace daumier::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ExpectError;
+using testing::TempDir;
+
+constexpr int kNumImages = 24;
+
+std::map<std::string, std::string> BytesOf(const fs::path& folder) {
+  std::map<std::string, std::string> bytes;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) bytes[fs::relative(entry.path(), folder).string()] = ReadFile(entry.path());
+  return bytes;
+}
+
+class BuildPortraitsTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TempDir;
+    testing::BuildSyntheticFaces(*folder_ / "faces", 3);
+    testing::BuildSyntheticPortraits(*folder_ / "faces", *folder_ / "portraits", kNumImages);
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static inline TempDir* folder_ = nullptr;
+};
+
+TEST_F(BuildPortraitsTest, EveryPersonAndLevelIsPortrayed) {
+  const faces::FaceDatabase faces(*folder_ / "faces");
+  const PortraitDatabase portraits(*folder_ / "portraits");
+  ASSERT_EQ(portraits.size(), kNumImages);
+  std::map<int, int> num_of_face;
+  for (int i = 0; i < portraits.size(); ++i) {
+    const faces::FaceId id = faces.id(portraits.face(i));
+    EXPECT_EQ(id.person, portraits.person(i));
+    EXPECT_EQ(id.expression, 0);
+    EXPECT_GE(portraits.person(i), i > 0 ? portraits.person(i - 1) : 0) << "persons are next to each other";
+    ++num_of_face[portraits.face(i)];
+  }
+  EXPECT_EQ(num_of_face.size(), 6u);
+  for (const auto& [face, count] : num_of_face) EXPECT_EQ(count, kNumImages / 6) << face;
+}
+
+TEST_F(BuildPortraitsTest, LandmarksAreTheProjectedVertices) {
+  const PortraitDatabase portraits(*folder_ / "portraits");
+  for (const int i : {0, 7, kNumImages - 1}) {
+    const geometry::Points vertices = portraits.vertices(i);
+    const auto pose = portraits.pose(i);
+    const std::vector<float> landmarks = portraits.landmarks(i);
+    const Eigen::Matrix3d rotation = PoseRotation(pose);
+    for (size_t l = 0; l < 68; ++l) {
+      const Eigen::Vector3d p = vertices.row(portraits.face_template().annotation.landmarks[l]);
+      const Eigen::Vector3d q = rotation * p + Eigen::Vector3d(pose[3], pose[4], pose[5]);
+      EXPECT_NEAR(landmarks[2 * l], 112 + 1015 * q.x() / (100 - q.z()), 0.02) << l;
+      EXPECT_NEAR(landmarks[2 * l + 1], 112 - 1015 * q.y() / (100 - q.z()), 0.02) << l;
+    }
+  }
+}
+
+TEST_F(BuildPortraitsTest, CoefficientsGiveTheVertices) {
+  const faces::FaceDatabase faces(*folder_ / "faces");
+  const PortraitDatabase portraits(*folder_ / "portraits");
+  const PortraitExpressions expressions(faces, testing::SyntheticModel());
+  for (const int i : {1, 9, 20}) {
+    const auto stored = portraits.expression(i);
+    Eigen::VectorXf weights(Eigen::Index(expressions.names().size()));
+    std::copy_n(stored.begin(), weights.size(), weights.begin());
+    const faces::FaceId id = faces.id(portraits.face(i));
+    const geometry::Points face = expressions.FaceOf(id.person, id.level)(weights);
+    const geometry::Points expected = face.rowwise() - portraits.centre().transpose();
+    EXPECT_LT((portraits.vertices(i) - expected).cwiseAbs().maxCoeff(), 0.0006);
+  }
+}
+
+TEST_F(BuildPortraitsTest, MasksAgreeWithLandmarks) {
+  const PortraitDatabase portraits(*folder_ / "portraits");
+  int num_lids = 0, num_around_eyes = 0, num_lips = 0, num_around_lips = 0;
+  for (int i = 0; i < portraits.size(); ++i) {
+    const render::Image mask = portraits.mask(i);
+    const std::vector<float> landmarks = portraits.landmarks(i);
+    const std::vector<uint8_t> seen = portraits.visibility(i);
+    const auto is_near = [&](float x, float y, std::initializer_list<PortraitClass> classes) {
+      for (int row = int(y) - 2; row <= int(y) + 2; ++row)
+        for (int column = int(x) - 2; column <= int(x) + 2; ++column)
+          if (row >= 0 && column >= 0 && row < mask.height && column < mask.width)
+            for (const PortraitClass c : classes)
+              if (mask.at(row, column) == uint8_t(c)) return true;
+      return false;
+    };
+    for (const int eye : {36, 42}) {
+      const bool is_open = portraits.states(i)[eye == 36 ? 0 : 1] > 4;
+      float x = 0, y = 0;
+      bool all_seen = true;
+      for (size_t l = size_t(eye); l < size_t(eye) + 6; ++l) {
+        x += landmarks[2 * l] / 6, y += landmarks[2 * l + 1] / 6;
+        all_seen = all_seen && seen[l];
+      }
+      if (!is_open || !all_seen) continue;
+      ++num_lids;
+      num_around_eyes += is_near(x, y, {PortraitClass::kEye});
+    }
+    for (size_t l = 48; l < 60; ++l) {
+      if (!seen[l]) continue;
+      ++num_lips;
+      num_around_lips += is_near(landmarks[2 * l], landmarks[2 * l + 1], {PortraitClass::kLip});
+    }
+  }
+  EXPECT_GT(num_lids, 8);
+  EXPECT_GE(num_around_eyes, 0.9 * num_lids);
+  EXPECT_GT(num_lips, 100);
+  EXPECT_GE(num_around_lips, 0.8 * num_lips);
+}
+
+TEST_F(BuildPortraitsTest, LandmarksThatAreTurnedAwayAreHidden) {
+  const PortraitDatabase portraits(*folder_ / "portraits");
+  int num_turned = 0;
+  for (int i = 0; i < portraits.size(); ++i) {
+    const float yaw = portraits.pose(i)[1];
+    if (std::abs(yaw) < 0.6f) continue;
+    ++num_turned;
+    // A face that turns to its own left shows its right ear, and hides the left end of its jaw.
+    EXPECT_EQ(portraits.visibility(i)[yaw > 0 ? 16 : 0], 0) << i << " yaw " << yaw;
+  }
+  EXPECT_GT(num_turned, 0);
+}
+
+TEST_F(BuildPortraitsTest, AnInterruptedBuildEndsWithTheSameBytes) {
+  const fs::path stopped = *folder_ / "stopped";
+  ExpectError(
+      [&] { testing::BuildSyntheticPortraits(*folder_ / "faces", stopped, kNumImages, testing::CancelledTask()); },
+      "stopped after");
+  testing::BuildSyntheticPortraits(*folder_ / "faces", stopped, kNumImages);
+  EXPECT_EQ(BytesOf(stopped), BytesOf(*folder_ / "portraits"));
+}
+
+TEST_F(BuildPortraitsTest, AShardAloneHasTheBytesOfThePooledOne) {
+  // The calling thread alone makes this one; the shared pool made the others.
+  const faces::FaceDatabase faces(*folder_ / "faces");
+  const PortraitDatabase portraits(*folder_ / "portraits");
+  const PortraitExpressions expressions(faces, testing::SyntheticModel());
+  const PortraitsOptions options = testing::SyntheticPortraitsOptions(*folder_ / "faces", kNumImages);
+  const PortraitMaker maker(faces.face_template(), options.pictures);
+  for (const int i : {3, kNumImages - 2}) {
+    Rng rng = Stream(options.seed, "portrait", uint64_t(i));
+    const Eigen::VectorXf weights = expressions.Draw(rng);
+    const faces::FaceId id = faces.id(portraits.face(i));
+    const PortraitRecord record = maker.Make(expressions.FaceOf(id.person, id.level)(weights), rng);
+    EXPECT_EQ(render::DecodeImage(record.picture, "picture"), portraits.picture(i));
+    EXPECT_TRUE(std::ranges::equal(record.landmarks, portraits.landmarks(i)));
+  }
+}
+
+TEST_F(BuildPortraitsTest, BuffersAreThoseOfThePosedFace) {
+  PortraitsOptions options = testing::SyntheticPortraitsOptions(*folder_ / "faces", 3);
+  options.buffers = true;
+  options.vertices = false;
+  BuildPortraits(testing::SyntheticModel(), options, *folder_ / "buffers");
+  const PortraitDatabase portraits(*folder_ / "buffers");
+  EXPECT_FALSE(portraits.has_vertices());
+  const render::FloatImage buffers = render::DecodeExr(ReadFile(*folder_ / "buffers/buffers/000001.exr"), "exr");
+  ASSERT_EQ(buffers.height, 224);
+  const auto& depth = buffers.channels.at("Z");
+  int num_covered = 0;
+  for (int pixel = 0; pixel < 224 * 224; ++pixel) {
+    if (std::isinf(depth[size_t(pixel)])) continue;
+    ++num_covered;
+    const auto at = [&](const char* name) { return buffers.channels.at(name)[size_t(pixel)]; };
+    const float x = float(pixel % 224) + 0.5f, y = float(pixel / 224) + 0.5f;
+    ASSERT_NEAR(112 + 1015 * at("P.X") / (100 - at("P.Z")), x, 1e-2);
+    ASSERT_NEAR(112 - 1015 * at("P.Y") / (100 - at("P.Z")), y, 1e-2);
+    ASSERT_NEAR(at("N.X") * at("N.X") + at("N.Y") * at("N.Y") + at("N.Z") * at("N.Z"), 1, 1e-4);
+  }
+  EXPECT_GT(num_covered, 3000);
+  EXPECT_TRUE(portraits.manifest().checksums.contains("buffers/000002.exr"));
+}
+
+TEST_F(BuildPortraitsTest, ManifestNamesItsFacesAndTheirLicencesAndNoPath) {
+  const Manifest manifest = ReadManifest(*folder_ / "portraits", "portraits");
+  EXPECT_EQ(manifest.details.at("faces_data_hash"), DataHash(*folder_ / "faces"));
+  EXPECT_EQ(manifest.sources, ReadManifest(*folder_ / "faces", "faces").sources);
+  EXPECT_FALSE(manifest.config.contains("faces"));
+  EXPECT_EQ(ReadFile(*folder_ / "portraits/manifest.json").find(folder_->path().string()), std::string::npos);
+}
+
+TEST_F(BuildPortraitsTest, StoredExpressionsNeedNoModel) {
+  PortraitsOptions options = testing::SyntheticPortraitsOptions(*folder_ / "faces", 2);
+  options.expressions = "stored";
+  BuildPortraits(options, *folder_ / "own");
+  EXPECT_EQ(PortraitDatabase(*folder_ / "own").expression_names(),
+            (std::vector<std::string>{"jaw_open", "smile", "laugh"}));
+}
+
+TEST(PortraitsConfig, EveryFileIsParsed) {
+  for (const auto& entry : fs::directory_iterator(testing::SourceRoot() / "configs/portraits")) {
+    EXPECT_NO_THROW(ParseOptions<PortraitsOptions>(LoadConfig(entry.path()), entry.path().string())) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace daumier::datasets
