@@ -23,9 +23,8 @@ torch::Tensor StateLoss(const torch::Tensor& scores, const std::vector<int>& num
     const int64_t count = num_classes[size_t(state)];
     const torch::Tensor of_state = classes.select(1, state);
     const torch::Tensor weight = (of_state != kNoLabel).to(scores.scalar_type()) * state_weights[state];
-    const torch::Tensor likelihood = at::log_softmax(scores.narrow(1, first, count), 1)
-                                         .gather(1, of_state.clamp_min(0).unsqueeze(1))
-                                         .squeeze(1);
+    const torch::Tensor likelihood =
+        at::log_softmax(scores.narrow(1, first, count), 1).gather(1, of_state.clamp_min(0).unsqueeze(1)).squeeze(1);
     sum = sum - (likelihood * weight).sum();
     total = total + weight.sum();
     first += count;

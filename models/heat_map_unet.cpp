@@ -16,7 +16,7 @@ namespace {
 
 namespace nn = torch::nn;
 
-constexpr int kBlock = 8;               // Channels that oneDNN computes at a time.
+constexpr int kBlock = 8;  // Channels that oneDNN computes at a time.
 constexpr double kMean = 0.5, kDeviation = 0.25;
 constexpr double kHeadDeviation = 0.01;  // Of the first weights of heads of maps.
 constexpr double kNoBox = -4;            // The first score of a box: about one cell in fifty.
@@ -59,8 +59,8 @@ torch::Tensor Enlarged(const torch::Tensor& maps) {
 void CheckOptions(const HeatMapUnetOptions& options) {
   DAUMIER_CHECK(options.width >= kBlock && options.width % kBlock == 0 && options.point_width >= kBlock &&
                     options.point_width % kBlock == 0,
-                "the widths of the network are {} and {}, expected multiples of {}", options.width,
-                options.point_width, kBlock);
+                "the widths of the network are {} and {}, expected multiples of {}", options.width, options.point_width,
+                kBlock);
   DAUMIER_CHECK(options.channels >= 1 && options.num_points >= 1 && options.num_classes >= 1 &&
                     !options.states.empty() && *std::ranges::min_element(options.states) >= 2,
                 "the network reads {} channels and returns {} points, {} classes and {} states, expected at least one "
@@ -123,11 +123,10 @@ torch::Tensor HeatMapUnetImpl::Boxes(const HeatMapFeatures& features) {
 
 HeatMapOutputs HeatMapUnetImpl::Parse(const HeatMapFeatures& features) {
   HeatMapOutputs outputs;
-  const torch::Tensor quarter = points_->forward(of_quarter_->forward(features.quarter) +
-                                                 Enlarged(to_quarter_->forward(features.context)));
+  const torch::Tensor quarter =
+      points_->forward(of_quarter_->forward(features.quarter) + Enlarged(to_quarter_->forward(features.context)));
   outputs.heat_maps = heat_map_head_->forward(quarter);
-  outputs.labels =
-      label_head_->forward(pixels_->forward(features.half + Enlarged(to_half_->forward(quarter))));
+  outputs.labels = label_head_->forward(pixels_->forward(features.half + Enlarged(to_half_->forward(quarter))));
   const torch::Tensor deep = features.sixteenth;
   const torch::Tensor summary = torch::cat({deep.mean({2, 3}), deep.amax({2, 3})}, 1);
   outputs.states = state_head_->forward(state_features_->forward(summary).relu());

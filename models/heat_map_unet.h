@@ -12,13 +12,13 @@ namespace daumier::models {
 
 /// Which outputs a HeatMapUnet has, and its size.
 struct HeatMapUnetOptions {
-  int channels = 3;                 ///< Of the picture.
-  int width = 16;                   ///< Channels at half the side; 2, 4 and 8 times as many at the next three sides.
-  int point_width = 48;             ///< Channels at a quarter of the side, from which heat maps are made.
-  int num_points = 68;              ///< L
-  int num_classes = 8;              ///< C, of a pixel.
-  std::vector<int> states = {2};    ///< Number of classes of each state of the whole picture.
-  bool finds_boxes = true;          ///< Whether there is a search head.
+  int channels = 3;               ///< Of the picture.
+  int width = 16;                 ///< Channels at half the side; 2, 4 and 8 times as many at the next three sides.
+  int point_width = 48;           ///< Channels at a quarter of the side, from which heat maps are made.
+  int num_points = 68;            ///< L
+  int num_classes = 8;            ///< C, of a pixel.
+  std::vector<int> states = {2};  ///< Number of classes of each state of the whole picture.
+  bool finds_boxes = true;        ///< Whether there is a search head.
 
   /// S: scores of all states' classes in a row.
   int num_state_scores() const { return std::accumulate(states.begin(), states.end(), 0); }

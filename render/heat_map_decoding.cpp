@@ -106,7 +106,8 @@ ScoreGrid::ScoreGrid(std::span<const float> scores, int num_classes, int height,
 }
 
 void ScoreGrid::At(double x, double y, std::span<float> of_classes) const {
-  const double column = std::clamp(x - 0.5, 0.0, double(width_ - 1)), row = std::clamp(y - 0.5, 0.0, double(height_ - 1));
+  const double column = std::clamp(x - 0.5, 0.0, double(width_ - 1)),
+               row = std::clamp(y - 0.5, 0.0, double(height_ - 1));
   const int c0 = int(column), r0 = int(row), c1 = std::min(c0 + 1, width_ - 1), r1 = std::min(r0 + 1, height_ - 1);
   const auto u = float(column - c0), v = float(row - r0);
   const size_t cells = size_t(height_) * size_t(width_);

@@ -33,7 +33,8 @@ struct LandmarkAugmentationOptions {
     visit("strength", strength, Range{0, 2}, "Factor of all sizes and shares below. 0: pictures are unchanged.");
     visit("shift", shift, Range{0, 0.5}, "Largest shift of the crop along each axis, as a share of its side.");
     visit("scale", scale, Range{0, 1}, "Largest logarithm of the factor of the crop's side.");
-    visit("rotation_degrees", rotation_degrees, Range{0, 180}, "Largest turn of the crop; small turns are more frequent.");
+    visit("rotation_degrees", rotation_degrees, Range{0, 180},
+          "Largest turn of the crop; small turns are more frequent.");
     visit("upside_down", upside_down, Range{0, 1}, "Share of samples that are turned by any angle.");
     visit("flip", flip, Range{0, 1}, "Share of samples that are mirrored, left and right landmarks exchanged.");
     visit("colour", colour, Range{0, 1}, "Largest logarithm of the gain of each colour channel.");

@@ -33,12 +33,12 @@ std::array<int, 68> MakeMirroredLandmarks() {
   std::array<int, 68> order = {};
   const auto exchange = [&](int a, int b) { order[size_t(a)] = b, order[size_t(b)] = a; };
   for (int i = 0; i < 68; ++i) order[size_t(i)] = i;
-  for (int i = 0; i < 8; ++i) exchange(i, 16 - i);                                         // Jaw.
-  for (int i = 0; i < 5; ++i) exchange(17 + i, 26 - i);                                    // Brows.
-  for (int i = 0; i < 2; ++i) exchange(31 + i, 35 - i);                                    // Nose.
-  for (int i = 0; i < 4; ++i) exchange(36 + i, 45 - i);                                    // Upper lids.
-  exchange(40, 47), exchange(41, 46);                                                      // Lower lids.
-  for (int i = 0; i < 3; ++i) exchange(48 + i, 54 - i);                                    // Outer lips.
+  for (int i = 0; i < 8; ++i) exchange(i, 16 - i);       // Jaw.
+  for (int i = 0; i < 5; ++i) exchange(17 + i, 26 - i);  // Brows.
+  for (int i = 0; i < 2; ++i) exchange(31 + i, 35 - i);  // Nose.
+  for (int i = 0; i < 4; ++i) exchange(36 + i, 45 - i);  // Upper lids.
+  exchange(40, 47), exchange(41, 46);                    // Lower lids.
+  for (int i = 0; i < 3; ++i) exchange(48 + i, 54 - i);  // Outer lips.
   exchange(59, 55), exchange(58, 56), exchange(60, 64), exchange(61, 63), exchange(67, 65);
   return order;
 }

@@ -62,7 +62,7 @@ class PicturePyramid {
 
 /// What a crop shows outside of the picture.
 struct Outside {
-  bool continued = true;                            ///< The border's pixels; otherwise the colour.
+  bool continued = true;                             ///< The border's pixels; otherwise the colour.
   std::array<float, 3> colour = {0.5f, 0.5f, 0.5f};  ///< 0..1
 };
 

@@ -65,6 +65,12 @@ render::Image DetectedFace::Mask(int height, int width) const {
   return mask;
 }
 
+const DetectedFace& LargestConfident(std::span<const DetectedFace> faces) {
+  DAUMIER_CHECK(!faces.empty(), "there is no face to choose from");
+  const auto weight = [](const DetectedFace& face) { return face.confidence * std::sqrt(face.box.area()); };
+  return *std::ranges::max_element(faces, {}, weight);
+}
+
 CropFrame FrameOfLandmarks(std::span<const float> landmarks, int size) {
   const auto mean = [&](int begin, int end) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -72,7 +78,7 @@ CropFrame FrameOfLandmarks(std::span<const float> landmarks, int size) {
     return Eigen::Vector2d(sum / (end - begin));
   };
   const Eigen::Vector2d eyes = mean(42, 48) - mean(36, 42);
-  CropFrame frame{.side = size / 1.0, .turn = std::atan2(eyes.y(), eyes.x()), .size = size};
+  CropFrame frame{.side = double(size), .turn = std::atan2(eyes.y(), eyes.x()), .size = size};
   std::vector<float> turned;
   for (int i = 0; i < kNumLandmarks; ++i) {
     const Eigen::Vector2d at = frame.ToCrop({landmarks[2 * size_t(i)], landmarks[2 * size_t(i) + 1]});
@@ -99,8 +105,7 @@ std::vector<FoundBox> LandmarkDetector::Search(const PicturePyramid& picture, in
   const NamedArrays outputs = network_->Run({{"pictures", std::move(crops)}});
   std::vector<FoundBox> boxes;
   for (size_t i = 0; i < squares.size(); ++i) {
-    const auto of_square =
-        BoxesOfMap(RowOf(OutputOf(outputs, "boxes"), int64_t(i)), squares[i], options_.least_score);
+    const auto of_square = BoxesOfMap(RowOf(OutputOf(outputs, "boxes"), int64_t(i)), squares[i], options_.least_score);
     boxes.insert(boxes.end(), of_square.begin(), of_square.end());
   }
   return boxes;
@@ -115,7 +120,8 @@ DetectedFace LandmarkDetector::Parse(const PicturePyramid& picture, const CropFr
   NamedArrays outputs = network_->Run({{"pictures", std::move(crops)}});
   FloatArray maps = OutputOf(outputs, "heat_maps"), labels = OutputOf(outputs, "labels");
   const FloatArray& states = OutputOf(outputs, "states");
-  DetectedFace face{.frame = frame};
+  DetectedFace face;
+  face.frame = frame;
   face.states = StatesOfScores(RowOf(states, 0));
   if (mirror) {
     render::AverageWithMirrored({maps.row(0), size_t(maps.row_size())}, RowOf(maps, 1), side, side,
@@ -128,8 +134,8 @@ DetectedFace LandmarkDetector::Parse(const PicturePyramid& picture, const CropFr
   }
   const auto of_labels = RowOf(labels, 0);
   face.labels.assign(of_labels.begin(), of_labels.end());
-  for (const render::Peak& peak : render::FindPeaks(RowOf(maps, 0), kNumLandmarks, side, side,
-                                                    {.deviation = network_options_.deviation})) {
+  for (const render::Peak& peak :
+       render::FindPeaks(RowOf(maps, 0), kNumLandmarks, side, side, {.deviation = network_options_.deviation})) {
     const Eigen::Vector2d at = frame.ToPicture(Eigen::Vector2d(peak.x, peak.y) * (double(size) / side));
     face.landmarks.push_back(float(at.x()));
     face.landmarks.push_back(float(at.y()));
@@ -139,7 +145,8 @@ DetectedFace LandmarkDetector::Parse(const PicturePyramid& picture, const CropFr
   return face;
 }
 
-DetectedFace LandmarkDetector::Refine(const PicturePyramid& picture, const FoundBox& candidate) const {
+DetectedFace LandmarkDetector::Refine(const PicturePyramid& picture, const FoundBox& candidate,
+                                      std::vector<float>* unsnapped) const {
   CropFrame frame = FrameOfBox(candidate.box, network_options_.resolution);
   DetectedFace face;
   double least_state = 1;
@@ -152,6 +159,7 @@ DetectedFace LandmarkDetector::Refine(const PicturePyramid& picture, const Found
   const double of_landmarks =
       std::accumulate(face.landmark_confidences.begin(), face.landmark_confidences.end(), 0.0) / kNumLandmarks;
   face.confidence = least_state * std::sqrt(std::min(1.0, of_landmarks));
+  if (unsnapped != nullptr) *unsnapped = face.landmarks;
   if (options_.snap_eyes) face.landmarks = SnapEyes(face.landmarks, face.labels, face.frame);
   face.box = BoxOf(face.landmarks);
   return face;
@@ -191,13 +199,13 @@ DetectedFace LandmarkDetector::FindOne(const render::Image& picture) const {
                   : std::string("the search has no candidate"),
         options_.least_confidence));
   }
-  const auto weight = [](const DetectedFace& face) { return face.confidence * std::sqrt(face.box.area()); };
-  return *std::ranges::max_element(faces, {}, weight);
+  return LargestConfident(faces);
 }
 
-DetectedFace LandmarkDetector::FindIn(const render::Image& picture, const Box& box) const {
+DetectedFace LandmarkDetector::FindIn(const render::Image& picture, const Box& box,
+                                      std::vector<float>* unsnapped) const {
   DAUMIER_CHECK(box.area() > 0, "the box of a face is empty");
-  return Refine(PicturePyramid(picture), {box, 1});
+  return Refine(PicturePyramid(picture), {box, 1}, unsnapped);
 }
 
 }  // namespace daumier::portrait

@@ -32,7 +32,8 @@ struct LandmarkDetectorOptions {
     visit("most_faces", most_faces, Range{1, 1000}, "Largest number of faces of a picture, by falling confidence.");
     visit("search_levels", search_levels, Range{1, 4},
           "Scales of the search: the whole picture, then twice as large, and so on, until a scale has a face.");
-    visit("rounds", rounds, Range{1, 4}, "How often landmarks are found, each time in the upright frame of the last ones.");
+    visit("rounds", rounds, Range{1, 4},
+          "How often landmarks are found, each time in the upright frame of the last ones.");
     visit("mirror", mirror, Flag{}, "Average the last round with that of the mirrored crop.");
     visit("snap_eyes", snap_eyes, Flag{}, "Move landmarks of eyes to the boundary of the parsed eyes.");
   }
@@ -40,13 +41,13 @@ struct LandmarkDetectorOptions {
 
 /// A face in a picture.
 struct DetectedFace {
-  Box box;                                  ///< Of the landmarks.
-  double confidence = 0;                    ///< 0..1: that it is a face.
-  std::vector<float> landmarks;             ///< 68 x 2, pixels of the picture (x0 y0 ...).
-  std::vector<float> landmark_confidences;  ///< 68, 0..1; 1 for given ones.
+  Box box;                                         ///< Of the landmarks.
+  double confidence = 0;                           ///< 0..1: that it is a face.
+  std::vector<float> landmarks;                    ///< 68 x 2, pixels of the picture (x0 y0 ...).
+  std::vector<float> landmark_confidences;         ///< 68, 0..1; 1 for given ones.
   std::array<double, kNumFaceStates> states = {};  ///< Probabilities of FaceState.
-  CropFrame frame;                          ///< Of the last round: `labels` are scores of its cells.
-  std::vector<float> labels;                ///< 8 x n x n scores of FaceClass, n = LabelSide(frame.size).
+  CropFrame frame;                                 ///< Of the last round: `labels` are scores of its cells.
+  std::vector<float> labels;                       ///< 8 x n x n scores of FaceClass, n = LabelSide(frame.size).
 
   /// The class of every pixel of a picture of that size, grey; background outside of the crop.
   render::Image Mask(int height, int width) const;
@@ -61,24 +62,28 @@ class LandmarkDetector {
 
   /// All faces of at least options.least_confidence, by falling confidence; empty if there is none.
   /// candidate: if not null, the best candidate, whether it is a face or not; absent if the search has none.
-  std::vector<DetectedFace> FindAll(const render::Image& picture, std::optional<DetectedFace>* candidate = nullptr) const;
-  /// The face of highest confidence x the square root of its area. @throws Error "no face found ..." with the confidence of the
-  /// best candidate.
+  std::vector<DetectedFace> FindAll(const render::Image& picture,
+                                    std::optional<DetectedFace>* candidate = nullptr) const;
+  /// LargestConfident of FindAll. @throws Error "no face found ..." with the confidence of the best candidate.
   DetectedFace FindOne(const render::Image& picture) const;
-  /// The face in a box that is given, or around given landmarks; its confidence may be anything.
-  DetectedFace FindIn(const render::Image& picture, const Box& box) const;
+  /// The face in a box that is given; its confidence may be anything. unsnapped: if not null, the landmarks before SnapEyes.
+  DetectedFace FindIn(const render::Image& picture, const Box& box, std::vector<float>* unsnapped = nullptr) const;
 
   const LandmarkDetectorOptions& options() const { return options_; }
 
  private:
   std::vector<FoundBox> Search(const PicturePyramid& picture, int level) const;
-  DetectedFace Refine(const PicturePyramid& picture, const FoundBox& candidate) const;
+  DetectedFace Refine(const PicturePyramid& picture, const FoundBox& candidate,
+                      std::vector<float>* unsnapped = nullptr) const;
   DetectedFace Parse(const PicturePyramid& picture, const CropFrame& frame, bool mirror) const;
 
   LandmarkNetworkOptions network_options_;
   std::shared_ptr<const runtime::NetworkRunner> network_;
   LandmarkDetectorOptions options_;
 };
+
+/// The face of highest confidence x the square root of its area. @throws Error if there is none.
+const DetectedFace& LargestConfident(std::span<const DetectedFace> faces);
 
 /// The upright frame of landmarks: turned so that the line of the eyes' centres is level, centred on the box of the turned
 /// landmarks, kCropSide of its longer side. landmarks: 68 x 2.

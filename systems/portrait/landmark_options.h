@@ -86,7 +86,8 @@ struct LandmarkTrainingOptions {
     visit("validation", validation, Table{}, "On which portraits the best weights are chosen.");
     visit("optimiser", optimiser, Table{}, "The optimiser and its schedule.");
     trainer.Visit(visit);
-    visit("seed", seed, Range{0, 9e15}, "Seed of the split, the initial weights, the order of the samples and their views.");
+    visit("seed", seed, Range{0, 9e15},
+          "Seed of the split, the initial weights, the order of the samples and their views.");
   }
 };
 

@@ -14,12 +14,12 @@ inline constexpr int kNumLandmarks = 68;
 
 /// A picture of a face with what is true of it.
 struct LandmarkSample {
-  render::Image picture;                ///< RGB
-  render::Image mask;                   ///< Grey, of the picture's size: FaceClass.
-  std::vector<float> landmarks;         ///< 68 x 2, pixels (x0 y0 x1 y1 ...).
-  std::vector<uint8_t> visibility;      ///< 68: 1 seen, 0 hidden or outside.
-  std::array<float, 3> gaps_mm = {};    ///< Right eye, left eye, mouth.
-  int skin_tone = 0;                    ///< 0, the lightest, to 5.
+  render::Image picture;              ///< RGB
+  render::Image mask;                 ///< Grey, of the picture's size: FaceClass.
+  std::vector<float> landmarks;       ///< 68 x 2, pixels (x0 y0 x1 y1 ...).
+  std::vector<uint8_t> visibility;    ///< 68: 1 seen, 0 hidden or outside.
+  std::array<float, 3> gaps_mm = {};  ///< Right eye, left eye, mouth.
+  int skin_tone = 0;                  ///< 0, the lightest, to 5.
 };
 
 /// Where samples come from. Functions may be called from several threads.

@@ -63,9 +63,9 @@ std::vector<FoundBox> BoxesOfMap(std::span<const float> map, const CropFrame& fr
         return cell * frame.scale() * std::exp(std::clamp(double(map[k * cells + at]), -kMostLogSide, kMostLogSide));
       };
       const double width = length(3), height = length(4);
-      boxes.push_back({{centre.x() - 0.5 * width, centre.y() - 0.5 * height, centre.x() + 0.5 * width,
-                        centre.y() + 0.5 * height},
-                       Sigmoid(score)});
+      boxes.push_back(
+          {{centre.x() - 0.5 * width, centre.y() - 0.5 * height, centre.x() + 0.5 * width, centre.y() + 0.5 * height},
+           Sigmoid(score)});
     }
   return boxes;
 }

@@ -9,8 +9,8 @@
 namespace daumier::portrait {
 
 struct FoundBox {
-  Box box;            ///< Of the 68 landmarks, pixels of the picture.
-  double score = 0;   ///< Confidence, 0..1.
+  Box box;           ///< Of the 68 landmarks, pixels of the picture.
+  double score = 0;  ///< Confidence, 0..1.
 };
 
 /// Squares of `size` pixels that show a picture at one scale, upright: level 0 is one square that holds the whole picture;

@@ -122,8 +122,7 @@ SearchTargets MakeSearchTargets(std::span<const Box> boxes, int size) {
         const size_t at = size_t(row) * size_t(side) + size_t(column);
         const bool is_centre = row == centre_row && column == centre_column;
         const double dx = column - centre_column, dy = row - centre_row;
-        const auto score =
-            is_centre ? 1.0f : float(std::exp(-0.5 * (dx * dx + dy * dy) / (deviation * deviation)));
+        const auto score = is_centre ? 1.0f : float(std::exp(-0.5 * (dx * dx + dy * dy) / (deviation * deviation)));
         if (score < targets.score[at]) continue;
         targets.score[at] = score;
         if (score < kCounts) continue;
@@ -147,8 +146,7 @@ TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& o
   }
   TrainingView view = EmptyView(size);
   const Box box = BoxOf(sample.landmarks);
-  const CropFrame frame =
-      augmentation != nullptr ? DrawFrame(box, size, *augmentation, rng) : FrameOfBox(box, size);
+  const CropFrame frame = augmentation != nullptr ? DrawFrame(box, size, *augmentation, rng) : FrameOfBox(box, size);
   SampleCrop(PicturePyramid(sample.picture), frame, augmentation != nullptr ? DrawOutside(rng) : Outside(),
              view.picture);
   view.labels = SampleLabels(sample.mask, frame, LabelSide(size), kUnknownLabel);
@@ -198,9 +196,8 @@ TrainingView MakeScene(std::span<const LandmarkSample* const> samples, const Vie
       const Eigen::Vector2d shift(rng.Uniform(-room, room), rng.Uniform(-room, room));
       frame.centre = box.centre() - frame.picture_from_crop() * (shift * size);
       const Box candidate = BoxOf(PointsInCrop(*sample, frame));
-      if (std::ranges::all_of(boxes, [&](const Box& other) {
-            return Overlap(Enlarged(other), Enlarged(candidate)) == 0;
-          }))
+      if (std::ranges::all_of(boxes,
+                              [&](const Box& other) { return Overlap(Enlarged(other), Enlarged(candidate)) == 0; }))
         placed = candidate;
     }
     if (!placed) continue;

@@ -13,9 +13,15 @@
 namespace daumier::portrait {
 
 /// Sides of the network's maps for a crop of `size` pixels.
-inline int HeatMapSide(int size) { return size / 4; }
-inline int LabelSide(int size) { return size / 2; }
-inline int SearchSide(int size) { return size / 8; }
+inline int HeatMapSide(int size) {
+  return size / 4;
+}
+inline int LabelSide(int size) {
+  return size / 2;
+}
+inline int SearchSide(int size) {
+  return size / 8;
+}
 
 /// The label of a pixel that is unknown; that of losses/label_loss.h.
 inline constexpr int64_t kUnknownLabel = -100;
@@ -32,10 +38,10 @@ SearchTargets MakeSearchTargets(std::span<const Box> boxes, int size);
 
 /// A crop and what is true in it.
 struct TrainingView {
-  std::vector<float> picture;           ///< 3 x size x size, 0..1.
-  std::vector<float> points, weights;   ///< 68 x 2 in cells of the heat maps; 68.
-  std::vector<int64_t> labels;          ///< LabelSide^2
-  std::vector<int64_t> states;          ///< kNumFaceStates classes, kUnknownLabel where not known.
+  std::vector<float> picture;          ///< 3 x size x size, 0..1.
+  std::vector<float> points, weights;  ///< 68 x 2 in cells of the heat maps; 68.
+  std::vector<int64_t> labels;         ///< LabelSide^2
+  std::vector<int64_t> states;         ///< kNumFaceStates classes, kUnknownLabel where not known.
   SearchTargets search;
 };
 

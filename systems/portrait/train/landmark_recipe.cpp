@@ -61,8 +61,9 @@ class ViewArrays {
   SampleBatch Batch(std::span<const int> samples) && {
     SampleBatch batch;
     batch.samples.assign(samples.begin(), samples.end());
-    batch.arrays = {{"pictures", std::move(pictures)}, {"points", std::move(points)}, {"weights", std::move(weights)},
-                    {"score", std::move(score)},       {"box", std::move(box)},       {"box_weight", std::move(box_weight)}};
+    batch.arrays = {{"pictures", std::move(pictures)}, {"points", std::move(points)},
+                    {"weights", std::move(weights)},   {"score", std::move(score)},
+                    {"box", std::move(box)},           {"box_weight", std::move(box_weight)}};
     batch.indices = {{"labels", std::move(labels)}, {"states", std::move(states)}};
     return batch;
   }
@@ -182,9 +183,8 @@ std::map<std::string, double> LandmarkRecipe::Validate() {
     for (size_t i = 0; i < count; ++i) {
       const TrainingView& view = block[i];
       std::vector<float> points;
-      for (const render::Peak& peak :
-           render::FindPeaks({maps.row(int64_t(i)), size_t(maps.row_size())}, kNumLandmarks, side, side,
-                             {.deviation = options_.network.deviation})) {
+      for (const render::Peak& peak : render::FindPeaks({maps.row(int64_t(i)), size_t(maps.row_size())}, kNumLandmarks,
+                                                        side, side, {.deviation = options_.network.deviation})) {
         points.push_back(float(peak.x));
         points.push_back(float(peak.y));
       }

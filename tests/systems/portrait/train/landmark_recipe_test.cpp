@@ -85,9 +85,8 @@ TEST(LandmarkRecipe, LossIsAFiniteSumOfItsParts) {
 
 TEST(LandmarkRecipe, RefusesATrainingWithoutValidation) {
   const testing::DrawnPortraits portraits(4);
-  testing::ExpectError(
-      [&] { LandmarkRecipe(SmallOptions(), portraits, Count(4), {}, torch::kCPU); },
-      "a training needs training and validation portraits, here 4 and 0");
+  testing::ExpectError([&] { LandmarkRecipe(SmallOptions(), portraits, Count(4), {}, torch::kCPU); },
+                       "a training needs training and validation portraits, here 4 and 0");
 }
 
 }  // namespace
