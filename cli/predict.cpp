@@ -62,14 +62,14 @@ void Predict(const PredictArguments& arguments) {
 
 Verb PredictVerb() {
   return {
-      "predict", "Drawings to meshes and pictures",
+      "predict", "Drawings to meshes, portraits to landmarks and masks, with pictures",
       [](CLI::App& command) {
         auto arguments = std::make_shared<PredictArguments>();
         command.add_option("run", arguments->run, "Run folder")->required();
         command
             .add_option("inputs", arguments->inputs,
-                        "Frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures of lines (PNG, "
-                        "JPEG, WebP, BMP, TIFF); a folder of them; and key=value")
+                        "Of a sketch run: frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures of lines (PNG, "
+                        "JPEG, WebP, BMP, TIFF). Of a landmarks run: pictures of faces. A folder of them; and key=value")
             ->required();
         command.add_flag(
             "--keep-frame", arguments->keep_frame,
