@@ -14,7 +14,8 @@ std::vector<float> GaussianMap(int height, int width, double x, double y, double
   std::vector<float> map;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
-      map.push_back(float(-0.5 * (std::pow(column + 0.5 - x, 2) + std::pow(row + 0.5 - y, 2)) / (deviation * deviation)));
+      map.push_back(
+          float(-0.5 * (std::pow(column + 0.5 - x, 2) + std::pow(row + 0.5 - y, 2)) / (deviation * deviation)));
   return map;
 }
 

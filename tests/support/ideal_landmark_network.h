@@ -109,8 +109,14 @@ inline NamedArrays IdealLandmarkNetwork::Run(const NamedArrays& inputs) const {
       boxes.row(b)[i] = 12 * search.score[i] - 7;
       for (size_t k = 0; k < 4; ++k) boxes.row(b)[(k + 1) * cells + i] = search.box[k * cells + i];
     }
-    const float scores[8] = {float(-is_face), float(is_face), 0, right_eye_closed && !is_mirrored ? 4.f : -4.f,
-                             0, right_eye_closed && is_mirrored ? 4.f : -4.f, 0, mouth_open ? 4.f : -4.f};
+    const float scores[8] = {float(-is_face),
+                             float(is_face),
+                             0,
+                             right_eye_closed && !is_mirrored ? 4.f : -4.f,
+                             0,
+                             right_eye_closed && is_mirrored ? 4.f : -4.f,
+                             0,
+                             mouth_open ? 4.f : -4.f};
     std::copy(scores, scores + 8, states.row(b));
     if (nearest == nullptr) continue;
     for (int i = 0; i < 68; ++i) {
@@ -123,9 +129,9 @@ inline NamedArrays IdealLandmarkNetwork::Run(const NamedArrays& inputs) const {
     }
     for (int row = 0; row < label_side; ++row)
       for (int column = 0; column < label_side; ++column) {
-        const Eigen::Vector2d p = place.origin + place.picture_from_crop *
-                                                     Eigen::Vector2d((column + 0.5) * size / label_side,
-                                                                     (row + 0.5) * size / label_side);
+        const Eigen::Vector2d p =
+            place.origin + place.picture_from_crop *
+                               Eigen::Vector2d((column + 0.5) * size / label_side, (row + 0.5) * size / label_side);
         double eye = -5;  // Positive inside of an eye's ellipse.
         for (const size_t first : {36, 42}) {
           const portrait::Box box = portrait::BoxOf({nearest->data() + 2 * first, 12});
@@ -134,8 +140,9 @@ inline NamedArrays IdealLandmarkNetwork::Run(const NamedArrays& inputs) const {
         }
         labels.row(b)[(size_t(portrait::FaceClass::kEye) * size_t(label_side) + size_t(row)) * size_t(label_side) +
                       size_t(column)] = float(eye);
-        for (const auto other : {portrait::FaceClass::kBrow, portrait::FaceClass::kLip, portrait::FaceClass::kMouth,
-                                 portrait::FaceClass::kEar, portrait::FaceClass::kHair, portrait::FaceClass::kBackground})
+        for (const auto other :
+             {portrait::FaceClass::kBrow, portrait::FaceClass::kLip, portrait::FaceClass::kMouth,
+              portrait::FaceClass::kEar, portrait::FaceClass::kHair, portrait::FaceClass::kBackground})
           labels.row(b)[(size_t(other) * size_t(label_side) + size_t(row)) * size_t(label_side) + size_t(column)] = -20;
       }
   }

@@ -39,7 +39,8 @@ class LandmarkEvaluation {
         run_(ReadLandmarkRunFolder(run_directory)),
         folder_(datasets::FindRunData(run_directory, run_.manifest, run_.config, "portraits", options.data.portraits)),
         source_(databases.Open<datasets::PortraitDatabase>(folder_)),
-        split_(SplitSamples(source_, ParseOptions<datasets::SplitOptions>(run_.config.at("split")), run_.manifest.seed)),
+        split_(
+            SplitSamples(source_, ParseOptions<datasets::SplitOptions>(run_.config.at("split")), run_.manifest.seed)),
         detector_(run_.network_options,
                   std::make_shared<exporting::TorchRunner>(DescribeLandmarkExport(run_directory), torch::kCPU),
                   options.detector) {
@@ -61,11 +62,11 @@ class LandmarkEvaluation {
     return {.table = table,
             .metrics = metrics,
             .report = Report(table, metrics),
-            .sheet = reports::Evaluation::Sheet{Sheet(),
-                                                "White: truth; colours: the network. " +
-                                                    std::string(pictures_.empty() ? "Portraits of median, worst 5 % and "
-                                                                                    "first by index."
-                                                                                  : "The given pictures.")},
+            .sheet = reports::Evaluation::Sheet{Sheet(), "White: truth; colours: the network. " +
+                                                             std::string(pictures_.empty()
+                                                                             ? "Portraits of median, worst 5 % and "
+                                                                               "first by index."
+                                                                             : "The given pictures.")},
             .manifest = ReportManifest()};
   }
 
@@ -106,28 +107,30 @@ class LandmarkEvaluation {
   Json Metrics(const reports::MetricTable& table) const {
     std::map<int, std::vector<double>> tones;
     for (const PortraitMeasurement& portrait : portraits_) tones[portrait.skin_tone].push_back(portrait.boxed.all);
-    return {{"system", kLandmarkSystem},
-            {"num_faces", samples_.size()},
-            {"num_persons", std::set<int>(table.groups.begin(), table.groups.end()).size()},
-            {"split", options_.split},
-            {"normalised_error", table.rows[0].error().mean},
-            {"table", reports::TableJson(table)},
-            {"labels_iou", LabelsToJson(labels_)},
-            {"states", StatesToJson(portraits_)},
-            {"skin_tones", TonesToJson(tones)},
-            {"pictures", pictures_.empty() ? Json() : PicturesToJson(pictures_)},
-            {"negatives", negatives_.empty() ? Json() : NegativesToJson(negatives_, options_.detector.least_confidence)},
-            {"data_hash", table.data_hash},
-            {"faces", table.faces},
-            {"groups", table.groups},
-            {"seconds", seconds_}};
+    return {
+        {"system", kLandmarkSystem},
+        {"num_faces", samples_.size()},
+        {"num_persons", std::set<int>(table.groups.begin(), table.groups.end()).size()},
+        {"split", options_.split},
+        {"normalised_error", table.rows[0].error().mean},
+        {"table", reports::TableJson(table)},
+        {"labels_iou", LabelsToJson(labels_)},
+        {"states", StatesToJson(portraits_)},
+        {"skin_tones", TonesToJson(tones)},
+        {"pictures", pictures_.empty() ? Json() : PicturesToJson(pictures_)},
+        {"negatives", negatives_.empty() ? Json() : NegativesToJson(negatives_, options_.detector.least_confidence)},
+        {"data_hash", table.data_hash},
+        {"faces", table.faces},
+        {"groups", table.groups},
+        {"seconds", seconds_}};
   }
 
   reports::ReportData Report(const reports::MetricTable& table, const Json& metrics) const {
     reports::ReportData report;
     report.title = fmt::format("Landmarks of portraits, {} split", options_.split);
     report.summary = fmt::format(
-        "{} portraits of {} persons. Mean distance of 68 landmarks over the distance of the outer eye corners. A face that "
+        "{} portraits of {} persons. Mean distance of 68 landmarks over the distance of the outer eye corners. A face "
+        "that "
         "is not found counts as the mean shape in the whole picture. The interval resamples persons.",
         samples_.size(), metrics.at("num_persons").get<size_t>());
     report.tables = {reports::TextTable(table)};
@@ -136,14 +139,15 @@ class LandmarkEvaluation {
     for (const auto& [name, value] : metrics.at("labels_iou").items())
       classes.rows.push_back({name, fmt::format("{:.1f}", 100 * value.get<double>())});
     report.tables.push_back(classes);
-    report.facts = {{"portraits (data hash)", table.data_hash.at("portraits").get<std::string>()},
-                    {"seed", fmt::format("{}", run_.manifest.seed)},
-                    {"spread over skin tones", fmt::format("{:.1f} %", 100 * metrics.at("skin_tones").at("spread").get<double>())},
-                    {"seconds", fmt::format("{:.1f}", seconds_)}};
+    report.facts = {
+        {"portraits (data hash)", table.data_hash.at("portraits").get<std::string>()},
+        {"seed", fmt::format("{}", run_.manifest.seed)},
+        {"spread over skin tones", fmt::format("{:.1f} %", 100 * metrics.at("skin_tones").at("spread").get<double>())},
+        {"seconds", fmt::format("{:.1f}", seconds_)}};
     if (!negatives_.empty())
-      report.facts.push_back({"false faces", fmt::format("{} of {} pictures without a face",
-                                                         metrics.at("negatives").at("false_faces").get<int>(),
-                                                         negatives_.size())});
+      report.facts.push_back(
+          {"false faces", fmt::format("{} of {} pictures without a face",
+                                      metrics.at("negatives").at("false_faces").get<int>(), negatives_.size())});
     return report;
   }
 

@@ -25,8 +25,7 @@ TEST(CropFrame, TurnsClockwiseAsSeen) {
 
 TEST(SampleCrop, OfTheWholePictureIsThePicture) {
   const render::Image picture = testing::PictureOfPlaces(64, 64);
-  const std::vector<float> crop =
-      SampleCrop(PicturePyramid(picture), {.centre = {32, 32}, .side = 64, .size = 64}, {});
+  const std::vector<float> crop = SampleCrop(PicturePyramid(picture), {.centre = {32, 32}, .side = 64, .size = 64}, {});
   for (int row = 0; row < 64; ++row)
     for (int column = 0; column < 64; ++column) {
       EXPECT_NEAR(255 * crop[size_t(64 * row + column)], column, 1e-3);

@@ -1,7 +1,6 @@
 #include "systems/portrait/landmark_detector.h"
 
 #include "systems/portrait/landmark_errors.h"
-#include "systems/portrait/landmark_eyes.h"
 #include "systems/portrait/landmark_views.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/from_threads.h"
@@ -52,15 +51,18 @@ TEST(LandmarkDetector, TheMirroredRoundAgreesWithThePlainOne) {
   const std::vector<float> truth = testing::PlausibleLandmarks(50, 50, 100);
   auto network = NetworkOf({truth});
   network->right_eye_closed = true;
-  const DetectedFace plain = LandmarkDetector(kNetwork, network, {.mirror = false, .snap_eyes = false}).FindOne(Picture()),
-                     both = LandmarkDetector(kNetwork, network, {.mirror = true, .snap_eyes = false}).FindOne(Picture());
+  const DetectedFace plain =
+                         LandmarkDetector(kNetwork, network, {.mirror = false, .snap_eyes = false}).FindOne(Picture()),
+                     both =
+                         LandmarkDetector(kNetwork, network, {.mirror = true, .snap_eyes = false}).FindOne(Picture());
   for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(plain.landmarks[i], both.landmarks[i], 0.1);
   EXPECT_GT(both.states[size_t(FaceState::kRightEyeClosed)], 0.9);
   EXPECT_LT(both.states[size_t(FaceState::kLeftEyeClosed)], 0.1);
 }
 
 TEST(LandmarkDetector, FindsSeveralFacesEachOnce) {
-  const std::vector<float> left = testing::PlausibleLandmarks(15, 60, 70), right = testing::PlausibleLandmarks(115, 50, 70);
+  const std::vector<float> left = testing::PlausibleLandmarks(15, 60, 70),
+                           right = testing::PlausibleLandmarks(115, 50, 70);
   const LandmarkDetector detector(kNetwork, NetworkOf({left, right}));
   const std::vector<DetectedFace> faces = detector.FindAll(Picture());
   ASSERT_EQ(faces.size(), 2u);
@@ -98,35 +100,6 @@ TEST(DetectedFace, MaskIsBackgroundOutsideOfTheCropAndEyeInTheEyes) {
   EXPECT_EQ(mask.at(2, 2), uint8_t(FaceClass::kBackground));
   EXPECT_EQ(mask.at(int(60 + 0.25 * 80), int(60 + 0.3 * 80)), uint8_t(FaceClass::kEye));
   EXPECT_EQ(mask.at(int(60 + 0.5 * 80), int(60 + 0.5 * 80)), uint8_t(FaceClass::kSkin));
-}
-
-TEST(SnapEyes, MovesLandmarksOfEyesOntoTheBoundaryAndNoOthers) {
-  const std::vector<float> truth = testing::PlausibleLandmarks(50, 50, 100);
-  const LandmarkDetector detector(kNetwork, NetworkOf({truth}), {.snap_eyes = false});
-  const DetectedFace face = detector.FindOne(Picture());
-  std::vector<float> moved = face.landmarks;
-  for (size_t i = 72; i < 96; i += 2) moved[i] += 1.5f;
-  const std::vector<float> snapped = SnapEyes(moved, face.labels, face.frame);
-  for (size_t i = 0; i < 34; ++i) {
-    const size_t at = i < 18 ? 2 * i : 2 * (i + 30);  // Jaw, a brow's beginning; mouth.
-    EXPECT_EQ(snapped[at], moved[at]);
-  }
-  for (const size_t first : {36u, 42u}) {
-    const Box box = BoxOf({truth.data() + 2 * first, 12});
-    for (size_t i = first; i < first + 6; ++i) {
-      const double u = (double(snapped[2 * i]) - box.centre().x()) / (0.5 * box.width()),
-                   v = (double(snapped[2 * i + 1]) - box.centre().y()) / (0.5 * box.height());
-      EXPECT_NEAR(std::hypot(u, v), 1, 0.15);  // On the ellipse.
-    }
-  }
-}
-
-TEST(SnapEyes, LeavesLandmarksWhereNoEyeIsParsed) {
-  const CropFrame frame{.centre = {100, 100}, .side = 128};
-  std::vector<float> labels(8 * 64 * 64, 0);
-  std::fill(labels.begin() + 64 * 64, labels.begin() + 2 * 64 * 64, 5.0f);  // All skin.
-  const std::vector<float> points = testing::PlausibleLandmarks(50, 50, 100);
-  EXPECT_EQ(SnapEyes(points, labels, frame), points);
 }
 
 }  // namespace

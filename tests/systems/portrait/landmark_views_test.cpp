@@ -1,6 +1,5 @@
 #include "systems/portrait/landmark_views.h"
 
-#include "systems/portrait/landmark_clutter.h"
 #include "tests/support/drawn_portraits.h"
 
 #include <gtest/gtest.h>
@@ -42,9 +41,21 @@ TEST(TrainingView, OfTheMirrorIsTheMirrorOfTheView) {
     mirror.visibility[size_t(i)] = sample.visibility[from];
   }
   std::swap(mirror.gaps_mm[0], mirror.gaps_mm[1]);
-  LandmarkAugmentationOptions still{.shift = 0, .scale = 0, .rotation_degrees = 0, .flip = 1, .colour = 0, .tint = 0,
-                                    .grey = 0, .contrast = 0, .posterise = 0, .blur = 0, .coarse = 0, .occluder = 0,
-                                    .noise = 0, .jpeg = 0, .line_drawing = 0};
+  LandmarkAugmentationOptions still{.shift = 0,
+                                    .scale = 0,
+                                    .rotation_degrees = 0,
+                                    .flip = 1,
+                                    .colour = 0,
+                                    .tint = 0,
+                                    .grey = 0,
+                                    .contrast = 0,
+                                    .posterise = 0,
+                                    .blur = 0,
+                                    .coarse = 0,
+                                    .occluder = 0,
+                                    .noise = 0,
+                                    .jpeg = 0,
+                                    .line_drawing = 0};
   Rng rng(1), again(1);
   const ViewOptions options{.size = 64, .negative_share = 0};
   const TrainingView flipped = MakeTrainingView(mirror, options, &still, rng);
@@ -116,56 +127,6 @@ TEST(Scene, ShowsItsFacesWhereTheSearchMapSays) {
   }
   EXPECT_EQ(most, 2);
   EXPECT_EQ(std::ranges::max(MakeScene({}, {.size = 128}, still, rng).search.score), 0);
-}
-
-TEST(Clutter, IsAPictureAndDiffersFromDrawToDraw) {
-  Rng rng(2);
-  std::vector<float> first(3 * 64 * 64), second = first;
-  DrawClutter(first, 64, rng);
-  DrawClutter(second, 64, rng);
-  EXPECT_TRUE(IsPicture(first));
-  EXPECT_NE(first, second);
-}
-
-TEST(ShuffleBlocks, KeepsAllValues) {
-  std::vector<float> picture(3 * 32 * 32);
-  for (size_t i = 0; i < picture.size(); ++i) picture[i] = float(i);
-  std::vector<float> shuffled = picture;
-  Rng rng(2);
-  ShuffleBlocks(shuffled, 32, rng);
-  EXPECT_NE(shuffled, picture);
-  std::ranges::sort(shuffled);
-  EXPECT_EQ(shuffled, picture);
-}
-
-TEST(ChangeColours, StaysInRangeAndIsUnchangedAtStrengthZero) {
-  std::vector<float> picture(3 * 64 * 64);
-  Rng fill(1);
-  for (float& value : picture) value = float(fill.Uniform());
-  const std::vector<float> before = picture;
-  Rng rng(2);
-  ChangeColours(picture, 64, {.strength = 0}, rng);
-  EXPECT_EQ(picture, before);
-  const LandmarkAugmentationOptions all{.tint = 1, .grey = 1, .invert = 1, .posterise = 1, .blur = 1, .coarse = 1,
-                                        .noise = 1, .jpeg = 1, .line_drawing = 1};
-  for (int i = 0; i < 5; ++i) {
-    picture = before;
-    ChangeColours(picture, 64, all, rng);
-    EXPECT_TRUE(IsPicture(picture));
-    EXPECT_NE(picture, before);
-  }
-}
-
-TEST(DrawOccluders, MarkTheCellsThatTheyCover) {
-  std::vector<float> picture(3 * 64 * 64, 2.0f);  // No value of a patch.
-  std::vector<uint8_t> covered(32 * 32, 0);
-  Rng rng(4);
-  DrawOccluders(picture, 64, covered, 32, rng);
-  int64_t num_covered = 0, num_changed = 0;
-  for (const uint8_t cell : covered) num_covered += cell;
-  for (size_t i = 0; i < 64 * 64; ++i) num_changed += picture[i] != 2.0f;
-  EXPECT_GT(num_covered, 0);
-  EXPECT_NEAR(double(num_changed) / (4.0 * double(num_covered)), 1, 0.15);
 }
 
 }  // namespace
