@@ -65,7 +65,7 @@ void BlurChannel(float* channel, int size, int reach) {
     float sum = 0;
     for (int i = -reach; i <= reach; ++i) sum += line[size_t(std::clamp(i, 0, size - 1))];
     for (int i = 0; i < size; ++i) {
-      first[i * step] = sum * share;
+      first[i * step] = Unit(sum * share);
       sum += line[size_t(std::min(i + reach + 1, size - 1))] - line[size_t(std::max(i - reach, 0))];
     }
   };
@@ -90,7 +90,7 @@ void MakeCoarse(float* channel, int size, int side) {
       const float u = x - float(c0), v = y - float(r0);
       const auto at = [&](int r, int c) { return means[size_t(r) * size_t(cells) + size_t(c)]; };
       channel[size_t(row) * size_t(size) + size_t(column)] =
-          (1 - v) * ((1 - u) * at(r0, c0) + u * at(r0, c1)) + v * ((1 - u) * at(r1, c0) + u * at(r1, c1));
+          Unit((1 - v) * ((1 - u) * at(r0, c0) + u * at(r0, c1)) + v * ((1 - u) * at(r1, c0) + u * at(r1, c1)));
     }
   }
 }

@@ -116,7 +116,7 @@ void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Out
       for (size_t k = 0; k < 3; ++k) {
         const float above = w * upper[3 * size_t(c0) + k] + u * upper[3 * size_t(c1) + k];
         const float below = w * lower[3 * size_t(c0) + k] + u * lower[3 * size_t(c1) + k];
-        to[k * size * size] = above + v * (below - above);
+        to[k * size * size] = std::clamp(above + v * (below - above), 0.0f, 1.0f);
       }
     }
 }

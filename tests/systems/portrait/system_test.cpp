@@ -1,8 +1,12 @@
 #include "systems/portrait/system.h"
 
+#include "core/config.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 namespace daumier::portrait {
 namespace {
@@ -16,6 +20,17 @@ TEST(LandmarkSystem, ResolvesItsOptionsAndRefusesUnknownOnes) {
   EXPECT_EQ(system.resolve_prediction(Json::object(), "predict")["detector"]["rounds"], 2);
   testing::ExpectError([&] { system.resolve_prediction({{"landmark", "x"}}, "predict"); }, "unknown key 'landmark'");
   testing::ExpectError([&] { system.resolve_evaluation({{"rival", "x"}}, "eval"); }, "rival needs pictures");
+}
+
+TEST(LandmarkSystem, EveryConfigOfTheRoomIsParsed) {
+  int num_configs = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(testing::SourceRoot() / "configs" / "portrait")) {
+    const Json config = LoadConfig(entry.path(), {"data.portraits=\"x\""});
+    if (config.at("system") != "landmarks") continue;
+    EXPECT_EQ(LandmarkSystem().resolve_config(config, entry.path().string())["system"], "landmarks");
+    ++num_configs;
+  }
+  EXPECT_GT(num_configs, 0);
 }
 
 }  // namespace
