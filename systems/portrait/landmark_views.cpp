@@ -1,6 +1,7 @@
 #include "systems/portrait/landmark_views.h"
 
 #include "core/error.h"
+#include "systems/portrait/landmark_bulges.h"
 #include "systems/portrait/landmark_clutter.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ CropFrame DrawFrame(const Box& box, int size, const LandmarkAugmentationOptions&
   frame.turn = kRadians * strength * options.rotation_degrees * rng.Uniform(-1, 1) * rng.Uniform(0.2, 1);
   if (rng.Uniform() < options.upside_down * strength) frame.turn = rng.Uniform(-std::numbers::pi, std::numbers::pi);
   frame.mirrored = rng.Uniform() < options.flip;
+  frame.stretch = strength * rng.Uniform(-options.stretch, options.stretch);
   return frame;
 }
 
@@ -39,6 +41,19 @@ std::vector<float> PointsInCrop(const LandmarkSample& sample, const CropFrame& f
     points[2 * size_t(i) + 1] = float(at.y());
   }
   return points;
+}
+
+void MovePoints(std::vector<float>& points, const Bulges& bulges) {
+  for (size_t i = 0; i < points.size(); i += 2) {
+    const Eigen::Vector2d place = bulges.PlaceOf({points[i], points[i + 1]});
+    points[i] = float(place.x());
+    points[i + 1] = float(place.y());
+  }
+}
+
+/// Empty where nothing moves.
+std::vector<float> FieldOf(const Bulges& bulges, int size, int cells) {
+  return bulges.empty() ? std::vector<float>() : bulges.Field(size, cells);
 }
 
 int64_t StateOf(float gap_mm, float closed_mm, float open_mm, bool open_is_one) {
@@ -147,10 +162,21 @@ TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& o
   TrainingView view = EmptyView(size);
   const Box box = BoxOf(sample.landmarks);
   const CropFrame frame = augmentation != nullptr ? DrawFrame(box, size, *augmentation, rng) : FrameOfBox(box, size);
-  SampleCrop(PicturePyramid(sample.picture), frame, augmentation != nullptr ? DrawOutside(rng) : Outside(),
-             view.picture);
-  view.labels = SampleLabels(sample.mask, frame, LabelSide(size), kUnknownLabel);
   view.points = PointsInCrop(sample, frame);
+  Bulges bulges;
+  if (augmentation != nullptr && rng.Uniform() < augmentation->bulges * augmentation->strength) {
+    bulges = DrawBulges(view.points, augmentation->strength, rng);
+    MovePoints(view.points, bulges);
+  }
+  SampleCrop(PicturePyramid(sample.picture), frame, augmentation != nullptr ? DrawOutside(rng) : Outside(),
+             view.picture, FieldOf(bulges, size, size));
+  view.labels =
+      SampleLabels(sample.mask, frame, LabelSide(size), kUnknownLabel, FieldOf(bulges, size, LabelSide(size)));
+  if (augmentation != nullptr && rng.Uniform() < augmentation->teeth * augmentation->strength) {
+    std::vector<uint8_t> mouth;
+    for (const int64_t label : view.labels) mouth.push_back(label == int64_t(FaceClass::kMouth));
+    PaintTeeth(view.picture, size, mouth, LabelSide(size), rng);
+  }
   view.states = StatesOf(sample, frame.mirrored);
   const Box in_crop = BoxOf(view.points);
   view.search = MakeSearchTargets({&in_crop, 1}, size);
@@ -189,20 +215,28 @@ TrainingView MakeScene(std::span<const LandmarkSample* const> samples, const Vie
     const double share = 0.12 * std::pow(0.9 / 0.12, samples.size() > 1 ? 0.6 * rng.Uniform() : rng.Uniform());
     CropFrame frame{.side = box.side() / share, .mirrored = rng.Below(2) == 0, .size = size};
     frame.turn = kRadians * augmentation.rotation_degrees * rng.Uniform(-1, 1) * rng.Uniform(0.2, 1);
+    frame.stretch = rng.Uniform(-augmentation.stretch, augmentation.stretch);
     // The face lies wholly in the scene where it fits, apart from the faces before it.
     const double room = std::max(0.0, 0.5 - 0.5 * share);
     std::optional<Box> placed;
+    Bulges bulges;
     for (int trial = 0; trial < 6 && !placed; ++trial) {
       const Eigen::Vector2d shift(rng.Uniform(-room, room), rng.Uniform(-room, room));
       frame.centre = box.centre() - frame.picture_from_crop() * (shift * size);
-      const Box candidate = BoxOf(PointsInCrop(*sample, frame));
+      std::vector<float> points = PointsInCrop(*sample, frame);
+      bulges = Bulges();
+      if (rng.Uniform() < augmentation.bulges * augmentation.strength) {
+        bulges = DrawBulges(points, augmentation.strength, rng);
+        MovePoints(points, bulges);
+      }
+      const Box candidate = BoxOf(points);
       if (std::ranges::all_of(boxes,
                               [&](const Box& other) { return Overlap(Enlarged(other), Enlarged(candidate)) == 0; }))
         placed = candidate;
     }
     if (!placed) continue;
     boxes.push_back(*placed);
-    SampleCrop(PicturePyramid(sample->picture), frame, {}, layer);
+    SampleCrop(PicturePyramid(sample->picture), frame, {}, layer, FieldOf(bulges, size, size));
     const bool is_alone = samples.size() == 1, fills = is_alone && rng.Below(2) == 0;
     const Box window = Enlarged(*placed);
     for (int row = 0; row < size; ++row)

@@ -50,5 +50,25 @@ TEST(DrawOccluders, MarkTheCellsThatTheyCover) {
   EXPECT_NEAR(double(num_changed) / (4.0 * double(num_covered)), 1, 0.15);
 }
 
+TEST(PaintTeeth, LightensTheMouthAndNothingElse) {
+  std::vector<float> picture(3 * 64 * 64, 0.1f);
+  std::vector<uint8_t> mouth(32 * 32, 0);
+  for (int row = 18; row < 24; ++row)
+    for (int column = 10; column < 22; ++column) mouth[size_t(32 * row + column)] = 1;
+  Rng rng(4);
+  PaintTeeth(picture, 64, mouth, 32, rng);
+  int64_t num_light = 0;
+  for (int row = 0; row < 64; ++row)
+    for (int column = 0; column < 64; ++column) {
+      if (picture[size_t(64 * row + column)] == 0.1f) continue;
+      ++num_light;
+      EXPECT_EQ(mouth[size_t(32 * (row / 2) + column / 2)], 1);
+    }
+  EXPECT_GT(num_light, 40);
+  const std::vector<float> before = picture;
+  PaintTeeth(picture, 64, std::vector<uint8_t>(32 * 32, 0), 32, rng);
+  EXPECT_EQ(picture, before);
+}
+
 }  // namespace
 }  // namespace daumier::portrait
