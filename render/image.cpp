@@ -147,11 +147,8 @@ Image ReadImage(const std::filesystem::path& path) {
   return DecodeImage(ReadFile(path), path.string());
 }
 
-void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality) {
-  const std::string extension = path.extension().string();
-  DAUMIER_CHECK(extension == ".png" || extension == ".jpg" || extension == ".jpeg",
-                "{}: pictures are written as .png, .jpg or .jpeg", path.string());
-  DAUMIER_CHECK(!image.pixels.empty(), "{}: the picture to write is empty", path.string());
+std::string EncodeImage(const Image& image, ImageFormat format, int jpeg_quality) {
+  DAUMIER_CHECK(!image.pixels.empty(), "the picture to encode is empty");
   cv::Mat encoded;
   if (image.channels == 3) {
     cv::cvtColor(MatView(image), encoded, cv::COLOR_RGB2BGR);
@@ -159,11 +156,20 @@ void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_
     encoded = MatView(image);
   }
   std::vector<uint8_t> bytes;
-  const std::vector<int> parameters = extension == ".png" ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
-                                                          : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, jpeg_quality};
-  DAUMIER_CHECK(cv::imencode(extension, encoded, bytes, parameters), "{}: the picture cannot be encoded",
-                path.string());
-  WriteFileAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const bool is_png = format == ImageFormat::kPng;
+  const std::vector<int> parameters = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
+                                             : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, jpeg_quality};
+  DAUMIER_CHECK(cv::imencode(is_png ? ".png" : ".jpg", encoded, bytes, parameters), "a picture cannot be encoded");
+  return {bytes.begin(), bytes.end()};
+}
+
+void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality) {
+  const std::string extension = path.extension().string();
+  DAUMIER_CHECK(extension == ".png" || extension == ".jpg" || extension == ".jpeg",
+                "{}: pictures are written as .png, .jpg or .jpeg", path.string());
+  DAUMIER_CHECK(!image.pixels.empty(), "{}: the picture to write is empty", path.string());
+  WriteFileAtomically(path,
+                      EncodeImage(image, extension == ".png" ? ImageFormat::kPng : ImageFormat::kJpeg, jpeg_quality));
 }
 
 }  // namespace daumier::render

@@ -37,7 +37,12 @@ Image ReadImage(const std::filesystem::path& path);
 /// The same for a picture that is in memory; `name` is what errors call it.
 Image DecodeImage(std::string_view bytes, std::string_view name);
 
-/// PNG or JPEG by the extension (".png", ".jpg", ".jpeg"), atomic; the same picture gives the same bytes.
+enum class ImageFormat { kPng, kJpeg };
+
+/// The bytes of a PNG or JPEG file; the same picture gives the same bytes. @throws Error if the picture is empty.
+std::string EncodeImage(const Image& image, ImageFormat format, int jpeg_quality = 88);
+
+/// EncodeImage as PNG or JPEG by the extension (".png", ".jpg", ".jpeg"), atomic.
 /// @throws Error naming file and cause.
 void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality = 88);
 

@@ -1,0 +1,73 @@
+#pragma once
+#include "faces/appearance/albedo_basis.h"
+#include "faces/appearance/looks.h"
+#include "faces/finished_head.h"
+#include "geometry/mesh.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace daumier::faces {
+
+/// Classes of parsing masks. Hats and glasses are background: they hide the face.
+enum class MaskClass : uint8_t { kBackground, kSkin, kBrows, kEyes, kLips, kMouth, kEars, kHair };
+inline constexpr int kNumMaskClasses = 8;
+
+/// What a triangle is made of: for gloss, line weights, light from both sides.
+enum class PortraitPart : uint8_t {
+  kSkin,
+  kEyeball,
+  kHighlight,
+  kLidRim,
+  kLash,
+  kBrow,
+  kMouth,
+  kTeeth,
+  kHair,
+  kBeard,
+  kHat,
+  kGlasses,
+  kLens
+};
+
+/// Everything that a portrait shows of one face, as one list of triangles. Vertices are repeated where colours break.
+/// All but the face's own surface are closed or seen from both sides.
+struct PortraitHead {
+  geometry::Points vertices;      ///< N x 3, cm; the first V are the face's, unchanged.
+  geometry::Triangles triangles;  ///< T x 3, counter-clockwise seen from outside.
+  Eigen::MatrixXf colours;        ///< N x 3, albedo, RGB in [0, 1].
+  std::vector<uint8_t> classes;   ///< T: MaskClass.
+  std::vector<uint8_t> parts;     ///< T: PortraitPart.
+};
+
+/// What dresses faces of one topology; made once. Const and thread-safe.
+class HeadDresser {
+ public:
+  /// @throws Error as FinishedHead and MakeAlbedoBasis, or if the template has no region `face`.
+  explicit HeadDresser(const FaceTemplate& face_template);
+  ~HeadDresser();
+  HeadDresser(HeadDresser&&) noexcept;
+  HeadDresser& operator=(HeadDresser&&) noexcept;
+
+  const FaceTemplate& face_template() const;
+  const FinishedHead& finished() const;
+  const AlbedoBasis& albedo() const;
+
+  /// The face (V x 3, cm) with skin colours, eyes, brows, lashes, teeth, hair, beard, hat and glasses. Deterministic.
+  /// All parts are functions of the vertices, so that they fit every face of the topology.
+  /// @throws Error if the face has another number of vertices or the looks another number of albedo coefficients.
+  PortraitHead Dress(const geometry::Points& face, const Looks& looks) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+inline PortraitHead DressHead(const HeadDresser& dresser, const geometry::Points& face, const Looks& looks) {
+  return dresser.Dress(face, looks);
+}
+
+}  // namespace daumier::faces
