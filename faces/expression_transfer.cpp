@@ -55,4 +55,47 @@ Eigen::MatrixXf ExpressionTransfer::Offsets(const geometry::Points& neutral, uns
   return offsets;
 }
 
+ExpressionTransfer::Target ExpressionTransfer::On(const geometry::Points& neutral) const {
+  DAUMIER_CHECK(neutral.rows() == num_vertices_, "the face has {} vertices, its template {}", neutral.rows(),
+                num_vertices_);
+  Target target;
+  target.transfer_ = this;
+  target.neutral_ = neutral;
+  if (!pinned_.empty() && static_cast<Eigen::Index>(pinned_.size()) < num_vertices_)
+    target.solver_.emplace(geometry::TriangleMesh{neutral, triangles_}, pinned_);
+  return target;
+}
+
+geometry::Points ExpressionTransfer::Target::Face(const Eigen::VectorXf& weights) const {
+  DAUMIER_CHECK(weights.size() == transfer_->num_expressions(), "{} weights of {} expressions", weights.size(),
+                transfer_->num_expressions());
+  geometry::Points face = neutral_;
+  if (transfer_->pinned_.empty()) {
+    const Eigen::VectorXf offset = transfer_->linear_offsets_ * weights;
+    Eigen::Map<Eigen::VectorXd>(face.data(), face.size()) += offset.cast<double>();
+    return face;
+  }
+  if (!solver_ || weights.isZero(0)) return face;
+  // A transfer is linear in the changes of the triangles.
+  const auto num_triangles = static_cast<size_t>(transfer_->triangles_.rows());
+  std::vector<Eigen::Matrix3d> sums(num_triangles, Eigen::Matrix3d::Zero());
+  std::vector<bool> is_changed(num_triangles);
+  for (Eigen::Index e = 0; e < weights.size(); ++e) {
+    if (weights[e] == 0) continue;
+    const geometry::DeformationGradients& gradients = transfer_->gradients_[size_t(e)];
+    for (size_t i = 0; i < gradients.triangles.size(); ++i) {
+      const auto triangle = static_cast<size_t>(gradients.triangles[i]);
+      sums[triangle] += double(weights[e]) * gradients.changes[i];
+      is_changed[triangle] = true;
+    }
+  }
+  geometry::DeformationGradients mix;
+  for (size_t triangle = 0; triangle < num_triangles; ++triangle) {
+    if (!is_changed[triangle]) continue;
+    mix.triangles.push_back(static_cast<int>(triangle));
+    mix.changes.push_back(sums[triangle]);
+  }
+  return solver_->Apply(mix);
+}
+
 }  // namespace daumier::faces

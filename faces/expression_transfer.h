@@ -2,6 +2,7 @@
 #include "faces/face_model.h"
 #include "geometry/deformation_transfer.h"
 
+#include <optional>
 #include <vector>
 
 namespace daumier::faces {
@@ -22,6 +23,22 @@ class ExpressionTransfer {
   Eigen::MatrixXf Offsets(const geometry::Points& neutral, unsigned max_threads = 1) const;
 
   int num_expressions() const { return static_cast<int>(gradients_.size()); }
+
+  /// A neutral face that is ready for any mix of expressions: one factorisation, then one solve a mix.
+  class Target {
+   public:
+    /// The face (V x 3, cm): neutral + sum_e weights_e offset_e, offset_e a column of Offsets. Thread-safe.
+    /// @throws Error unless there is a weight of each expression.
+    geometry::Points Face(const Eigen::VectorXf& weights) const;
+
+   private:
+    friend class ExpressionTransfer;
+    const ExpressionTransfer* transfer_;
+    geometry::Points neutral_;
+    std::optional<geometry::DeformationTransfer> solver_;  ///< Absent where offsets are linear or all is pinned.
+  };
+  /// The transfer has to outlive it. @throws Error as Offsets.
+  Target On(const geometry::Points& neutral) const;
 
  private:
   geometry::Triangles triangles_;

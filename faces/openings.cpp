@@ -1,5 +1,6 @@
 #include "faces/openings.h"
 
+#include "core/error.h"
 #include "faces/face_holes.h"
 #include "faces/open_mouth.h"
 
@@ -57,6 +58,13 @@ FaceOpenings FindOpenings(const FaceTemplate& face_template) {
   openings.lids[0].pairs = {pair(37, 41), pair(38, 40)};
   openings.lids[1].pairs = {pair(43, 47), pair(44, 46)};
   return openings;
+}
+
+double MeanGap(const Opening& opening, const geometry::Points& points) {
+  DAUMIER_CHECK(!opening.pairs.empty(), "an opening without pairs of vertices has no gap");
+  double sum = 0;
+  for (const auto& [upper, lower] : opening.pairs) sum += points(upper, 1) - points(lower, 1);
+  return sum / static_cast<double>(opening.pairs.size());
 }
 
 double CrossingDepth(const Opening& opening, const geometry::Points& points) {

@@ -22,6 +22,10 @@ struct FaceOpenings {
 /// no hole, the landmarks alone. @throws Error as FindLipContours.
 FaceOpenings FindOpenings(const FaceTemplate& face_template);
 
+/// Mean over the pairs of y of the upper vertex minus y of the lower one, cm: 0 where they touch. `points` is V x 3.
+/// @throws Error if the opening has no pairs.
+double MeanGap(const Opening& opening, const geometry::Points& points);
+
 /// How far the lower side lies above the upper one along y, cm: the greatest height of a lower vertex above the
 /// upper path's highest place at its x, of the lower path's lowest place at an upper vertex's x above that vertex, and
 /// of a pair's lower vertex above its upper one. 0 where none does. `points` is V x 3.
