@@ -4,6 +4,7 @@
 #include "core/options.h"
 #include "datasets/build/faces.h"
 #include "datasets/build/points.h"
+#include "datasets/build/portraits.h"
 #include "datasets/build/registered_faces.h"
 #include "datasets/build/sketches.h"
 
@@ -34,6 +35,7 @@ std::string CommandOfConfig(const Json& config) {
   if (Accepts<datasets::FacesOptions>(config)) commands.push_back("dataset faces");
   if (Accepts<datasets::SketchesOptions>(config)) commands.push_back("dataset sketches");
   if (Accepts<datasets::PointsOptions>(config)) commands.push_back("dataset points");
+  if (Accepts<datasets::PortraitsOptions>(config)) commands.push_back("dataset portraits");
   if (Accepts<datasets::RegisterOptions>(config)) commands.push_back("register");
   return commands.size() == 1 ? commands.front() : "";
 }

@@ -10,12 +10,14 @@
 #include "datasets/build/faces.h"
 #include "datasets/build/level_measures.h"
 #include "datasets/build/points.h"
+#include "datasets/build/portraits.h"
 #include "datasets/build/sharded_build.h"
 #include "datasets/build/sketches.h"
 #include "datasets/build/stats.h"
 #include "datasets/build/two_sample.h"
 #include "datasets/gallery/control_sheets.h"
 #include "datasets/gallery/face_gallery.h"
+#include "datasets/gallery/portrait_gallery.h"
 #include "faces/controls/given_controls.h"
 
 #include <fmt/core.h>
@@ -38,6 +40,10 @@ std::vector<fs::path> InputsOf(const datasets::FacesOptions& options) {
   return {options.source.path, options.source.annotation, options.source.template_mesh};
 }
 
+std::vector<fs::path> InputsOf(const datasets::PortraitsOptions& options) {
+  return {options.faces, options.source.path, options.source.annotation, options.source.template_mesh};
+}
+
 /// Of sketches and points.
 template <class Options>
 std::vector<fs::path> InputsOf(const Options& options) {
@@ -46,7 +52,7 @@ std::vector<fs::path> InputsOf(const Options& options) {
 
 void RequireInputs(const std::string&, const datasets::FacesOptions&) {}
 
-/// Of sketches and points. @throws UsageError without a folder of faces.
+/// Of sketches, points and portraits. @throws UsageError without a folder of faces.
 template <class Options>
 void RequireInputs(const std::string& name, const Options& options) {
   if (options.faces.empty())
@@ -164,13 +170,20 @@ std::function<void()> AddGallery(CLI::App& parent) {
     fs::path faces, sketches, out;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      parent.add_subcommand("gallery", "Pictures of a database: identities, expressions, levels, curves, sketches");
-  command->add_option("faces", arguments->faces, "A folder of faces")->required();
+  CLI::App* command = parent.add_subcommand(
+      "gallery", "Pictures of a database: identities, expressions, levels, curves, sketches; or of portraits");
+  command->add_option("faces", arguments->faces, "A folder of faces, or of portraits")->required();
   command->add_option("sketches", arguments->sketches, "Its folder of sketches");
   command->add_option("-o,--out", arguments->out, "Folder to write")->required();
   return [arguments] {
     const Task task = TaskOfProcess();
+    if (ReadManifest(arguments->faces, "").kind == "portraits") {
+      if (!arguments->sketches.empty()) throw UsageError("dataset gallery: a folder of portraits has no sketches");
+      datasets::CheckPortraitGalleryFolder(arguments->out, {arguments->faces});
+      const datasets::PortraitDatabase portraits(arguments->faces);
+      MakeDirectory(arguments->out);
+      return datasets::WritePortraitGallery(portraits, arguments->out, task);
+    }
     datasets::CheckGalleryFolder(arguments->out, {arguments->faces, arguments->sketches});
     const faces::FaceDatabase database(arguments->faces);
     std::optional<datasets::SketchDatabase> sketches;
@@ -230,25 +243,30 @@ std::function<void()> AddControls(CLI::App& parent) {
 }  // namespace
 
 Verb DatasetVerb() {
-  return {"dataset", "Build faces, sketches and surface points, look at them, count them", [](CLI::App& command) {
-            command.require_subcommand(1);
-            const std::vector<std::pair<std::string, std::function<void()>>> actions = {
-                {"faces",
-                 AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
-                {"sketches", AddBuilder<datasets::SketchesOptions>(
-                                 command, "sketches", "A sketch of every face of a database", datasets::BuildSketches)},
-                {"points", AddBuilder<datasets::PointsOptions>(
-                               command, "points", "Points on the surface of every face of a database, and attributes",
-                               datasets::BuildPoints)},
-                {"stats", AddStats(command)},
-                {"gallery", AddGallery(command)},
-                {"controls", AddControls(command)}};
-            return [&command, actions] {
-              for (const auto& [name, run] : actions) {
-                if (command.got_subcommand(name)) run();
-              }
-            };
-          }};
+  return {
+      "dataset", "Build faces, sketches, surface points and portraits, look at them, count them",
+      [](CLI::App& command) {
+        command.require_subcommand(1);
+        const std::vector<std::pair<std::string, std::function<void()>>> actions = {
+            {"faces",
+             AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
+            {"sketches", AddBuilder<datasets::SketchesOptions>(
+                             command, "sketches", "A sketch of every face of a database", datasets::BuildSketches)},
+            {"points", AddBuilder<datasets::PointsOptions>(
+                           command, "points", "Points on the surface of every face of a database, and attributes",
+                           datasets::BuildPoints)},
+            {"portraits", AddBuilder<datasets::PortraitsOptions>(
+                              command, "portraits", "Cartoon portraits of the faces of a database, with their truth",
+                              datasets::BuildPortraits)},
+            {"stats", AddStats(command)},
+            {"gallery", AddGallery(command)},
+            {"controls", AddControls(command)}};
+        return [&command, actions] {
+          for (const auto& [name, run] : actions) {
+            if (command.got_subcommand(name)) run();
+          }
+        };
+      }};
 }
 
 }  // namespace daumier::cli

@@ -45,7 +45,7 @@ void Predict(const PredictArguments& arguments) {
   CheckOutputFolder(arguments.out, systems::PredictionOutput(), {arguments.run});  // Before files are read.
   const Task task = TaskOfProcess();
   auto inputs = systems::ReadPredictionInputs(system, systems::ExpandInputFolders(system, files), task);
-  systems::CheckPredictionFolder(arguments.out, arguments.run, inputs);
+  systems::CheckPredictionFolder(system, arguments.out, arguments.run, inputs);
   systems::PredictionSummary summary{0, inputs.failures};
   if (!inputs.inputs.empty()) {  // Otherwise the network is not needed.
     const auto predictor = system.open(arguments.run, device, options);

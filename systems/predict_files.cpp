@@ -27,46 +27,54 @@ namespace fs = std::filesystem;
 constexpr int kPictureSide = 360;
 constexpr const char* kKind = "predictions";
 
-render::Image SheetOf(const faces::FinishedHead& head, const FaceResult& face) {
-  const render::RenderInput surface = reports::InputOf(head, face.vertices);
-  const auto frame = render::FrameOf(face.vertices);
-  std::vector<render::SheetCell> cells;
+/// head: null where the result has no mesh.
+render::Image SheetOf(const faces::FinishedHead* head, const FaceResult& face) {
+  std::vector<render::SheetCell> cells = face.pictures;
   const auto add = [&](const char* caption, render::Image picture) { cells.push_back({std::move(picture), caption}); };
   if (!face.drawn.empty())
     add("sketch, and the face's curves", render::DrawnWithCurves(face.drawn, face.curves, kPictureSide));
+  if (head == nullptr) return render::MakeSheet(cells, int(cells.size()));
+  const render::RenderInput surface = reports::InputOf(*head, face.vertices);
+  const auto frame = render::FrameOf(face.vertices);
   add("front", RenderMesh(surface, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)));
   add("side", RenderMesh(surface, render::SideCamera(frame.centre, frame.half_height, kPictureSide)));
   return render::MakeSheet(cells, int(cells.size()));
 }
 
-/// The files of the results of an input.
-std::vector<std::string> FilesOf(const std::string& name) {
-  return {name + ".obj", name + ".mtl", name + ".png", name + ".svg"};
+/// The files that the result of an input may have.
+std::vector<std::string> FilesOf(const System& system, const std::string& name) {
+  std::vector<std::string> files;
+  for (const std::string& suffix : system.result_files) files.push_back(name + suffix);
+  return files;
 }
 
-/// Writes the files of one result and returns their names.
-std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const faces::FinishedHead& head,
+/// Writes the files of one result and returns their names. head: null where it has no mesh.
+std::vector<std::string> WriteResult(const fs::path& folder, const std::string& name, const faces::FinishedHead* head,
                                      const FaceResult& face) {
-  std::vector<std::string> files = FilesOf(name);
-  reports::WriteHead(folder / files[0], head, face.vertices);
-  render::WriteImage(folder / files[2], SheetOf(head, face));
-  if (!face.drawn.empty()) {
-    render::WriteSvg(folder / files[3], face.drawn, {"line"});
-  } else {
-    files.pop_back();
+  std::vector<std::string> files;
+  const auto file = [&](const std::string& suffix) { return folder / files.emplace_back(name + suffix); };
+  if (head != nullptr) {
+    reports::WriteHead(file(".obj"), *head, face.vertices);
+    files.push_back(name + ".mtl");
   }
+  render::WriteImage(file(".png"), SheetOf(head, face));
+  if (!face.drawn.empty()) render::WriteSvg(file(".svg"), face.drawn, {"line"});
+  for (const ResultText& text : face.files) WriteFileAtomically(file(text.suffix), text.text);
+  for (const ResultMask& mask : face.masks) render::WriteImage(file(mask.suffix), mask.image);
   return files;
 }
 
 /// The finished head of the template of the last face: a predictor has one template.
 class LastHead {
  public:
-  const faces::FinishedHead& Of(const FaceResult& face) {
+  /// Null for a result without a mesh.
+  const faces::FinishedHead* Of(const FaceResult& face) {
+    if (face.face_template == nullptr) return nullptr;
     if (face_template_ != face.face_template) {
       head_.emplace(*face.face_template);
       face_template_ = face.face_template;
     }
-    return *head_;
+    return &*head_;
   }
 
  private:
@@ -136,21 +144,22 @@ OutputKind PredictionOutput() {
   return {kKind};
 }
 
-void CheckPredictionFolder(const fs::path& out_directory, const fs::path& run, const PredictionInputs& inputs) {
+void CheckPredictionFolder(const System& system, const fs::path& out_directory, const fs::path& run,
+                           const PredictionInputs& inputs) {
   std::vector<fs::path> files{run};
   for (const PredictionInput& input : inputs.inputs) files.push_back(input.file);
   for (const PredictionFailure& failure : inputs.failures) files.push_back(failure.file);
   CheckOutputFolder(out_directory, PredictionOutput(), files);
   std::vector<std::string> written;
   for (const PredictionInput& input : inputs.inputs)
-    for (std::string& file : FilesOf(input.name)) written.push_back(std::move(file));
+    for (std::string& file : FilesOf(system, input.name)) written.push_back(std::move(file));
   CheckOwnFiles(out_directory, written);
 }
 
 PredictionSummary PredictFiles(const System& system, const Predictor& predictor, const fs::path& run,
                                const PredictionInputs& inputs, const fs::path& out_directory, const Json& options,
                                const Task& task) {
-  CheckPredictionFolder(out_directory, run, inputs);
+  CheckPredictionFolder(system, out_directory, run, inputs);
   PredictionSummary summary{0, inputs.failures};
   Manifest manifest = BeginManifest(system, run, out_directory, options);
   std::set<std::string> unfinished = UnfinishedIn(out_directory);
@@ -185,7 +194,7 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
     }
     for (const std::string& warning : face.warnings) log::Warn("{}: {}", named.name, warning);
     // The manifest comes first: whenever the program is killed, the same command recognises its files.
-    const std::vector<std::string> begun = FilesOf(named.name);
+    const std::vector<std::string> begun = FilesOf(system, named.name);
     for (const std::string& file : begun) manifest.checksums.erase(file), unfinished.insert(file);
     manifest.details["drawings"].erase(named.name);
     MakeDirectory(out_directory);

@@ -15,8 +15,8 @@ OutputKind PredictionOutput();
 
 /// @throws UsageError as CheckOutputFolder, if an input lies in `out_directory`, or if a file in it would be lost that is
 /// no result of an earlier prediction (CheckOwnFiles).
-void CheckPredictionFolder(const std::filesystem::path& out_directory, const std::filesystem::path& run,
-                           const PredictionInputs& inputs);
+void CheckPredictionFolder(const System& system, const std::filesystem::path& out_directory,
+                           const std::filesystem::path& run, const PredictionInputs& inputs);
 
 /// What became of a prediction.
 struct PredictionSummary {
@@ -24,8 +24,8 @@ struct PredictionSummary {
   std::vector<PredictionFailure> failures;  ///< Of reading and of predicting.
 };
 
-/// `daumier predict`: for every input a mesh NAME.obj, a sheet NAME.png of input, front and side, of drawings also the
-/// strokes on the canvas NAME.svg, and a manifest (kind "predictions"), which is written before and after each result:
+/// `daumier predict`: for every input a mesh NAME.obj (where the result has one), a sheet NAME.png of input, front and
+/// side, of drawings also the strokes on the canvas NAME.svg, the files and masks of the result, and a manifest (kind "predictions"), which is written before and after each result:
 /// what is finished when the program ends is whole, and what is not is listed as kUnfinishedFiles.
 /// details.drawings.NAME holds the record of each result and the name of its input's file, details.failures
 /// {file, cause} of each input without one. Results of earlier predictions in the folder stay, and stay listed; a record

@@ -6,6 +6,7 @@
 #include "render/drawing.h"
 #include "render/framing.h"
 #include "render/image.h"
+#include "render/sheet.h"
 
 #include <Eigen/Core>
 
@@ -22,14 +23,26 @@ namespace daumier::systems {
 /// Input of a prediction. A system accepts one kind or several.
 using Input = std::variant<render::Drawing, render::Image, geometry::PolygonMesh>;
 
+/// A file of a result: NAME + suffix, one of System::result_files.
+struct ResultText {
+  std::string suffix, text;
+};
+struct ResultMask {
+  std::string suffix;
+  render::Image image;
+};
+
 /// A face found for an input.
 struct FaceResult {
-  std::shared_ptr<const faces::FaceTemplate> face_template;
-  geometry::Points vertices;                                  ///< V x 3, cm.
-  Eigen::VectorXf identity = {}, expression = {}, code = {};  ///< Of the system's model; empty where it has none.
+  std::shared_ptr<const faces::FaceTemplate> face_template = {};  ///< Null where the result has no mesh.
+  geometry::Points vertices = {};                                 ///< V x 3, cm.
+  Eigen::VectorXf identity = {}, expression = {}, code = {};      ///< Of the system's model; empty where it has none.
   geometry::Points landmarks = {};                      ///< 68 x 3, cm, iBUG order; NaN where the template has none.
   std::optional<render::Placement> frame = {};          ///< Of a drawing: p_canvas = scale * p_sheet + shift.
   std::vector<render::Stroke> drawn = {}, curves = {};  ///< On the canvas: the drawing, and the face's feature curves.
+  std::vector<render::SheetCell> pictures = {};         ///< Of the sheet, before the views of the mesh.
+  std::vector<ResultText> files = {};                   ///< In addition to mesh, sheet and strokes.
+  std::vector<ResultMask> masks = {};                   ///< Pictures of numbers, written as PNG.
   std::vector<std::string> warnings = {};
   Json record = Json::object();  ///< Numbers of the prediction, by system.
 };

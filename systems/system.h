@@ -55,6 +55,8 @@ struct System {
   std::vector<Input> (*read_inputs)(const std::filesystem::path& file) = nullptr;
   /// Of the files of a folder that is given as input: ".svg", in lower case.
   std::vector<std::string> input_extensions = {};
+  /// What a result NAME may consist of: NAME.obj and so on.
+  std::vector<std::string> result_files = {".obj", ".mtl", ".png", ".svg"};
 };
 
 /// The part that needs LibTorch, by the same name, from the training library.

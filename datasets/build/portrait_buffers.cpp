@@ -14,33 +14,11 @@ namespace {
 using faces::PortraitPart;
 using render::PicturePart;
 
-PicturePart PictureOf(PortraitPart part) {
-  switch (part) {
-    case PortraitPart::kSkin:
-      return PicturePart::kSkin;
-    case PortraitPart::kEyeball:
-    case PortraitPart::kHighlight:
-      return PicturePart::kEyeball;
-    case PortraitPart::kLash:
-      return PicturePart::kLash;
-    case PortraitPart::kMouth:
-    case PortraitPart::kTeeth:
-      return PicturePart::kMouth;
-    case PortraitPart::kHair:
-      return PicturePart::kHair;
-    case PortraitPart::kBeard:
-      return PicturePart::kBeard;
-    case PortraitPart::kHat:
-      return PicturePart::kHat;
-    case PortraitPart::kGlasses:
-    case PortraitPart::kLens:
-      return PicturePart::kGlasses;
-    case PortraitPart::kLidRim:
-    case PortraitPart::kBrow:
-      return PicturePart::kSkin;
-  }
-  return PicturePart::kOther;
-}
+// Rooms below faces/ number parts and classes alike.
+static_assert(int(PortraitPart::kSkin) == int(PicturePart::kSkin) &&
+              int(PortraitPart::kHair) == int(PicturePart::kHair) &&
+              int(PortraitPart::kLens) == int(PicturePart::kLens) &&
+              faces::kNumMaskClasses == render::kNumPictureClasses);
 
 /// Of each vertex in the world's frame, in camera space with y up and z to the viewer.
 Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> ViewNormals(const faces::PortraitHead& head,
@@ -81,7 +59,7 @@ render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render
     buffers.shade[pixel] = std::max(0.0f, LightOn(light, normal));
     buffers.depth[pixel] = static_cast<float>(raster.depth[pixel]);
     buffers.classes[pixel] = head.classes[size_t(triangle)];
-    buffers.parts[pixel] = static_cast<uint8_t>(PictureOf(PortraitPart(head.parts[size_t(triangle)])));
+    buffers.parts[pixel] = head.parts[size_t(triangle)];
   }
   return buffers;
 }

@@ -3,6 +3,8 @@
 #include "geometry/normals.h"
 #include "render/contour_strokes.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <set>
 #include <string>

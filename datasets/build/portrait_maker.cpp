@@ -6,6 +6,7 @@
 #include "render/styles/styled_picture.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace daumier::datasets {
 namespace {
@@ -29,6 +30,29 @@ bool IsBare(const faces::Looks& looks) {
 
 /// A point is hidden by what lies in front of it by more than this.
 constexpr double kHiddenMm = 3;
+
+render::FloatImage ToFloatImage(const render::PictureBuffers& buffers, const PortraitOptics& optics) {
+  render::FloatImage image{buffers.height, buffers.width, {}};
+  const auto channel = [&](const char* name) -> std::vector<float>& {
+    auto& values = image.channels[name];
+    values.resize(buffers.size());
+    return values;
+  };
+  auto &depths = channel("Z"), &px = channel("P.X"), &py = channel("P.Y"), &pz = channel("P.Z");
+  const std::array<std::vector<float>*, 3> normals = {&channel("N.X"), &channel("N.Y"), &channel("N.Z")};
+  for (size_t pixel = 0; pixel < buffers.size(); ++pixel) {
+    depths[pixel] = std::numeric_limits<float>::infinity();
+    if (!buffers.is_covered(pixel)) continue;
+    const double x = double(pixel % size_t(buffers.width)) + 0.5, y = double(pixel / size_t(buffers.width)) + 0.5;
+    const double depth = buffers.depth[pixel], middle = optics.size / 2.0;
+    depths[pixel] = buffers.depth[pixel];
+    px[pixel] = static_cast<float>((x - middle) * depth / optics.focal);
+    py[pixel] = static_cast<float>((middle - y) * depth / optics.focal);
+    pz[pixel] = static_cast<float>(optics.distance - depth);
+    for (size_t axis = 0; axis < 3; ++axis) (*normals[axis])[pixel] = buffers.normal[3 * pixel + axis];
+  }
+  return image;
+}
 
 constexpr const char* kGreySuffix = "_grey";
 
@@ -60,8 +84,8 @@ PortraitMaker::PortraitMaker(const faces::FaceTemplate& face_template, const Pic
   centre_ = face_template.neutral(landmarks, Eigen::all).colwise().mean();
 }
 
-PortraitRecord PortraitMaker::Make(const geometry::Points& face, Rng& rng,
-                                   const std::function<void(const render::PictureBuffers&)>& inspect) const {
+PortraitRecord PortraitMaker::MakeWithBuffers(const geometry::Points& face, Rng& rng,
+                                              render::FloatImage* float_buffers) const {
   PortraitRecord record;
   const geometry::Points vertices = face.rowwise() - centre_.transpose();
   const geometry::Points landmarks = vertices(face_template_.annotation.landmarks, Eigen::all);
@@ -78,7 +102,7 @@ PortraitRecord PortraitMaker::Make(const geometry::Points& face, Rng& rng,
   const faces::PortraitHead head = dresser_.Dress(vertices, looks);
   render::PictureBuffers buffers = DrawBuffers(head, camera, record.light, options_.supersampling);
   if (render::UsesStrokes(style)) buffers.lines = lines_.Draw(head, render::Enlarged(camera, options_.supersampling));
-  if (inspect) inspect(buffers);
+  if (float_buffers) *float_buffers = ToFloatImage(DrawBuffers(head, camera, record.light, 1), optics_);
 
   const render::Image mask = MaskOf(buffers);
   record.mask = render::EncodeImage(mask, render::ImageFormat::kPng);

@@ -4,11 +4,10 @@
 #include "datasets/build/portrait_shard.h"
 #include "faces/appearance/portrait_head.h"
 #include "faces/openings.h"
+#include "render/exr.h"
 #include "render/styles/photo_effects.h"
-#include "render/styles/picture_buffers.h"
 #include "render/styles/style_choice.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,9 +44,13 @@ class PortraitMaker {
   PortraitMaker(const faces::FaceTemplate& face_template, const PictureOptions& options);
 
   /// A portrait of a face (V x 3, cm, with its expression), all random choices from `rng`, and its truth but for what
-  /// is known about the face: face, person and expression. The vertices are there. `inspect` sees the buffers, if given.
-  PortraitRecord Make(const geometry::Points& face, Rng& rng,
-                      const std::function<void(const render::PictureBuffers&)>& inspect = nullptr) const;
+  /// is known about the face: face, person and expression. The vertices are there.
+  PortraitRecord Make(const geometry::Points& face, Rng& rng) const { return MakeWithBuffers(face, rng, nullptr); }
+
+  /// The same, and the buffers of a portrait at the centres of its pixels: channels Z (depth from the viewer along its
+  /// axis, cm, infinite where there is nothing), N.X, N.Y, N.Z (unit normal), P.X, P.Y, P.Z (posed point q of
+  /// PortraitDatabase, cm), 0 where there is nothing; x to the right, y up, z to the viewer.
+  PortraitRecord MakeWithBuffers(const geometry::Points& face, Rng& rng, render::FloatImage* buffers) const;
 
   /// What the vertices of portraits are relative to: the mean of the template's neutral 68 landmarks, cm.
   const geometry::Vector3& centre() const { return centre_; }

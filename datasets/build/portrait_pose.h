@@ -13,9 +13,9 @@ struct PoseOptions {
   double pitch = 25;
   double roll = 15;
   double frontal = 0.75;
-  double smallest = 0.34;
-  double largest = 0.64;
-  double shift = 0.08;
+  double smallest = 0.40;
+  double largest = 0.72;
+  double shift = 0.07;
 
   template <class V>
   void Visit(V&& visit) {

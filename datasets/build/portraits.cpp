@@ -1,6 +1,7 @@
 #include "datasets/build/portraits.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "datasets/build/sharded_build.h"
 #include "faces/face_database.h"
 
@@ -31,7 +32,13 @@ struct PortraitPlan {
   int LevelOf(int image, int person) const { return (image - RangeOf(person).begin + person) % database.num_levels(); }
 };
 
-std::string WritePersonPortraits(const fs::path& file, const PortraitPlan& plan, int person) {
+/// Relative to the folder of the database.
+fs::path BuffersName(int image) {
+  return fmt::format("buffers/{:06}.exr", image);
+}
+
+std::string WritePersonPortraits(const fs::path& directory, const fs::path& file, const PortraitPlan& plan,
+                                 int person) {
   const PortraitRange range = plan.RangeOf(person);
   std::map<int, PortraitExpressions::Face> faces;
   std::vector<PortraitRecord> records;
@@ -41,7 +48,10 @@ std::string WritePersonPortraits(const fs::path& file, const PortraitPlan& plan,
     if (face == faces.end()) face = faces.emplace(level, plan.expressions.FaceOf(person, level)).first;
     Rng rng = Stream(plan.options.seed, "portrait", static_cast<uint64_t>(image));
     const Eigen::VectorXf weights = plan.expressions.Draw(rng);
-    PortraitRecord record = plan.maker.Make(face->second(weights), rng);
+    render::FloatImage buffers;
+    PortraitRecord record =
+        plan.maker.MakeWithBuffers(face->second(weights), rng, plan.options.buffers ? &buffers : nullptr);
+    if (plan.options.buffers) WriteFileAtomically(directory / BuffersName(image), render::EncodeExr(buffers));
     std::copy(weights.begin(), weights.end(), record.expression.begin());
     record.face = plan.database.index({person, level, 0});
     record.person = person;
@@ -85,8 +95,19 @@ void Build(const std::optional<faces::FaceModel>& model, const PortraitsOptions&
   build.unit = "portraits";
   build.units_per_shard = (options.num_images + plan.num_persons - 1) / plan.num_persons;
   build.shard_name = PortraitShardName;
-  build.write_shard = [&](int shard, const fs::path& file) { return WritePersonPortraits(file, plan, shard); };
-  build.write_rest = [&](const fs::path& folder) { return faces::WriteFaceTemplate(folder, database.face_template()); };
+  build.write_shard = [&](int shard, const fs::path& file) {
+    return WritePersonPortraits(directory, file, plan, shard);
+  };
+  build.write_rest = [&](const fs::path& folder) {
+    if (options.buffers) MakeDirectory(folder / "buffers");
+    return faces::WriteFaceTemplate(folder, database.face_template());
+  };
+  if (options.buffers) {
+    build.finish = [&](const fs::path& folder, Manifest& manifest) {
+      for (int image = 0; image < options.num_images; ++image)
+        manifest.checksums[BuffersName(image).string()] = Sha256OfFile(folder / BuffersName(image));
+    };
+  }
   BuildShards(directory, build, task);
 }
 

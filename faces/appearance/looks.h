@@ -31,6 +31,7 @@ struct Looks {
   Eigen::Vector3f hair_colour{0.25f, 0.16f, 0.10f};
   double hair_volume = 1.0;   ///< 0.6 .. 1.6
   double hair_length = 1.0;   ///< 0.6 .. 1.5
+  double hair_fringe = 0.0;   ///< 0: none, 1: down to the brows.
   double hair_parting = 0.0;  ///< -1 (own right) .. 1: where the fringe is parted or swept to.
 
   Eigen::Vector3f brow_colour{0.25f, 0.16f, 0.10f};

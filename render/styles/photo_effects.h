@@ -45,7 +45,7 @@ struct PhotoEffectOptions {
 PhotoEffects DrawPhotoEffects(Rng& rng, const PhotoEffectOptions& options);
 
 /// The picture with all effects, in the order of the fields; noise and places from `rng`. Without effects it returns
-/// the same bytes. Grey pictures have three equal channels only without cast and noise of colour; noise is grey.
+/// the same bytes. Noise is grey. Without cast, glare and moire, grey pictures stay grey (to 1 of 255 after JPEG).
 /// @throws Error if the picture is not RGB or empty, or a field is out of its range.
 Image ApplyPhotoEffects(const Image& image, const PhotoEffects& effects, Rng& rng);
 

@@ -1,7 +1,6 @@
 #pragma once
 #include "render/strokes.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,21 +31,31 @@ struct PictureBuffers {
 enum class PictureClass : uint8_t { kNothing, kSkin, kBrows, kEyes, kLips, kMouthInside, kEars, kHair };
 inline constexpr int kNumPictureClasses = 8;
 
-/// What a pixel is made of. Styles read it for gloss and for borders between things.
-enum class PicturePart : uint8_t { kSkin, kEyeball, kLash, kMouth, kHair, kHat, kGlasses, kBeard, kOther };
-inline constexpr int kNumPictureParts = 9;
+/// What a pixel is made of; the values are those of faces::PortraitPart. Styles read it for gloss and for borders
+/// between things. kHighlight: white spots on eyes, which light does not change.
+enum class PicturePart : uint8_t {
+  kSkin,
+  kEyeball,
+  kHighlight,
+  kLidRim,
+  kLash,
+  kBrow,
+  kMouth,
+  kTeeth,
+  kHair,
+  kBeard,
+  kHat,
+  kGlasses,
+  kLens
+};
+inline constexpr int kNumPictureParts = 13;
 
 /// Buffers of a size, all background: depth infinite, normals to the viewer, shade 1, the rest 0.
 /// @throws Error if a size is not positive, supersampling is not 1 to 3, or the sizes are no multiples of it.
 PictureBuffers EmptyPictureBuffers(int height, int width, int supersampling = 1);
 
 /// @throws Error naming the plane whose size differs from height x width, a size or supersampling as above, a part or
-/// class out of range, pixels_per_cm that is not positive, or a value of a covered pixel that is not finite.
+/// class out of range, or pixels_per_cm that is not positive.
 void CheckPictureBuffers(const PictureBuffers& buffers);
-
-/// Direction to the main light, unit, camera space: that of b in the least-squares fit shade = a + b . normal over the
-/// covered pixels. From the upper left in front, (-0.5, 0.6, 0.62), where the shade has no direction (|b| < 0.02) or
-/// comes from behind (z < 0.1 is raised to 0.1).
-std::array<float, 3> MainLight(const PictureBuffers& buffers);
 
 }  // namespace daumier::render

@@ -34,6 +34,13 @@ enum class LineSource {
   kStrokes,  ///< PictureBuffers::lines, and borders of things. Without lines there: as kBuffers.
 };
 
+/// What the dots of a halftone print are for.
+enum class ScreenKind {
+  kBlack,    ///< Black dots on paper.
+  kShadows,  ///< Dots of shadow over flat colours.
+  kProcess,  ///< Cyan, magenta, yellow and black.
+};
+
 /// Everything that is random about a style but its noise: plain data. Lengths are pixels of a picture 224 high; they
 /// scale with the picture's height.
 struct StyleChoice {
@@ -56,9 +63,10 @@ struct StyleChoice {
 
   // Media.
   float brush = 3;                                     ///< Painterly: width of a stroke, pixels.
+  ScreenKind screens = ScreenKind::kShadows;           ///< Halftone.
   float screen = 4.5f;                                 ///< Halftone: distance of dots, pixels. Pencil: of hatches.
   float angle = 0.6f;                                  ///< Of hatches and screens, radians.
-  float coloured = 1;                                  ///< Pencil, halftone, ink: 0 black on paper, 1 in colours.
+  float coloured = 1;                                  ///< Pencil, ink: 0 black on paper, 1 in colours.
   std::array<float, 3> paper = {0.97f, 0.96f, 0.93f};  ///< Pencil, watercolour, ink.
 
   // Lines.

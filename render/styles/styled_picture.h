@@ -14,7 +14,7 @@ namespace daumier::render {
 /// Promises: the same buffers, choice and state of `rng` give the same bytes. kFlat does not depend on the shade.
 /// With saturation 0 all channels are equal. In kSmooth, kToon, kFlat and kClay without lines and grade, pixels that are
 /// not covered are those of the background, and fully covered ones do not depend on it.
-/// @throws Error as CheckPictureBuffers.
+/// @throws Error as CheckPictureBuffers, or if albedo, normal or shade of a covered pixel is not finite.
 Image DrawStyled(const PictureBuffers& buffers, const StyleChoice& choice, Rng& rng);
 
 }  // namespace daumier::render

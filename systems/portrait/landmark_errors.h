@@ -1,0 +1,39 @@
+#pragma once
+#include "systems/portrait/landmark_sample.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace daumier::portrait {
+
+/// Parts of the 68 landmarks in iBUG order.
+struct LandmarkPart {
+  std::string_view name;
+  int begin, end;  ///< begin <= i < end.
+};
+inline constexpr std::array<LandmarkPart, 5> kLandmarkParts = {
+    {{"jaw", 0, 17}, {"brows", 17, 27}, {"nose", 27, 36}, {"eyes", 36, 48}, {"mouth", 48, 68}}};
+
+/// Distance of the outer eye corners, 36 and 45, pixels. points: 68 x 2.
+double InterocularDistance(std::span<const float> points);
+
+/// Normalised mean error of landmarks begin..end - 1: mean distance / interocular distance of `truth`. points, truth: 68 x 2.
+/// @throws Error if sizes disagree or the eye corners coincide.
+double NormalisedError(std::span<const float> points, std::span<const float> truth, int begin = 0,
+                       int end = kNumLandmarks);
+
+/// Counts of pixels for the intersection over union of each class.
+struct LabelCounts {
+  std::array<int64_t, kNumFaceClasses> both = {}, either = {};
+
+  /// Adds pixels; those whose truth is negative do not count. @throws Error if sizes disagree.
+  void Add(std::span<const int64_t> predicted, std::span<const int64_t> truth);
+  /// Of a class; 1 where neither has a pixel.
+  double iou(FaceClass of_class) const;
+  /// The mean over all classes.
+  double mean_iou() const;
+};
+
+}  // namespace daumier::portrait
