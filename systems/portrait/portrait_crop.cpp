@@ -30,16 +30,16 @@ PictureMap CropOfLandmarks(std::span<const float> landmarks, double size) {
   }
   const double side = (high - low).maxCoeff();
   DAUMIER_CHECK(side > 0, "all landmarks are in one point");
-  const double scale = size * kCropSide / side;
-  const Eigen::Vector2d place(0.5 * kCropSide, (0.5 + kBelowMiddle) * kCropSide);
+  const double scale = size * kPortraitSide / side;
+  const Eigen::Vector2d place(0.5 * kPortraitSide, (0.5 + kBelowMiddle) * kPortraitSide);
   return {scale * Eigen::Matrix2d::Identity(), place - scale * (low + high) / 2};
 }
 
 PictureMap CropOfWhole(int height, int width) {
   DAUMIER_CHECK(height > 0 && width > 0, "a picture of {} x {} has no crop", height, width);
-  const double scale = double(kCropSide) / std::max(height, width);
+  const double scale = double(kPortraitSide) / std::max(height, width);
   return {scale * Eigen::Matrix2d::Identity(),
-          0.5 * (Eigen::Vector2d::Constant(kCropSide) - scale * Eigen::Vector2d(width, height))};
+          0.5 * (Eigen::Vector2d::Constant(kPortraitSide) - scale * Eigen::Vector2d(width, height))};
 }
 
 PictureMap DrawJitter(const PortraitPictureOptions& options, Rng& rng) {
@@ -49,7 +49,7 @@ PictureMap DrawJitter(const PortraitPictureOptions& options, Rng& rng) {
   PictureMap map;
   map.linear << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   map.linear *= scale;
-  const Eigen::Vector2d centre = Eigen::Vector2d::Constant(kCropSide / 2.0);
+  const Eigen::Vector2d centre = Eigen::Vector2d::Constant(kPortraitSide / 2.0);
   map.shift = centre - map.linear * centre + shift;
   return map;
 }
@@ -67,11 +67,11 @@ render::Image WarpPicture(const render::Image& picture, const PictureMap& map, S
     return WarpPicture(render::Resize(picture, height, width), rest, sampling);
   }
   const PictureMap back = map.Inverse();
-  render::Image crop(kCropSide, kCropSide, picture.channels);
+  render::Image crop(kPortraitSide, kPortraitSide, picture.channels);
   const int channels = picture.channels;
   uint8_t* out = crop.pixels.data();
-  for (int row = 0; row < kCropSide; ++row) {
-    for (int column = 0; column < kCropSide; ++column, out += channels) {
+  for (int row = 0; row < kPortraitSide; ++row) {
+    for (int column = 0; column < kPortraitSide; ++column, out += channels) {
       const Eigen::Vector2d p = back({column + 0.5, row + 0.5});
       if (sampling == Sampling::kNearest) {
         const int x = int(std::clamp(std::floor(p.x()), 0.0, picture.width - 1.0)),

@@ -13,7 +13,7 @@
 namespace daumier::portrait {
 
 /// Side of a crop, pixels: what the camera of portraits sees.
-inline constexpr int kCropSide = 224;
+inline constexpr int kPortraitSide = 224;
 
 /// A similarity of pictures: p_crop = linear * p_picture + shift, pixels.
 struct PictureMap {

@@ -50,9 +50,9 @@ FacePicture FacePainter::Paint(const faces::ColouredFace& face, std::span<const 
   const raster::Camera camera;
   std::vector<float> positions(size_t(4 * count));
   raster::Project(camera, int64_t(count), posed.data(), positions.data());
-  FacePicture picture{std::vector<float>(size_t(4 * kCropSide * kCropSide)), {}};
+  FacePicture picture{std::vector<float>(size_t(4 * kPortraitSide * kPortraitSide)), {}};
   raster::ColourPicture<float> kernel;
-  kernel.Forward(topology_, positions.data(), colours.data(), kCropSide, kCropSide, {}, picture.colours.data());
+  kernel.Forward(topology_, positions.data(), colours.data(), kPortraitSide, kPortraitSide, {}, picture.colours.data());
   const fitting::PicturePoints pixels = fitting::Projected(posed_points);
   for (const int vertex : model_.face_template.annotation.landmarks)
     for (int axis = 0; axis < 2; ++axis) picture.landmarks.push_back(float(pixels(vertex, axis)));
@@ -61,7 +61,7 @@ FacePicture FacePainter::Paint(const faces::ColouredFace& face, std::span<const 
 
 double PhotometricError(const FacePicture& face, const render::Image& crop, std::span<const float> shown) {
   constexpr float kCovered = 0.999F;
-  const size_t num_pixels = size_t(kCropSide) * kCropSide;
+  const size_t num_pixels = size_t(kPortraitSide) * kPortraitSide;
   DAUMIER_CHECK(crop.pixels.size() == 3 * num_pixels && shown.size() == num_pixels,
                 "a crop of {} numbers with a mask of {}, expected {} and {}", crop.pixels.size(), shown.size(),
                 3 * num_pixels, num_pixels);

@@ -201,8 +201,8 @@ class PortraitEvaluation {
       const auto add = [&](const char* name, std::vector<float>& numbers, std::vector<int64_t> shape) {
         batch.tensors[name] = torch::from_blob(numbers.data(), shape, torch::kFloat32).clone();
       };
-      add("picture", colours, {1, 3, kCropSide, kCropSide});
-      add("skin", shown, {1, 1, kCropSide, kCropSide});
+      add("picture", colours, {1, 3, kPortraitSide, kPortraitSide});
+      add("skin", shown, {1, 1, kPortraitSide, kPortraitSide});
       add("landmarks", of_landmarks, {1, 68, 2});
       batch.tensors["landmark_weights"] = losses_weights_;
       const torch::Tensor x =

@@ -44,9 +44,9 @@ PortraitMeasurement::PortraitMeasurement(const faces::MorphableModel& model,
     portrait.landmarks = MapLandmarks(in_picture, maps[i]);
     portrait.vertices = portraits.vertices(image);
     portrait.states = portraits.states(image);
-    const Eigen::Vector2d from = OffsetOf(in_picture, side) * (double(kCropSide) / side);
+    const Eigen::Vector2d from = OffsetOf(in_picture, side) * (double(kPortraitSide) / side);
     portrait.angles =
-        MovedAngles(portraits.pose(image), from, OffsetOf(portrait.landmarks, kCropSide), maps[i].rotation());
+        MovedAngles(portraits.pose(image), from, OffsetOf(portrait.landmarks, kPortraitSide), maps[i].rotation());
     table_.faces.push_back(image);
     table_.groups.push_back(portrait.person);
     portraits_.push_back(std::move(portrait));

@@ -103,8 +103,8 @@ SampleBatch PortraitSamples::Get(std::span<const int> samples, int64_t epoch) co
   add("light", {9});
   add("angles", {3});
   if (arrays_.picture) {
-    add("picture", {3, kCropSide, kCropSide});
-    add("skin", {1, kCropSide, kCropSide});
+    add("picture", {3, kPortraitSide, kPortraitSide});
+    add("skin", {1, kPortraitSide, kPortraitSide});
   }
   if (arrays_.vertices) add("vertices", {portraits_.face_template().num_vertices(), 3});
   for (int64_t b = 0; b < batch_size; ++b) Fill(batch, b, samples[size_t(b)], epoch);
@@ -144,9 +144,9 @@ void PortraitSamples::Fill(SampleBatch& batch, int64_t b, int sample, int64_t ep
   copy_row("albedo", database.albedo(row.image));
   copy_row("light", database.light(row.image));
   // Offsets of the picture in units in which its camera has the focal length of a crop's.
-  const Eigen::Vector2d from = OffsetOf(in_picture, side) * (double(kCropSide) / side);
+  const Eigen::Vector2d from = OffsetOf(in_picture, side) * (double(kPortraitSide) / side);
   const std::array<float, 3> angles =
-      MovedAngles(database.pose(row.image), from, OffsetOf(landmarks, kCropSide), map.rotation());
+      MovedAngles(database.pose(row.image), from, OffsetOf(landmarks, kPortraitSide), map.rotation());
   copy_row("angles", angles);
   if (arrays_.vertices) {
     const geometry::Points vertices = database.vertices(row.image);
