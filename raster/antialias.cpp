@@ -1,165 +1,92 @@
 #include "raster/antialias.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace daumier::raster {
-namespace {
 
-/// The corner on the surface's side if the edge is on a silhouette, else -1.
-int SilhouetteCorner(const MeshEdge& edge, const std::vector<int8_t>& facing, Facing visible) {
-  const int a = facing[edge.triangle[0]], b = edge.triangle[1] < 0 ? 0 : facing[edge.triangle[1]];
-  if (visible == Facing::kFront) {
-    if ((a > 0) == (b > 0)) return -1;
-    return a > 0 ? edge.corner[0] : edge.corner[1];
+template <class T>
+void InterpolateCrossings(const std::vector<Crossing<T>>& crossings, int num_channels, const T* attributes, T* values) {
+  for (const Crossing<T>& crossing : crossings) {
+    const T *const first = attributes + int64_t(crossing.first) * num_channels, *const second =
+                                                                                    attributes +
+                                                                                    int64_t(crossing.second) *
+                                                                                        num_channels;
+    for (int k = 0; k < num_channels; ++k) *values++ = first[k] + crossing.weight * (second[k] - first[k]);
   }
-  if (a == b) return -1;
-  return a != 0 ? edge.corner[0] : edge.corner[1];
 }
 
-/// Follows silhouette edges over lines of pixel centres; `along` is the coordinate of a line, x of a row.
 template <class T>
-class SilhouetteWalker {
- public:
-  SilhouetteWalker(const Raster<T>& raster, const AntialiasOptions& options, CrossingMemory<T>& memory,
-                   std::vector<Crossing<T>>& crossings)
-      : raster_(raster),
-        depth_margin_(T(options.depth_margin)),
-        least_gap_(T(options.least_gap)),
-        pair_(memory.crossing_of_pair),
-        crossings_(crossings) {}
-
-  void Walk(const MeshEdge& edge, int corner) {
-    const ScreenVertex<T>&p = raster_.vertices[edge.first], &q = raster_.vertices[edge.second],
-          &r = raster_.vertices[corner];
-    const T dx = q.x - p.x, dy = q.y - p.y;
-    const T turn = dx * (r.y - p.y) - dy * (r.x - p.x);
-    if (std::abs(dy) >= std::abs(dx)) {
-      if (dy != 0) WalkLines(edge, false, p.x, p.y, dx, dy, p.depth, q.depth - p.depth, (turn < 0) == (dy > 0));
-    } else {
-      WalkLines(edge, true, p.y, p.x, dy, dx, p.depth, q.depth - p.depth, (turn > 0) == (dx > 0));
-    }
-  }
-
- private:
-  /// surface_is_next: the surface is where `along` grows.
-  void WalkLines(const MeshEdge& edge, bool is_vertical, T along, T across, T d_along, T d_across, T depth, T d_depth,
-                 bool surface_is_next) {
-    const int num_lines = is_vertical ? raster_.width : raster_.height;
-    const int num_places = is_vertical ? raster_.height : raster_.width;
-    const int step = is_vertical ? raster_.width : 1, line_step = is_vertical ? 1 : raster_.width;
-    const T low = std::min(across, across + d_across), high = std::max(across, across + d_across);
-    if (!(high > T(0.5)) || !(low < T(num_lines))) return;
-    const int begin = low <= T(0.5) ? 0 : static_cast<int>(std::ceil(low - T(0.5)));
-    const int end = high > T(num_lines) ? num_lines : static_cast<int>(std::ceil(high - T(0.5)));
-    const T slope = d_along / d_across;
-    for (int line = begin; line < end; ++line) {
-      const T past = T(line) + T(0.5) - across, share = past / d_across;
-      const T at = along + past * slope, place = at - T(0.5);
-      if (!(place >= 0) || !(place < T(num_places - 1))) continue;
-      const int left = static_cast<int>(place);
-      const int pixel = left * step + line * line_step, next = pixel + step;
-      const int inside = surface_is_next ? next : pixel, outside = surface_is_next ? pixel : next;
-      const T edge_depth = depth + share * d_depth;
-      if (raster_.triangle[inside] < 0) continue;
-      if (!(raster_.depth[outside] > edge_depth + least_gap_)) continue;
-      if (!(raster_.depth[inside] >= edge_depth - depth_margin_)) continue;
-      Keep({pixel, next, edge.first, edge.second, T(0.5) - (place - T(left)), share, slope, is_vertical},
-           surface_is_next);
-    }
-  }
-
-  /// The outermost: that of greatest alpha if the surface is at `next`, of least alpha otherwise.
-  void Keep(const Crossing<T>& crossing, bool surface_is_next) {
-    int& index = pair_[(crossing.is_vertical ? raster_.num_pixels() : 0) + crossing.pixel];
-    if (index < 0) {
-      index = static_cast<int>(crossings_.size());
-      crossings_.push_back(crossing);
-    } else if (surface_is_next ? crossing.alpha > crossings_[index].alpha : crossing.alpha < crossings_[index].alpha) {
-      crossings_[index] = crossing;
-    }
-  }
-
-  const Raster<T>& raster_;
-  const T depth_margin_, least_gap_;
-  std::vector<int>& pair_;
-  std::vector<Crossing<T>>& crossings_;
-};
-
-}  // namespace
-
-template <class T>
-void FindCrossings(const MeshTopology& topology, const Raster<T>& raster, Facing facing,
-                   const AntialiasOptions& options, CrossingMemory<T>& memory, std::vector<Crossing<T>>& crossings) {
-  crossings.clear();
-  if (int64_t(memory.crossing_of_pair.size()) != 2 * raster.num_pixels()) {
-    memory.crossing_of_pair.assign(2 * raster.num_pixels(), -1);
-  }
-  SilhouetteWalker<T> walker(raster, options, memory, crossings);
-  for (const MeshEdge& edge : topology.edges) {
-    const int corner = SilhouetteCorner(edge, raster.facing, facing);
-    if (corner >= 0) walker.Walk(edge, corner);
-  }
+void InterpolateCrossingsBackward(const std::vector<Crossing<T>>& crossings, const Raster<T>& raster, int num_channels,
+                                  const T* attributes, const T* value_gradient, T* attribute_gradient,
+                                  T* position_gradient) {
+  const T* g = value_gradient;
   for (const Crossing<T>& crossing : crossings) {
-    memory.crossing_of_pair[(crossing.is_vertical ? raster.num_pixels() : 0) + crossing.pixel] = -1;
+    const int64_t first = int64_t(crossing.first) * num_channels, second = int64_t(crossing.second) * num_channels;
+    T by_weight = 0;
+    for (int k = 0; k < num_channels; ++k) by_weight += g[k] * (attributes[second + k] - attributes[first + k]);
+    if (position_gradient != nullptr) CrossingBackward(crossing, raster, T(0), by_weight, position_gradient);
+    for (int k = 0; k < num_channels && attribute_gradient != nullptr; ++k) {
+      attribute_gradient[first + k] += (1 - crossing.weight) * g[k];
+      attribute_gradient[second + k] += crossing.weight * g[k];
+    }
+    g += num_channels;
   }
 }
 
 template <class T>
 void Antialias(const std::vector<Crossing<T>>& crossings, int64_t num_pixels, int num_channels, const T* picture,
-               T* antialiased) {
+               const T* edge_values, T* antialiased) {
   std::copy_n(picture, num_pixels * num_channels, antialiased);
   for (const Crossing<T>& crossing : crossings) {
-    const T *const pixel = picture + int64_t(crossing.pixel) * num_channels, *const next =
-                                                                                 picture +
-                                                                                 int64_t(crossing.next) * num_channels;
-    T* const to = antialiased + int64_t(crossing.target()) * num_channels;
-    for (int k = 0; k < num_channels; ++k) to[k] += crossing.alpha * (next[k] - pixel[k]);
-  }
-}
-
-template <class T>
-void CrossingBackward(const Crossing<T>& crossing, const Raster<T>& raster, T weighted_difference,
-                      T* position_gradient) {
-  const int along = crossing.is_vertical ? 1 : 0;
-  const T shares[2] = {1 - crossing.share, crossing.share};
-  const int ends[2] = {crossing.first, crossing.second};
-  for (int k = 0; k < 2; ++k) {
-    const ScreenVertex<T>& vertex = raster.vertices[ends[k]];
-    T g[2];
-    g[along] = -weighted_difference * shares[k] * vertex.inverse_w;
-    g[1 - along] = -crossing.slope * g[along];
-    T* const to = position_gradient + 4 * int64_t(ends[k]);
-    to[0] += g[0];
-    to[1] += g[1];
-    to[3] -= vertex.x * g[0] + vertex.y * g[1];
+    const T sign = crossing.surface_is_next ? T(1) : T(-1);
+    const T to_pixel = sign * crossing.Area(crossing.alpha), to_next = -sign * crossing.Area(-crossing.alpha);
+    const T* const outside = picture + int64_t(crossing.outside()) * num_channels;
+    T *const pixel = antialiased + int64_t(crossing.pixel) * num_channels, *const next =
+                                                                               antialiased +
+                                                                               int64_t(crossing.next) * num_channels;
+    for (int k = 0; k < num_channels; ++k) {
+      const T difference = edge_values[k] - outside[k];
+      pixel[k] += to_pixel * difference;
+      next[k] += to_next * difference;
+    }
+    edge_values += num_channels;
   }
 }
 
 template <class T>
 void AntialiasBackward(const std::vector<Crossing<T>>& crossings, const Raster<T>& raster, int num_channels,
-                       const T* picture, const T* antialiased_gradient, T* picture_gradient, T* position_gradient) {
+                       const T* picture, const T* edge_values, const T* antialiased_gradient, T* picture_gradient,
+                       T* edge_value_gradient, T* position_gradient) {
   for (int64_t i = 0; i < raster.num_pixels() * num_channels; ++i) picture_gradient[i] += antialiased_gradient[i];
   for (const Crossing<T>& crossing : crossings) {
-    const int64_t pixel = int64_t(crossing.pixel) * num_channels, next = int64_t(crossing.next) * num_channels;
-    const T* const g = antialiased_gradient + int64_t(crossing.target()) * num_channels;
-    T weighted_difference = 0;
+    const T sign = crossing.surface_is_next ? T(1) : T(-1), lean = crossing.AreaSlope();
+    const T to_pixel = sign * crossing.Area(crossing.alpha), to_next = -sign * crossing.Area(-crossing.alpha);
+    const int64_t outside = int64_t(crossing.outside()) * num_channels;
+    const T *const g_pixel = antialiased_gradient + int64_t(crossing.pixel) * num_channels, *const g_next =
+                                                                                                antialiased_gradient +
+                                                                                                int64_t(crossing.next) *
+                                                                                                    num_channels;
+    T by_alpha = 0;
     for (int k = 0; k < num_channels; ++k) {
-      weighted_difference += g[k] * (picture[next + k] - picture[pixel + k]);
-      picture_gradient[next + k] += crossing.alpha * g[k];
-      picture_gradient[pixel + k] -= crossing.alpha * g[k];
+      const T difference = edge_values[k] - picture[outside + k];
+      by_alpha += sign * difference * (lean * g_pixel[k] + (1 - lean) * g_next[k]);
+      const T g = to_pixel * g_pixel[k] + to_next * g_next[k];
+      edge_value_gradient[k] += g;
+      picture_gradient[outside + k] -= g;
     }
-    CrossingBackward(crossing, raster, weighted_difference, position_gradient);
+    CrossingBackward(crossing, raster, -by_alpha, T(0), position_gradient);
+    edge_values += num_channels;
+    edge_value_gradient += num_channels;
   }
 }
 
-#define DAUMIER_INSTANTIATE(T)                                                                        \
-  template void FindCrossings(const MeshTopology&, const Raster<T>&, Facing, const AntialiasOptions&, \
-                              CrossingMemory<T>&, std::vector<Crossing<T>>&);                         \
-  template void Antialias(const std::vector<Crossing<T>>&, int64_t, int, const T*, T*);               \
-  template void CrossingBackward(const Crossing<T>&, const Raster<T>&, T, T*);                        \
-  template void AntialiasBackward(const std::vector<Crossing<T>>&, const Raster<T>&, int, const T*, const T*, T*, T*);
+#define DAUMIER_INSTANTIATE(T)                                                                                 \
+  template void InterpolateCrossings(const std::vector<Crossing<T>>&, int, const T*, T*);                      \
+  template void InterpolateCrossingsBackward(const std::vector<Crossing<T>>&, const Raster<T>&, int, const T*, \
+                                             const T*, T*, T*);                                                \
+  template void Antialias(const std::vector<Crossing<T>>&, int64_t, int, const T*, const T*, T*);              \
+  template void AntialiasBackward(const std::vector<Crossing<T>>&, const Raster<T>&, int, const T*, const T*,  \
+                                  const T*, T*, T*, T*);
 DAUMIER_INSTANTIATE(float)
 DAUMIER_INSTANTIATE(double)
 #undef DAUMIER_INSTANTIATE

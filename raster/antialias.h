@@ -1,66 +1,41 @@
 #pragma once
-#include "raster/visibility.h"
+#include "raster/crossings.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace daumier::raster {
 
-struct AntialiasOptions {
-  double depth_margin = 15;  ///< Depth by which the surface may come nearer within a pixel of its silhouette.
-  double least_gap = 0.5;    ///< Depth by which what lies outside of a silhouette has to be farther away.
-
-  bool operator==(const AntialiasOptions&) const = default;
-};
-
-/// A silhouette edge between the centres of two neighbouring pixels, `pixel` and `next` (right of it or below it). With
-/// d in [0, 1] the distance of the crossing from the first centre, alpha = 1/2 - d. The picture c changes by
-/// out[target] += alpha (c[next] - c[pixel]); the target is `pixel` where alpha > 0, else `next`.
+/// Attributes of the surface where silhouette edges cross: values[i] = (1 - weight) a[first] + weight a[second] for
+/// crossing i. attributes: V x num_channels; values: crossings x num_channels, written.
 template <class T>
-struct Crossing {
-  int pixel = 0, next = 0;
-  int first = 0, second = 0;  ///< Vertices of the edge.
-  T alpha = 0;
-  T share = 0;  ///< Of the second vertex: the crossing is at (1 - share) p_first + share p_second in the picture.
-  T slope = 0;  ///< Of the edge: displacement along the pair for one pixel across it; -1..1.
-  bool is_vertical = false;  ///< The pair is one above the other.
+void InterpolateCrossings(const std::vector<Crossing<T>>& crossings, int num_channels, const T* attributes, T* values);
 
-  int target() const { return alpha > 0 ? pixel : next; }
-};
-
-/// What FindCrossings needs, kept for its next call.
+/// Adds the gradient of sum(values * value_gradient) to attribute_gradient (V x num_channels) and to position_gradient
+/// (V x 4; its third column is unchanged); either may be null.
 template <class T>
-struct CrossingMemory {
-  std::vector<int> crossing_of_pair;  ///< 2 x H x W, -1 between calls: pairs to the right, pairs downwards.
-};
+void InterpolateCrossingsBackward(const std::vector<Crossing<T>>& crossings, const Raster<T>& raster, int num_channels,
+                                  const T* attributes, const T* value_gradient, T* attribute_gradient,
+                                  T* position_gradient);
 
-/// Silhouettes for edge-driven antialiasing. An edge is on a silhouette if it has one visible triangle, or two of
-/// opposite facing. It is followed over the rows of pixel centres that it crosses, if it is steep, else over the columns.
-/// A crossing counts if the pixel outside of the surface shows nothing, or something farther away than the edge by
-/// least_gap, and the pixel on the surface's side shows something that is not nearer than the edge by more than
-/// depth_margin. Of several crossings between two pixels the outermost counts. In the order of edges. Depths are those
-/// of raster/camera.h, about a pixel each.
-/// Rules that search the edges of the triangles that pixels show miss silhouettes of triangles smaller than a pixel.
-template <class T>
-void FindCrossings(const MeshTopology& topology, const Raster<T>& raster, Facing facing,
-                   const AntialiasOptions& options, CrossingMemory<T>& memory, std::vector<Crossing<T>>& crossings);
-
-/// picture, antialiased: num_pixels x num_channels, not the same memory. Blends all crossings, reading `picture` alone.
+/// Blends pixels along silhouettes. With the colours e of the surface at the edge and o of the pixel outside of it,
+/// D = o - e if the surface is on the side of `pixel`, else e - o:
+///   out[pixel] += G(alpha) D,  out[next] -= G(-alpha) D,  G(a) = integral over y in [-1/2, 1/2] of max(0, a + slope y),
+/// which is the area of each pixel on the other side of a straight edge. picture, antialiased: num_pixels x
+/// num_channels, not the same memory. edge_values: crossings x num_channels, of InterpolateCrossings. The colour at the
+/// edge is not that of the pixel's centre: with the latter the gradient of a shaded surface is biased.
 template <class T>
 void Antialias(const std::vector<Crossing<T>>& crossings, int64_t num_pixels, int num_channels, const T* picture,
-               T* antialiased);
+               const T* edge_values, T* antialiased);
 
-/// Adds the gradient of sum(antialiased * antialiased_gradient) to picture_gradient (H x W x num_channels) and to
-/// position_gradient (V x 4; its third column is unchanged). With D the sum over channels of
-/// gradient[target] (c[next] - c[pixel]), and x along the pair:
-///   dL/dx_first = -D (1 - share), dL/dx_second = -D share, dL/dy = -slope dL/dx.
+/// Adds the gradient of sum(antialiased * antialiased_gradient) to picture_gradient (H x W x num_channels),
+/// edge_value_gradient (crossings x num_channels) and position_gradient (V x 4; its third column is unchanged). `slope` is
+/// held constant: it only decides how a movement of the edge is divided between the two pixels. With P the sum over
+/// channels of (G'(alpha) g[pixel] + G'(-alpha) g[next]) D, and x along the pair:
+///   dL/dx_first = -P (1 - share), dL/dx_second = -P share, dL/dy = -slope dL/dx.
 template <class T>
 void AntialiasBackward(const std::vector<Crossing<T>>& crossings, const Raster<T>& raster, int num_channels,
-                       const T* picture, const T* antialiased_gradient, T* picture_gradient, T* position_gradient);
-
-/// The part of AntialiasBackward that a crossing adds to position_gradient, given D.
-template <class T>
-void CrossingBackward(const Crossing<T>& crossing, const Raster<T>& raster, T weighted_difference,
-                      T* position_gradient);
+                       const T* picture, const T* edge_values, const T* antialiased_gradient, T* picture_gradient,
+                       T* edge_value_gradient, T* position_gradient);
 
 }  // namespace daumier::raster

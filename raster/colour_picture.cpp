@@ -5,7 +5,6 @@
 #include "raster/surface_point.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace daumier::raster {
 
@@ -39,13 +38,23 @@ void ColourPicture<T>::Forward(const MeshTopology& topology, const T* positions,
   FindCrossings(topology, raster_, options.facing, options.antialias, memory_, crossings_);
   differences_.resize(crossings_.size());
   for (size_t i = 0; i < crossings_.size(); ++i) {
-    for (int k = 0; k < 4; ++k) {
-      differences_[i][k] = picture[4 * int64_t(crossings_[i].next) + k] - picture[4 * int64_t(crossings_[i].pixel) + k];
-    }
+    const Crossing<T>& crossing = crossings_[i];
+    Lanes<T> first, second, outside;
+    LoadLanes(colours_[crossing.first].data(), first);
+    LoadLanes(colours_[crossing.second].data(), second);
+    LoadLanes(picture + 4 * int64_t(crossing.outside()), outside);
+    StoreLanes<T>(differences_[i].data(), first + crossing.weight * (second - first) - outside);
   }
   for (size_t i = 0; i < crossings_.size(); ++i) {
-    T* const to = picture + 4 * int64_t(crossings_[i].target());
-    for (int k = 0; k < 4; ++k) to[k] += crossings_[i].alpha * differences_[i][k];
+    const Crossing<T>& crossing = crossings_[i];
+    const T sign = crossing.surface_is_next ? T(1) : T(-1);
+    T *const pixel = picture + 4 * int64_t(crossing.pixel), *const next = picture + 4 * int64_t(crossing.next);
+    Lanes<T> difference, old_pixel, old_next;
+    LoadLanes(differences_[i].data(), difference);
+    LoadLanes(pixel, old_pixel);
+    LoadLanes(next, old_next);
+    StoreLanes<T>(pixel, old_pixel + sign * crossing.Area(crossing.alpha) * difference);
+    StoreLanes<T>(next, old_next - sign * crossing.Area(-crossing.alpha) * difference);
   }
 }
 
@@ -92,20 +101,29 @@ void ColourPicture<T>::Backward(const MeshTopology& topology, const T* picture_g
       PixelBackward(topology, pixel, T(column) + T(0.5), T(row) + T(0.5), picture_gradient + 4 * pixel);
     }
   }
-  // A blend passes the gradient of its target on to both pixels and to the edge.
+  // A blend passes gradient to the edge, to its colour, and to the colour of the pixel outside.
   std::fill_n(position_gradient, 4 * int64_t(topology.num_vertices), T(0));
   for (size_t i = 0; i < crossings_.size(); ++i) {
     const Crossing<T>& crossing = crossings_[i];
-    const T* const g = picture_gradient + 4 * int64_t(crossing.target());
-    T weighted_difference = 0;
-    for (int k = 0; k < 4; ++k) weighted_difference += g[k] * differences_[i][k];
-    CrossingBackward(crossing, raster_, weighted_difference, position_gradient);
-    for (const auto& [pixel, sign] : {std::pair(crossing.pixel, T(-1)), std::pair(crossing.next, T(1))}) {
-      if (raster_.triangle[pixel] < 0) continue;
-      T passed[4];
-      for (int k = 0; k < 4; ++k) passed[k] = sign * crossing.alpha * g[k];
-      PixelBackward(topology, pixel, T(pixel % raster_.width) + T(0.5), T(pixel / raster_.width) + T(0.5), passed);
+    const T sign = crossing.surface_is_next ? T(1) : T(-1), lean = crossing.AreaSlope();
+    const T to_pixel = sign * crossing.Area(crossing.alpha), to_next = -sign * crossing.Area(-crossing.alpha);
+    const T *const g_pixel = picture_gradient + 4 * int64_t(crossing.pixel), *const g_next = picture_gradient +
+                                                                                             4 * int64_t(crossing.next);
+    VertexGradient &first = gradients_[crossing.first], &second = gradients_[crossing.second];
+    T by_alpha = 0, by_weight = 0, outside_gradient[4];
+    for (int k = 0; k < 4; ++k) {
+      by_alpha += sign * differences_[i][k] * (lean * g_pixel[k] + (1 - lean) * g_next[k]);
+      const T g = to_pixel * g_pixel[k] + to_next * g_next[k];
+      by_weight += g * (colours_[crossing.second][k] - colours_[crossing.first][k]);
+      first.colour[k] += (1 - crossing.weight) * g;
+      second.colour[k] += crossing.weight * g;
+      outside_gradient[k] = -g;
     }
+    CrossingBackward(crossing, raster_, -by_alpha, by_weight, position_gradient);
+    const int outside = crossing.outside();
+    if (raster_.triangle[outside] < 0) continue;
+    PixelBackward(topology, outside, T(outside % raster_.width) + T(0.5), T(outside / raster_.width) + T(0.5),
+                  outside_gradient);
   }
   for (int64_t v = 0; v < topology.num_vertices; ++v) {
     for (int k = 0; k < 4; ++k) position_gradient[4 * v + k] += gradients_[v].position[k];

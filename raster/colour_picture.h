@@ -1,5 +1,5 @@
 #pragma once
-#include "raster/antialias.h"
+#include "raster/crossings.h"
 #include "raster/mesh_topology.h"
 #include "raster/visibility.h"
 
@@ -45,7 +45,7 @@ class ColourPicture {
   Raster<T> raster_;
   CrossingMemory<T> memory_;
   std::vector<Crossing<T>> crossings_;
-  std::vector<std::array<T, 4>> differences_;  ///< c[next] - c[pixel] of each crossing.
+  std::vector<std::array<T, 4>> differences_;  ///< Colour at the edge minus that outside, of each crossing.
   std::vector<std::array<T, 4>> colours_;      ///< V: RGB, 1.
   std::vector<VertexGradient> gradients_;
 };
