@@ -3,12 +3,20 @@
 #include "core/error.h"
 
 #include <cmath>
+#include <utility>
 
 namespace daumier::render {
 
 Visibility::Visibility(const Camera& camera, const geometry::TriangleMesh& occluders, double tolerance)
-    : camera_(camera), tolerance_(tolerance), raster_(Rasterise(camera, occluders)) {
+    : Visibility(camera, Rasterise(camera, occluders), tolerance) {}
+
+Visibility::Visibility(const Camera& camera, Raster depth, double tolerance)
+    : camera_(camera), tolerance_(tolerance), raster_(std::move(depth)) {
   DAUMIER_CHECK(tolerance >= 0, "a depth map with the tolerance {} cm, expected 0 or more", tolerance);
+  DAUMIER_CHECK(raster_.height == camera.height && raster_.width == camera.width &&
+                    raster_.depth.size() == size_t(camera.height) * camera.width,
+                "a depth map of {} x {} for a camera of {} x {}", raster_.height, raster_.width, camera.height,
+                camera.width);
 }
 
 bool Visibility::Sees(const Eigen::RowVector3d& projected) const {

@@ -14,6 +14,10 @@ class Visibility {
   /// `tolerance` in cm. @throws Error as Rasterise, and if the tolerance is negative.
   Visibility(const Camera& camera, const geometry::TriangleMesh& occluders, double tolerance);
 
+  /// The same from a depth map at hand, in cm, of the camera's size; its triangles and barycentrics are not read.
+  /// @throws Error if a size differs or the tolerance is negative.
+  Visibility(const Camera& camera, Raster depth, double tolerance);
+
   /// @param projected a row of Project: x and y in pixels and the depth in cm.
   bool Sees(const Eigen::RowVector3d& projected) const;
 

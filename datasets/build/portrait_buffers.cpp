@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/normals.h"
-#include "render/rasteriser.h"
+#include "raster/rasterise.h"
 
 #include <algorithm>
 #include <array>
@@ -20,44 +20,80 @@ static_assert(int(PortraitPart::kSkin) == int(PicturePart::kSkin) &&
               int(PortraitPart::kLens) == int(PicturePart::kLens) &&
               faces::kNumMaskClasses == render::kNumPictureClasses);
 
-/// Of each vertex in the world's frame, in camera space with y up and z to the viewer.
-Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> ViewNormals(const faces::PortraitHead& head,
-                                                                     const render::Camera& camera) {
+/// What is interpolated over triangles: colour, and the normal in camera space with y up and z to the viewer.
+struct VertexLook {
+  std::array<float, 3> colour, normal;
+};
+
+std::vector<VertexLook> LooksOfVertices(const faces::PortraitHead& head, const render::Camera& camera) {
   const geometry::Points normals = geometry::VertexNormals({head.vertices, head.triangles});
   const Eigen::Matrix3d view = Eigen::Vector3d(1, -1, -1).asDiagonal() * camera.camera_from_world;
-  return (normals * view.transpose()).cast<float>();
+  std::vector<VertexLook> looks(static_cast<size_t>(head.vertices.rows()));
+  for (Eigen::Index v = 0; v < head.vertices.rows(); ++v) {
+    const Eigen::Vector3d normal = view * normals.row(v).transpose();
+    VertexLook& look = looks[size_t(v)];
+    for (int c = 0; c < 3; ++c) {
+      look.colour[size_t(c)] = head.colours(v, c);
+      look.normal[size_t(c)] = static_cast<float>(normal[c]);
+    }
+  }
+  return looks;
+}
+
+/// Homogeneous pixel coordinates (X, Y, Z, w) as raster/camera.h has them, but with Z = -1, so that the depth Z / w is
+/// -1 over the distance from the viewer along its axis, cm.
+std::vector<float> HomogeneousPixels(const render::Camera& camera, const geometry::Points& vertices) {
+  const geometry::Points pixels = render::Project(camera, vertices);
+  std::vector<float> positions;
+  positions.reserve(size_t(pixels.rows()) * 4);
+  for (const auto& pixel : pixels.rowwise()) {
+    const double w = pixel[2];
+    for (const double value : {pixel[0] * w, pixel[1] * w, -1.0, w}) positions.push_back(static_cast<float>(value));
+  }
+  return positions;
+}
+
+raster::Raster<float> RasteriseHead(const faces::PortraitHead& head, const render::Camera& camera) {
+  raster::MeshTopology topology;  // Edges are not used.
+  topology.num_vertices = static_cast<int>(head.vertices.rows());
+  topology.triangles.resize(size_t(head.triangles.rows()));
+  std::copy_n(head.triangles.data(), head.triangles.size(), topology.triangles.front().data());
+  raster::Raster<float> raster;
+  raster::Rasterise(topology, HomogeneousPixels(camera, head.vertices).data(), camera.height, camera.width,
+                    raster::Facing::kBoth, raster);
+  return raster;
 }
 
 }  // namespace
 
 render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render::Camera& camera,
                                    const SphericalLight& light, int supersampling) {
+  DAUMIER_CHECK(camera.perspective && head.triangles.rows() > 0, "portraits are of triangles, in perspective");
   const render::Camera enlarged = render::Enlarged(camera, supersampling);
-  const render::Raster raster = render::Rasterise(enlarged, {head.vertices, head.triangles});
-  const auto normals = ViewNormals(head, camera);
+  const raster::Raster<float> raster = RasteriseHead(head, enlarged);
+  const std::vector<VertexLook> looks = LooksOfVertices(head, camera);
 
   render::PictureBuffers buffers = render::EmptyPictureBuffers(enlarged.height, enlarged.width, supersampling);
   buffers.pixels_per_cm = static_cast<float>(enlarged.scale / camera.translation.z());
   for (size_t pixel = 0; pixel < buffers.size(); ++pixel) {
     const int triangle = raster.triangle[pixel];
     if (triangle < 0) continue;
-    Eigen::Vector3f colour = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const int vertex = head.triangles(triangle, k);
-      const float weight = raster.barycentric[pixel][size_t(k)];
-      colour += weight * head.colours.row(vertex).transpose();
-      normal += weight * normals.row(vertex).transpose();
+    const float b0 = raster.barycentric[2 * pixel], b1 = raster.barycentric[2 * pixel + 1], b2 = 1 - b0 - b1;
+    const int* const corners = head.triangles.data() + 3 * size_t(triangle);
+    const VertexLook &l0 = looks[size_t(corners[0])], &l1 = looks[size_t(corners[1])], &l2 = looks[size_t(corners[2])];
+    Eigen::Vector3f normal;
+    for (int c = 0; c < 3; ++c) {
+      const auto k = static_cast<size_t>(c);
+      buffers.albedo[3 * pixel + k] = std::clamp(b0 * l0.colour[k] + b1 * l1.colour[k] + b2 * l2.colour[k], 0.0f, 1.0f);
+      normal[c] = b0 * l0.normal[k] + b1 * l1.normal[k] + b2 * l2.normal[k];
     }
     const float length = normal.norm();
     normal = length > 1e-6f ? Eigen::Vector3f(normal / length) : Eigen::Vector3f::UnitZ();
     // Surfaces that are seen from inside are lit as if they had two sides.
     if (normal.z() < -0.1f) normal = -normal;
-    for (int c = 0; c < 3; ++c) {
-      buffers.albedo[3 * pixel + size_t(c)] = std::clamp(colour[c], 0.0f, 1.0f);
-      buffers.normal[3 * pixel + size_t(c)] = normal[c];
-    }
+    for (int c = 0; c < 3; ++c) buffers.normal[3 * pixel + size_t(c)] = normal[c];
     buffers.shade[pixel] = std::max(0.0f, LightOn(light, normal));
-    buffers.depth[pixel] = static_cast<float>(raster.depth[pixel]);
+    buffers.depth[pixel] = -1 / raster.depth[pixel];
     buffers.classes[pixel] = head.classes[size_t(triangle)];
     buffers.parts[pixel] = head.parts[size_t(triangle)];
   }

@@ -62,9 +62,7 @@ void AddVisible(const geometry::Points& projected, const render::Visibility& vis
 }  // namespace
 
 PortraitLines::PortraitLines(const faces::FaceTemplate& face_template)
-    : triangles_(face_template.triangles),
-      num_vertices_(face_template.num_vertices()),
-      tolerance_(kToleranceMm / faces::MillimetresPerCm(face_template)) {
+    : triangles_(face_template.triangles), tolerance_(kToleranceMm / faces::MillimetresPerCm(face_template)) {
   for (const faces::FeatureCurve& curve : face_template.annotation.curves) {
     if (curve.view != faces::View::kFrontal || curve.vertices.empty() || !InkedKinds().contains(curve.kind)) continue;
     curves_.push_back(curve.vertices);
@@ -72,9 +70,11 @@ PortraitLines::PortraitLines(const faces::FaceTemplate& face_template)
   }
 }
 
-std::vector<render::Stroke> PortraitLines::Draw(const faces::PortraitHead& head, const render::Camera& camera) const {
-  const geometry::Points face = head.vertices.topRows(num_vertices_);
-  const render::Visibility visibility(camera, {head.vertices, head.triangles}, tolerance_);
+std::vector<render::Stroke> PortraitLines::Draw(const geometry::Points& face, const render::Camera& camera,
+                                                const render::PictureBuffers& buffers) const {
+  render::Raster depth{.height = buffers.height, .width = buffers.width};
+  depth.depth.assign(buffers.depth.begin(), buffers.depth.end());
+  const render::Visibility visibility(camera, std::move(depth), tolerance_);
   render::ContourOptions options;
   options.min_length = kShortestPixels;
   std::vector<render::Stroke> strokes =

@@ -1,7 +1,8 @@
 #pragma once
-#include "faces/appearance/portrait_head.h"
+#include "faces/face_model.h"
 #include "render/camera.h"
 #include "render/strokes.h"
+#include "render/styles/picture_buffers.h"
 
 #include <vector>
 
@@ -13,13 +14,13 @@ class PortraitLines {
  public:
   explicit PortraitLines(const faces::FaceTemplate& face_template);
 
-  /// Strokes in pixels of the camera. The head's first vertices are the face's (V x 3, cm); all of the head hides lines.
-  /// @throws Error as render::Rasterise.
-  std::vector<render::Stroke> Draw(const faces::PortraitHead& head, const render::Camera& camera) const;
+  /// Strokes in pixels of the camera, hidden where `buffers`, of that camera's size, show something nearer. `face`:
+  /// V x 3, cm. @throws Error if a size differs.
+  std::vector<render::Stroke> Draw(const geometry::Points& face, const render::Camera& camera,
+                                   const render::PictureBuffers& buffers) const;
 
  private:
   geometry::Triangles triangles_;
-  int num_vertices_;
   std::vector<std::vector<int>> curves_;  ///< Vertices; a closed curve ends with its first.
   double tolerance_;                      ///< cm
 };

@@ -101,7 +101,8 @@ PortraitRecord PortraitMaker::MakeWithBuffers(const geometry::Points& face, Rng&
   const render::Camera camera = PortraitCamera(optics_, record.pose);
   const faces::PortraitHead head = dresser_.Dress(vertices, looks);
   render::PictureBuffers buffers = DrawBuffers(head, camera, record.light, options_.supersampling);
-  if (render::UsesStrokes(style)) buffers.lines = lines_.Draw(head, render::Enlarged(camera, options_.supersampling));
+  if (render::UsesStrokes(style))
+    buffers.lines = lines_.Draw(vertices, render::Enlarged(camera, options_.supersampling), buffers);
   if (float_buffers) *float_buffers = ToFloatImage(DrawBuffers(head, camera, record.light, 1), optics_);
 
   const render::Image mask = MaskOf(buffers);

@@ -14,7 +14,12 @@ namespace daumier::faces {
 struct AlbedoBasis {
   Eigen::MatrixXf mean;            ///< V x 3.
   Eigen::MatrixXf modes;           ///< 3V x K, unit sigma; channels of a vertex next to each other (r0 g0 b0 r1 ...).
-  std::vector<std::string> names;  ///< K: kAlbedoModeNames.
+  std::vector<std::string> names;  ///< K, unique.
+
+  // A mode is a field times a colour: mode_k of vertex v = fields(v, field_of[k]) steps.col(k). Few fields serve all modes.
+  Eigen::MatrixXf fields;     ///< V x M; empty in a basis from elsewhere.
+  std::vector<int> field_of;  ///< K.
+  Eigen::MatrixXf steps;      ///< 3 x K.
 };
 
 /// 40 named modes, then 20 lightness and 20 redness bands.

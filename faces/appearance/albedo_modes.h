@@ -20,8 +20,8 @@ const std::vector<AlbedoModeSpec>& MeanAlbedoParts();
 
 /// Plain skin, and its steps for melanin (positive is darker), haemoglobin and warmth.
 inline const Eigen::Vector3f kMeanSkin{0.74f, 0.56f, 0.455f};
-inline const Eigen::Vector3f kMelaninStep{-0.180f, -0.182f, -0.160f};
-inline const Eigen::Vector3f kHaemoglobinStep{0.020f, -0.022f, -0.014f};
-inline const Eigen::Vector3f kWarmthStep{0.014f, 0.004f, -0.030f};
+inline const Eigen::Vector3f kMelaninStep{-0.170f, -0.156f, -0.136f};
+inline const Eigen::Vector3f kHaemoglobinStep{0.014f, -0.014f, -0.009f};
+inline const Eigen::Vector3f kWarmthStep{0.010f, 0.002f, -0.022f};
 
 }  // namespace daumier::faces

@@ -81,6 +81,9 @@ BeardShells::BeardShells(const FaceTemplate& face) {
           shell.vertices.push_back(t[k]);
           shell.weights.push_back(weights[t[k]]);
           shell.chin.push_back(hanging[t[k]]);
+          const auto& l = face.annotation.landmarks;
+          shell.bulk.push_back(
+              0.35 + 0.65 * SmoothBetween(face.neutral(l[16], 1), face.neutral(l[12], 1), face.neutral(t[k], 1)));
           const double x = std::abs(face.neutral(t[k], 0)) / length, y = face.neutral(t[k], 1) / length;
           shell.waves.push_back(0.6 * std::sin(2.6 * x + 0.5 * y) + 0.4 * std::sin(4.3 * x - 1.9 * y + 1));
         }
@@ -115,13 +118,13 @@ void BeardShells::AddBeard(const geometry::Points& face, const geometry::Points&
   for (int i = 0; i < count; ++i) {
     const int v = shell.vertices[size_t(i)];
     const double w = 2 * shell.weights[size_t(i)] - 1, wave = shell.waves[size_t(i)];
-    const double over = w > 0 ? thickness * std::sqrt(w) * (0.9 + 0.22 * wave) : 0.5 * size * w;
+    const double over = w > 0 ? thickness * shell.bulk[size_t(i)] * std::sqrt(w) * (0.9 + 0.22 * wave) : 0.5 * size * w;
     const geometry::Vector3 point = face.row(v), normal = normals.row(v);
     geometry::Vector3 moved = point + over * normal;
     if (w > 0) {
       const double hang =
           (is_long ? 6.5 : 0.9) * size * looks.beard_length * SmoothBetween(0.25, 1.0, shell.chin[size_t(i)] * w);
-      moved += hang * geometry::Vector3(0, -1, 0.12);
+      moved += hang * geometry::Vector3(0, -1, 0.3);
     }
     const auto light = static_cast<float>(0.95 + 0.14 * wave);
     soup.AddVertex(moved, light * looks.beard_colour);

@@ -21,6 +21,7 @@ class BeardShells {
   struct Shell {
     std::vector<int> vertices;               ///< Of the face.
     std::vector<double> weights, chin;       ///< Of each: 0.5 where the beard ends; how much it hangs from the chin.
+    std::vector<double> bulk;                ///< Of each: thinner at the ears.
     std::vector<double> waves;               ///< Of each, about -1 to 1.
     std::vector<Eigen::Vector3i> triangles;  ///< Indices into `vertices`.
     std::vector<std::array<int, 2>> border;  ///< Directed edges without a neighbour.

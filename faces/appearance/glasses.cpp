@@ -51,6 +51,16 @@ GlassesFit::GlassesFit(const FaceTemplate& face) {
       ears_[side] = v;
     }
   }
+  std::vector<bool> is_front(size_t(face.num_vertices()), false);
+  for (const int v : front_) is_front[size_t(v)] = true;
+  int count = 0;
+  for (const auto& t : face.triangles.rowwise()) {
+    if (!is_front[size_t(t[0])] || !is_front[size_t(t[1])]) continue;
+    edge_ += (face.neutral.row(t[0]) - face.neutral.row(t[1])).norm();
+    ++count;
+  }
+  const double width = (face.neutral.row(landmarks[36]) - face.neutral.row(landmarks[39])).norm();
+  edge_ /= std::max(1, count) * width;
 }
 
 void GlassesFit::AddGlasses(const geometry::Points& face, const Looks& looks, HeadSoup& soup) const {
@@ -79,7 +89,7 @@ void GlassesFit::AddGlasses(const geometry::Points& face, const Looks& looks, He
     }
     return most;
   };
-  const double reach = 0.16 * width + tube;
+  const double reach = 0.6 * edge_ * width + tube;
   // A plane for each lens, turned about the vertical: z = at_nose + slope (distance from the nose), as near as the skin allows.
   std::array<std::vector<geometry::Vector3>, 2> rims;
   for (size_t side = 0; side < 2; ++side) {
@@ -91,7 +101,8 @@ void GlassesFit::AddGlasses(const geometry::Points& face, const Looks& looks, He
       const double a = 2 * std::numbers::pi * k / kRimPoints;
       const double x = half_width * PowerOf(std::cos(a), power),
                    y = half_height * PowerOf(std::sin(a), power) - 0.06 * half_height;
-      const geometry::Vector3 at(centre[side].x() + x, centre[side].y() + y, 0);
+      // Away from the nose.
+      const geometry::Vector3 at(centre[side].x() + outer * 0.03 * between + x, centre[side].y() + y, 0);
       plane = std::max(plane, skin_at(at.x(), at.y(), reach) - wrap * outer * x);
       rim.push_back(at);
     }

@@ -21,7 +21,8 @@ class GlassesFit {
   std::array<std::vector<int>, 2> eyes_;   ///< Landmarks of the right and the left eye.
   std::vector<int> front_;                 ///< Vertices that may lie behind the frames.
   std::array<std::vector<int>, 2> sides_;  ///< Vertices between eyes and ears, right and left.
-  std::array<int, 2> ears_{};              ///< Where temples end: right and left.
+  double edge_ = 0;            ///< Mean length of an edge there, on the template, as a share of the eye's width.
+  std::array<int, 2> ears_{};  ///< Where temples end: right and left.
 };
 
 }  // namespace daumier::faces

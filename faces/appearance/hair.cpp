@@ -16,12 +16,14 @@ namespace {
 constexpr SoupKind kHairKind{MaskClass::kHair, PortraitPart::kHair};
 constexpr int kHairRows = 26;       // Outside; the inside has half of them.
 constexpr double kHangFrom = 2.0;   // Elevation at which hanging hair leaves the skull.
+constexpr double kSkullLift = 0.3;  // cm
 constexpr double kEndLength = 2.2;  // How much of the hair bends down to its end, cm.
 
 /// Outside and inside of the hair at the points of a column, from the crown to its end.
 struct HairPoint {
   geometry::Vector3 outside, inside;
-  double share;  ///< Of the column's length.
+  double share;       ///< Of the column's length.
+  double wave, fine;  ///< HairWaves there.
 };
 
 struct HairGuide {
@@ -33,7 +35,7 @@ struct HairGuide {
 std::vector<HairPoint> HairColumn(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, int column) {
   const double azimuth = SkullGrid::Azimuth(column), hang = shape.HangAt(azimuth), size = shape.size;
   const double end = hang > 0 ? kHangFrom : shape.EndAt(azimuth);
-  constexpr int kSteps = 24, kHangSteps = 16;
+  constexpr int kSteps = 16, kHangSteps = 10;
   std::vector<HairGuide> guides;
   for (int k = 0; k <= kSteps; ++k) {
     const double elevation = 90 + (end - 90) * k / kSteps;
@@ -72,9 +74,11 @@ std::vector<HairPoint> HairColumn(const SkullGrid& skull, const HairShape& shape
     const geometry::Vector3 outwards = ((1 - t) * p.outwards + t * q.outwards).normalized();
     const double height = (1 - t) * p.height + t * q.height;
     const double to_end = std::clamp(1 - (total - length) / bend, 0.0, 1.0);
-    const double waves = 0.22 * size * shape.waves.At(azimuth, share) + 0.06 * size * shape.waves.Fine(azimuth, share);
     HairPoint point;
     point.share = share;
+    point.wave = shape.waves.At(azimuth, share);
+    point.fine = shape.waves.Fine(azimuth, share);
+    const double waves = size * (0.22 * point.wave + 0.06 * point.fine);
     if (q.hangs) {
       const double thick = std::min(height, 1.6 * size) * (1 - 0.75 * to_end * to_end);
       point.outside = base + (height - 0.55 * height * to_end * to_end + waves) * outwards;
@@ -83,8 +87,9 @@ std::vector<HairPoint> HairColumn(const SkullGrid& skull, const HairShape& shape
     } else {
       const double dip = 0.35 * size;
       const double round = std::sqrt(std::max(0.0, 1 - to_end * to_end));
-      const double over = (height + std::min(1.0, height / (0.4 * size)) * waves) * round;
-      point.outside = base + (std::max(over, 0.12 * size * round) - dip * to_end * to_end * to_end) * outwards;
+      // The skull is smooth, so its convex skin lies a little higher.
+      const double over = (height + std::min(1.0, height / (1.2 * size)) * waves + kSkullLift * size) * round;
+      point.outside = base + (over - dip * to_end * to_end * to_end) * outwards;
       point.inside = base - 0.5 * size * outwards;
     }
     points.push_back(point);
@@ -96,10 +101,9 @@ void AddShell(const SkullGrid& skull, const HairShape& shape, const HatFit& hat,
   constexpr int kColumns = SkullGrid::kColumns, kInside = kHairRows / 2 + 1, kStride = kHairRows + 1 + kInside;
   const int first = soup.size();
   for (int c = 0; c < kColumns; ++c) {
-    const double azimuth = SkullGrid::Azimuth(c);
     const std::vector<HairPoint> points = HairColumn(skull, shape, hat, c);
     for (const HairPoint& point : points) {
-      const double strand = 0.10 * shape.waves.Fine(azimuth, point.share) + 0.05 * shape.waves.At(azimuth, point.share);
+      const double strand = 0.10 * point.fine + 0.05 * point.wave;
       const double shine = 0.14 * std::exp(-std::pow((point.share - 0.42) / 0.10, 2));
       const auto light = static_cast<float>(0.94 + strand + shine - 0.15 * std::pow(point.share, 4));
       soup.AddVertex(point.outside, light * looks.hair_colour + Eigen::Vector3f::Constant(0.12f * float(shine)));
@@ -145,10 +149,10 @@ std::vector<HairPlace> HairPlaces(const HairShape& shape, const HatFit& hat, int
 
 void AddCurls(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, const Looks& looks, HeadSoup& soup) {
   Rng rng = Stream(looks.detail_seed, "curls");
-  for (const HairPlace& place : HairPlaces(shape, hat, 170, 5, rng)) {
+  for (const HairPlace& place : HairPlaces(shape, hat, 150, 4, rng)) {
     const geometry::Vector3 outwards = skull.Outwards(place.column, place.elevation);
-    const double radius = shape.size * (0.85 + 0.45 * rng.Uniform()) * std::sqrt(looks.hair_volume);
-    const double height = shape.HeightAt(place.azimuth, place.elevation) - 0.35 * radius;
+    const double radius = shape.size * (1.25 + 0.6 * rng.Uniform()) * std::sqrt(looks.hair_volume);
+    const double height = shape.HeightAt(place.azimuth, place.elevation) - 0.15 * radius;
     const geometry::Vector3 side = outwards.unitOrthogonal();
     Eigen::Matrix3d axes;
     axes << radius * side, radius * outwards.cross(side), 0.9 * radius * outwards;
@@ -160,8 +164,8 @@ void AddCurls(const SkullGrid& skull, const HairShape& shape, const HatFit& hat,
 
 void AddSpikes(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, const Looks& looks, HeadSoup& soup) {
   Rng rng = Stream(looks.detail_seed, "spikes");
-  const double length = 4.2 * shape.size * looks.hair_length;
-  for (const HairPlace& place : HairPlaces(shape, hat, 110, 3, rng)) {
+  const double length = 5.2 * shape.size * looks.hair_length;
+  for (const HairPlace& place : HairPlaces(shape, hat, 90, 3, rng)) {
     if (place.elevation < 2) continue;
     const geometry::Vector3 outwards = skull.Outwards(place.column, place.elevation);
     // Swept up and back.
@@ -176,7 +180,7 @@ void AddSpikes(const SkullGrid& skull, const HairShape& shape, const HatFit& hat
     for (int k = 0; k <= 3; ++k) {
       const double t = k / 3.0;
       path.push_back(root + reach * t * along + t * t * bow);
-      radii.push_back(shape.size * 1.15 * (1 - t) + 0.02);
+      radii.push_back(shape.size * 1.75 * (1 - 0.6 * t - 0.4 * t * t) + 0.02);
     }
     const auto light = static_cast<float>(0.86 + 0.26 * rng.Uniform());
     AddTube(path, radii, 6, light * looks.hair_colour, kHairKind, soup);
@@ -184,7 +188,7 @@ void AddSpikes(const SkullGrid& skull, const HairShape& shape, const HatFit& hat
 }
 
 void AddBun(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, const Looks& looks, HeadSoup& soup) {
-  const double elevation = hat.is_there() ? -2 : 62;
+  const double elevation = hat.is_there() ? -2 : looks.detail_seed % 2 == 0 ? 72 : 38;
   const geometry::Vector3 outwards = skull.Outwards(0, elevation), side(1, 0, 0);
   const double radius = (hat.is_there() ? 2.2 : 3.1) * shape.size * std::sqrt(looks.hair_volume);
   const geometry::Vector3 centre = skull.At(0, elevation) + (0.75 * radius + 0.5 * shape.size) * outwards;
@@ -192,7 +196,7 @@ void AddBun(const SkullGrid& skull, const HairShape& shape, const HatFit& hat, c
   axes << radius * side, radius * outwards.cross(side), 0.85 * radius * outwards;
   AddEllipsoid(centre, axes, 9, 16, 0.95f * looks.hair_colour, 1.1f * looks.hair_colour, kHairKind, soup);
   // A band of hair around its root, and two turns on it.
-  for (int turn = 0; turn < 3; ++turn) {
+  for (int turn = 0; turn < 2; ++turn) {
     std::vector<geometry::Vector3> ring;
     const double height = (-0.55 + 0.5 * turn) * radius,
                  wide = std::sqrt(std::max(0.1, 1 - std::pow(height / (0.85 * radius), 2)));

@@ -121,6 +121,11 @@ double HairShape::HeightAt(double azimuth, double elevation) const {
     const double furrow = Bell(across - 0.42 * looks->hair_parting, 0.045) * (1 - SmoothBetween(75, 115, a));
     height *= 1 - 0.55 * furrow;
   }
+  // Over the ears, which long hair covers.
+  if (HangsAtAll() && !tucked) {
+    const double middle = 0.5 * (lines.ear_front + lines.ear_back);
+    height += 1.3 * Bell(a - middle, 24) * (1 - SmoothBetween(5, 45, elevation));
+  }
   return height * volume;
 }
 

@@ -103,6 +103,11 @@ void DrawAlbedo(const LooksOptions& options, double feminine, Rng& rng, Looks& l
     move("blush", 0.8, 0.8);
     move("lid_line", 0.6, 1.0);
   }
+  // Freckles are there or not; on dark skin colours differ less.
+  const bool freckled = rng.Uniform() < 0.15;
+  for (const char* mode : {"freckles", "fine_freckles"}) move(mode, freckled ? 0.5 : 0.2, freckled ? 1.6 : 0.0);
+  const double darkness = std::clamp(double(looks.albedo[0]) / 2.5, 0.0, 1.0);
+  for (int k = 1; k < kNumAlbedoModes; ++k) looks.albedo[k] *= float(1 - 0.45 * darkness);
   const double lines = 2.6 * looks.age - 1.0;
   for (const char* mode : {"nasolabial_lines", "forehead_lines", "eye_bags"}) move(mode, 0.7, lines);
   const double stubble = 0.7 - 1.6 * feminine;
@@ -143,7 +148,7 @@ Looks DrawLooks(Rng& rng, const LooksOptions& options) {
 
   looks.brow_colour = (0.78f * looks.hair_colour + Colour::Constant(0.02f)) * float(rng.Uniform(0.6, 1.0));
   if (looks.hair_colour.sum() > 1.5f) looks.brow_colour *= 0.75f;
-  looks.brow_thickness = std::clamp((1.25 - 0.5 * feminine) * std::exp(0.25 * CutNormal(rng, 2)), 0.5, 1.9);
+  looks.brow_thickness = std::clamp((1.5 - 0.55 * feminine) * std::exp(0.25 * CutNormal(rng, 2)), 0.5, 1.9);
   looks.brow_arch = std::clamp(0.4 * CutNormal(rng, 2) + 0.3 * feminine, -1.0, 1.0);
   looks.albedo[AlbedoMode("brows_darkness")] =
       float(1.6 - 3.5 * double(looks.brow_colour.mean()) + 0.5 * CutNormal(rng, 2));
@@ -173,6 +178,8 @@ Looks DrawLooks(Rng& rng, const LooksOptions& options) {
   const auto glasses_style = rng.Uniform() < 0.5 ? GlassesStyle::kRound : GlassesStyle::kSquare;
   if (glasses) looks.glasses = dark ? GlassesStyle::kDark : glasses_style;
   looks.glasses_colour = ClothColour(rng) * float(rng.Uniform(0.1, 1.0));
+  looks.collar = static_cast<CollarStyle>(rng.Below(kCollarStyleNames.size()));
+  looks.clothes_colour = ClothColour(rng);
   return looks;
 }
 

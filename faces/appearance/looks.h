@@ -21,6 +21,8 @@ enum class HatStyle { kNone, kCap, kBeanie, kBrimmed };
 inline constexpr std::array<const char*, 4> kHatStyleNames = {"none", "cap", "beanie", "brimmed"};
 enum class GlassesStyle { kNone, kRound, kSquare, kDark };
 inline constexpr std::array<const char*, 4> kGlassesStyleNames = {"none", "round", "square", "dark"};
+enum class CollarStyle { kRound, kHigh, kOpen };
+inline constexpr std::array<const char*, 3> kCollarStyleNames = {"round", "high", "open"};
 
 /// All that a portrait shows of a person but shape, pose and light. Colours are display RGB in [0, 1]. Lengths without a
 /// unit are multiples of what is usual.
@@ -53,6 +55,9 @@ struct Looks {
   Eigen::Vector3f hat_colour{0.7f, 0.2f, 0.2f}, hat_band{0.2f, 0.2f, 0.2f};
   GlassesStyle glasses = GlassesStyle::kNone;
   Eigen::Vector3f glasses_colour{0.1f, 0.1f, 0.1f};
+
+  CollarStyle collar = CollarStyle::kRound;
+  Eigen::Vector3f clothes_colour{0.3f, 0.35f, 0.5f};
 
   double age = 0.3;          ///< 0 (child) .. 1 (old): grey hair; its lines are albedo modes.
   uint64_t detail_seed = 0;  ///< Of waves, curls and spikes.

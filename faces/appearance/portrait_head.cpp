@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "faces/appearance/beards.h"
 #include "faces/appearance/brows.h"
+#include "faces/appearance/bust.h"
 #include "faces/appearance/eyes.h"
 #include "faces/appearance/glasses.h"
 #include "faces/appearance/hair.h"
@@ -160,6 +161,11 @@ PortraitHead HeadDresser::Dress(const geometry::Points& face, const Looks& looks
   const SkullGrid skull = parts.scalp.GridOf(face);
   const double size = skull.radius() / kUsualRadius;
   const HatFit hat(looks.hat, parts.scalp.lines(), size);
+  std::vector<geometry::Vector3> border;
+  for (const int v : parts.edge_vertices) border.emplace_back(vertices.row(v));
+  Eigen::Vector3f neck = Eigen::Vector3f::Zero();
+  for (const int v : parts.edge_vertices) neck += colours.row(v).transpose() / float(parts.edge_vertices.size());
+  AddBust(border, neck, size, looks, soup);
   AddHair(skull, parts.scalp.lines(), hat, size, looks, soup);
   parts.beards.AddBeard(face, normals, looks, size, soup);
   AddHat(skull, hat, size, looks, soup);

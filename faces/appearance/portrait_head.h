@@ -12,7 +12,7 @@
 
 namespace daumier::faces {
 
-/// Classes of parsing masks. Hats and glasses are background: they hide the face.
+/// Classes of parsing masks. Hats, glasses and clothes are background: they hide the face.
 enum class MaskClass : uint8_t { kBackground, kSkin, kBrows, kEyes, kLips, kMouth, kEars, kHair };
 inline constexpr int kNumMaskClasses = 8;
 
@@ -30,7 +30,8 @@ enum class PortraitPart : uint8_t {
   kBeard,
   kHat,
   kGlasses,
-  kLens
+  kLens,
+  kClothes
 };
 
 /// Everything that a portrait shows of one face, as one list of triangles. Vertices are repeated where colours break.
@@ -56,7 +57,7 @@ class HeadDresser {
   const FinishedHead& finished() const;
   const AlbedoBasis& albedo() const;
 
-  /// The face (V x 3, cm) with skin colours, eyes, brows, lashes, teeth, hair, beard, hat and glasses. Deterministic.
+  /// The face (V x 3, cm) with skin colours, eyes, brows, lashes, teeth, hair, beard, hat, glasses, neck and shoulders. Deterministic.
   /// All parts are functions of the vertices, so that they fit every face of the topology.
   /// @throws Error if the face has another number of vertices or the looks another number of albedo coefficients.
   PortraitHead Dress(const geometry::Points& face, const Looks& looks) const;
