@@ -2,10 +2,7 @@
 
 #include "core/error.h"
 #include "fitting/portrait_view.h"
-#include "raster/camera.h"
-#include "raster/colour_picture.h"
-#include "raster/spherical_harmonics.h"
-#include "raster/vertex_normals.h"
+#include "raster/face_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,24 +32,16 @@ FacePicture FacePainter::Paint(std::span<const float> coefficients) const {
 FacePicture FacePainter::Paint(const faces::ColouredFace& face, std::span<const float> coefficients) const {
   DAUMIER_CHECK(coefficients.size() == size_t(faces::kNumCoefficients), "{} coefficients of a portrait, expected {}",
                 coefficients.size(), faces::kNumCoefficients);
-  const Eigen::Index count = face.vertices.rows();
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
-  const geometry::Points posed_points = fitting::Posed(face.vertices, PoseOf(coefficients));
-  const Rows posed = posed_points.cast<float>();
-  raster::NormalMemory<float> memory;
-  Rows normals(count, 3);
-  raster::VertexNormals(topology_, posed.data(), memory, normals.data());
+  const Rows vertices = face.vertices.cast<float>(), albedo = face.albedo;
   std::array<float, raster::kLightBands> light{};
   std::copy_n(coefficients.begin() + faces::kLightSlot.first, raster::kLightBands, light.begin());
-  Eigen::VectorXf shades(count);
-  raster::Shade(light, int64_t(count), normals.data(), shades.data());
-  const Rows colours = shades.asDiagonal() * face.albedo;
-  const raster::Camera camera;
-  std::vector<float> positions(size_t(4 * count));
-  raster::Project(camera, int64_t(count), posed.data(), positions.data());
+  raster::Pose<float> pose{};
+  std::copy_n(coefficients.begin() + faces::kPoseSlot.first, 6, pose.begin());
   FacePicture picture{std::vector<float>(size_t(4 * kPortraitSide * kPortraitSide)), {}};
-  raster::ColourPicture<float> kernel;
-  kernel.Forward(topology_, positions.data(), colours.data(), kPortraitSide, kPortraitSide, {}, picture.colours.data());
+  raster::FacePicture<float> kernel;
+  kernel.Forward(topology_, vertices.data(), albedo.data(), light, pose, {}, {}, picture.colours.data());
+  const geometry::Points posed_points = fitting::Posed(face.vertices, PoseOf(coefficients));
   const fitting::PicturePoints pixels = fitting::Projected(posed_points);
   for (const int vertex : model_.face_template.annotation.landmarks)
     for (int axis = 0; axis < 2; ++axis) picture.landmarks.push_back(float(pixels(vertex, axis)));

@@ -4,6 +4,7 @@
 #include "systems/portrait/portrait_evaluation_options.h"
 #include "systems/portrait/portrait_metrics.h"
 #include "systems/portrait/portrait_options.h"
+#include "systems/portrait/portrait_predictor.h"
 
 namespace daumier::portrait {
 
@@ -23,6 +24,14 @@ systems::System PortraitSystem() {
           },
       .read_metrics = ReadPortraitMetrics,
       .summary_columns = PortraitSummaryColumns,
+      .resolve_prediction =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<PortraitPredictOptions>(options, where));
+          },
+      .open = OpenPortraitPredictor,
+      .read_inputs =
+          [](const std::filesystem::path& file) { return std::vector<systems::Input>{render::ReadImage(file)}; },
+      .input_extensions = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff"},
   };
 }
 

@@ -8,14 +8,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-torch::Tensor DrawCrops(int64_t batch, int64_t resolution, Rng& rng) {
+torch::Tensor DrawPortraitCrops(int64_t batch, int64_t resolution, Rng& rng) {
   torch::Tensor crops = torch::empty({batch, 3, resolution, resolution});
   float* const numbers = crops.data_ptr<float>();
   for (int64_t i = 0; i < crops.numel(); ++i) numbers[i] = float(rng.Uniform());
   return crops;
 }
 
-std::string InputsAndOutputs(const PortraitRun& run) {
+std::string PortraitInputsAndOutputs(const PortraitRun& run) {
   const PortraitPictureOptions& pictures = run.options.pictures;
   std::string place = "the whole picture, its longer side as long as the crop's";
   if (pictures.crop == "landmarks")
@@ -42,7 +42,7 @@ exporting::ExportedFunction PortraitFunction(PortraitNetwork network) {
   const int64_t resolution = network->options().resolution;
   exporting::ExportedFunction function{"portrait", {}, {"coefficients"}, {}};
   function.inputs = {{"crop", {3, resolution, resolution}, [resolution](int64_t batch, Rng& rng) {
-                        return DrawCrops(batch, resolution, rng);
+                        return DrawPortraitCrops(batch, resolution, rng);
                       }}};
   function.forward = [network](const std::vector<torch::Tensor>& inputs) mutable {
     return std::vector<torch::Tensor>{
@@ -64,7 +64,7 @@ exporting::RunExport DescribePortraitExport(const fs::path& run_directory) {
                    "morphable model of the '{}' topology, after the coarse stage of Generating animatable 3D "
                    "cartoon faces from single portraits (Pan et al., 2024), trained and exported by Daumier.",
                    run.network->num_parameters(), run.model.face_template.source),
-               .inputs_and_outputs = InputsAndOutputs(run),
+               .inputs_and_outputs = PortraitInputsAndOutputs(run),
                .limits = {"It was trained on portraits that a program drew: pictures by people differ.",
                           "Its 3DMM has no surface for eyeballs, teeth and hair.",
                           "It must not be used to identify or to judge people."}},

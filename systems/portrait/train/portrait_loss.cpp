@@ -60,7 +60,7 @@ torch::Tensor PortraitRenderer::Landmarks(const torch::Tensor& coefficients) con
 
 models::RenderedPictures PortraitRenderer::Render(const torch::Tensor& coefficients, const torch::Tensor& vertices,
                                                   const torch::Tensor& albedo, bool antialias) const {
-  models::RasterSettings settings;
+  raster::PictureOptions settings;
   // A silhouette is never farther in front of its surroundings than this: no crossing counts.
   if (!antialias) settings.antialias.least_gap = 1e30;
   return models::RenderFace(topology_, vertices, albedo, Slot(coefficients, faces::kLightSlot).contiguous(),
