@@ -1,0 +1,73 @@
+#pragma once
+#include "core/device.h"
+#include "core/json.h"
+#include "runtime/network_runner.h"
+#include "systems/portrait/landmark_predictor.h"
+#include "systems/portrait/portrait_picture.h"
+#include "systems/portrait/portrait_run_folder.h"
+#include "systems/predictor.h"
+
+#include <memory>
+#include <string>
+
+namespace daumier::portrait {
+
+struct PortraitPredictOptions {
+  std::string landmark_run = {};
+  std::string landmarks = {};
+  LandmarkDetectorOptions detector;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("landmark_run", landmark_run, Text{},
+          "Folder of a run that finds landmarks (daumier train, system landmarks), by which pictures are cropped.");
+    visit("landmarks", landmarks, Text{},
+          "File of 68 landmarks (.pts, .txt, .json) in pixels of the picture, in place of a landmark run. Of one "
+          "picture.");
+    visit("detector", detector, Table{}, "How the landmark run finds faces.");
+  }
+};
+
+/// A face in a picture as a 3DMM explains it.
+struct PortraitPrediction {
+  PictureMap map;                   ///< From the picture to the crop.
+  render::Image crop;               ///< 224 x 224, RGB.
+  std::vector<float> coefficients;  ///< 239
+};
+
+/// Faces of portraits: picture -> landmarks -> crop -> coefficients -> mesh.
+class PortraitPredictor : public systems::Predictor {
+ public:
+  /// landmarks: finds faces; null where landmarks are given in the options, or every picture is one crop.
+  PortraitPredictor(PortraitRunFolder run, std::shared_ptr<const runtime::NetworkRunner> network,
+                    std::unique_ptr<const LandmarkPredictor> landmarks, const PortraitPredictOptions& options = {});
+
+  /// One face a picture, the one of highest confidence: vertices in the source's frame and cm, not posed; identity and
+  /// expression of the 3DMM; landmarks of the mesh; record {coefficients: {identity, expression, albedo, light, pose},
+  /// crop: {linear, shift}, landmarks: [[x, y], ...] in pixels of the picture}; pictures `input`, `landmarks`, `parsing`
+  /// (with a landmark run) and `overlay`. Without landmarks the picture is the crop, with a warning.
+  /// @throws Error "no face found ..." as LandmarkDetector::FindOne, or if an input is no picture.
+  std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs,
+                                           const Task& task = {}) const override;
+
+  /// landmarks: 68 x 2 in pixels of the picture; empty: the picture is the crop.
+  PortraitPrediction FromLandmarks(const render::Image& picture, std::span<const float> landmarks) const;
+  const PortraitRunFolder& run() const { return run_; }
+
+ private:
+  systems::FaceResult PredictOne(const render::Image& picture) const;
+
+  const PortraitRunFolder run_;
+  const PortraitPredictOptions options_;
+  const std::shared_ptr<const runtime::NetworkRunner> network_;
+  const std::unique_ptr<const LandmarkPredictor> landmarks_;
+  std::shared_ptr<const faces::FaceTemplate> face_template_;  ///< In the source's frame.
+  const FacePainter painter_;
+  std::vector<float> given_landmarks_;
+};
+
+/// A finished run, ready to predict. @throws Error as ReadPortraitRunFolder, ReadLandmarkRunFolder and LoadTrainingLibrary.
+std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem::path& run, const Device& device,
+                                                          const Json& options);
+
+}  // namespace daumier::portrait

@@ -1,0 +1,24 @@
+#pragma once
+#include "core/json.h"
+#include "render/image.h"
+#include "reports/report_table.h"
+#include "systems/portrait/train/portrait_run.h"
+
+#include <filesystem>
+
+namespace daumier::portrait {
+
+/// How well predicted faces meet the landmarks of pictures without a known face.
+struct PictureEvaluation {
+  reports::ReportTable table;
+  Json metrics;         ///< {rows: [{name, mean, median, eyes, jaw, num_pictures}], pictures: {NAME: {row: error}}}
+  render::Image sheet;  ///< A row a picture: crop, landmarks, overlay.
+};
+
+/// Pictures of a folder that have a landmark file of the same name (LandmarksInFolder), by name. Rows: the network with
+/// crops by the given landmarks; with `detected` (a folder, may be empty) by those; the landmark fit and the mean face,
+/// which see the landmarks that they are measured by. Errors as LandmarkError. @throws Error if there is no picture.
+PictureEvaluation EvaluatePictures(const std::filesystem::path& folder, const std::filesystem::path& detected,
+                                   PortraitRun& run);
+
+}  // namespace daumier::portrait
