@@ -1,5 +1,6 @@
 // Gradients of the renderer on a face against central differences of an 8 x 8 supersampled render of it: a silhouette loss
 // and a photometric loss, by pose, identity modes and expressions. Here, because this room sees faces and renderer.
+#include "raster/camera.h"
 #include "raster/colour_picture.h"
 #include "raster/rigid_pose.h"
 #include "raster/spherical_harmonics.h"
@@ -7,6 +8,7 @@
 #include "tests/support/ict_head.h"
 #include "tests/support/paths.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
