@@ -33,7 +33,7 @@ TEST(VertexNormals, GradientEqualsCentralDifferences) {
     return Dot(weights, normals);
   };
   VertexNormals(topology, vertices.data(), memory, normals.data());
-  VertexNormalsBackward(topology, vertices.data(), memory, weights.data(), gradient.data());
+  VertexNormalsBackward(topology, memory, weights.data(), gradient.data());
   EXPECT_LT(MaxDifference(sum, vertices, gradient), 1e-6);
 }
 
@@ -43,7 +43,7 @@ TEST(VertexNormals, TrianglesWithoutAreaHaveNoNormalAndNoGradient) {
   NormalMemory<float> memory;
   std::vector<float> normals(9, 5.0f), gradient(9);
   VertexNormals(topology, vertices.data(), memory, normals.data());
-  VertexNormalsBackward(topology, vertices.data(), memory, weights.data(), gradient.data());
+  VertexNormalsBackward(topology, memory, weights.data(), gradient.data());
   EXPECT_EQ(normals, std::vector<float>(9));
   EXPECT_EQ(gradient, std::vector<float>(9));
 }
