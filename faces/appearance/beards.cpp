@@ -13,7 +13,7 @@ namespace daumier::faces {
 namespace {
 
 constexpr SoupKind kBeardKind{MaskClass::kHair, PortraitPart::kBeard};
-constexpr double kLeastWeight = 0.2;
+constexpr double kLeastBeardWeight = 0.2;
 
 Eigen::VectorXd BothSides(const SoftRegion& region, const FaceTemplate& face) {
   return 1 - (1 - WeightsOf(region, face).array()) * (1 - WeightsOf(Mirrored(region), face).array());
@@ -72,7 +72,8 @@ BeardShells::BeardShells(const FaceTemplate& face) {
     std::vector<int> row(size_t(num_vertices), -1);
     std::map<std::array<int, 2>, int> edges;
     for (const auto& t : face.triangles.rowwise()) {
-      if (weights[t[0]] < kLeastWeight && weights[t[1]] < kLeastWeight && weights[t[2]] < kLeastWeight) continue;
+      if (weights[t[0]] < kLeastBeardWeight && weights[t[1]] < kLeastBeardWeight && weights[t[2]] < kLeastBeardWeight)
+        continue;
       Eigen::Vector3i triangle;
       for (int k = 0; k < 3; ++k) {
         int& r = row[size_t(t[k])];

@@ -35,7 +35,7 @@ const std::array<Colour, 7> kIrises = {{{0.24f, 0.14f, 0.08f},
                                         {0.22f, 0.55f, 0.50f}}};
 
 /// Of normal numbers, cut.
-double CutNormal(Rng& rng, double limit) {
+double NormalWithin(Rng& rng, double limit) {
   return std::clamp(rng.Normal(), -limit, limit);
 }
 
@@ -51,8 +51,8 @@ Colour ClothColour(Rng& rng) {
 }
 
 Colour Varied(const Colour& colour, double spread, Rng& rng) {
-  Colour varied = colour * float(std::exp(spread * CutNormal(rng, 2)));
-  for (int k = 0; k < 3; ++k) varied[k] += float(0.2 * spread * CutNormal(rng, 2) * 0.3);
+  Colour varied = colour * float(std::exp(spread * NormalWithin(rng, 2)));
+  for (int k = 0; k < 3; ++k) varied[k] += float(0.2 * spread * NormalWithin(rng, 2) * 0.3);
   return varied.cwiseMax(0.02f).cwiseMin(0.97f);
 }
 
@@ -89,10 +89,10 @@ HairStyle DrawHairStyle(double long_hair, double age, Rng& rng) {
 
 void DrawAlbedo(const LooksOptions& options, double feminine, Rng& rng, Looks& looks) {
   looks.albedo.resize(kNumAlbedoModes);
-  for (int k = 0; k < kNumAlbedoModes; ++k) looks.albedo[k] = float(CutNormal(rng, 2.5));
+  for (int k = 0; k < kNumAlbedoModes; ++k) looks.albedo[k] = float(NormalWithin(rng, 2.5));
   const bool even = rng.Uniform() < options.even_tones;
   const int tone = int(rng.Below(kNumSkinTones));
-  if (even) looks.albedo[0] = float(MelaninOfTone(tone) + 0.15 * CutNormal(rng, 2));
+  if (even) looks.albedo[0] = float(MelaninOfTone(tone) + 0.15 * NormalWithin(rng, 2));
   looks.albedo[0] = std::max(looks.albedo[0], MelaninOfTone(0) - 0.3f);
   const auto move = [&](const char* mode, double share, double offset) {
     float& a = looks.albedo[AlbedoMode(mode)];
@@ -141,26 +141,26 @@ Looks DrawLooks(Rng& rng, const LooksOptions& options) {
   const HairStyle style = DrawHairStyle(feminine, looks.age, rng);
   looks.hair = bald ? HairStyle::kBald : style;
   looks.hair_colour = DrawHairColour(options, rng, looks);
-  looks.hair_volume = std::exp(0.22 * CutNormal(rng, 2));
-  looks.hair_length = std::exp(0.2 * CutNormal(rng, 2));
+  looks.hair_volume = std::exp(0.22 * NormalWithin(rng, 2));
+  looks.hair_length = std::exp(0.2 * NormalWithin(rng, 2));
   looks.hair_fringe = rng.Uniform() < 0.45 ? 0.0 : rng.Uniform(0.1, 1.0);
   looks.hair_parting = rng.Uniform(-1, 1);
   looks.detail_seed = rng.Bits();
 
   looks.brow_colour = (0.78f * looks.hair_colour + Colour::Constant(0.02f)) * float(rng.Uniform(0.6, 1.0));
   if (looks.hair_colour.sum() > 1.5f) looks.brow_colour *= 0.75f;
-  looks.brow_thickness = std::clamp((1.5 - 0.55 * feminine) * std::exp(0.25 * CutNormal(rng, 2)), 0.5, 1.9);
-  looks.brow_arch = std::clamp(0.4 * CutNormal(rng, 2) + 0.3 * feminine, -1.0, 1.0);
+  looks.brow_thickness = std::clamp((1.5 - 0.55 * feminine) * std::exp(0.25 * NormalWithin(rng, 2)), 0.5, 1.9);
+  looks.brow_arch = std::clamp(0.4 * NormalWithin(rng, 2) + 0.3 * feminine, -1.0, 1.0);
   looks.albedo[AlbedoMode("brows_darkness")] =
-      float(1.6 - 3.5 * double(looks.brow_colour.mean()) + 0.5 * CutNormal(rng, 2));
+      float(1.6 - 3.5 * double(looks.brow_colour.mean()) + 0.5 * NormalWithin(rng, 2));
   looks.lash_length = feminine < 0.35 ? rng.Uniform(0.0, 0.6) : rng.Uniform(0.5, 1.8);
   looks.lid_line = rng.Uniform() < 0.4 + 0.4 * feminine ? rng.Uniform(0.1, 0.9) : 0.0;
 
   looks.iris_colour = Varied(kIrises[rng.Below(looks.albedo[0] > 0.6f ? 3 : kIrises.size())], 0.15, rng);
-  looks.iris_size = std::exp(0.12 + 0.12 * CutNormal(rng, 2));
-  looks.pupil_size = std::exp(0.15 * CutNormal(rng, 2));
+  looks.iris_size = std::exp(0.12 + 0.12 * NormalWithin(rng, 2));
+  looks.pupil_size = std::exp(0.15 * NormalWithin(rng, 2));
   const bool gazes = rng.Uniform() < options.gaze;
-  const double yaw = 0.16 * CutNormal(rng, 2.2), pitch = 0.09 * CutNormal(rng, 2.2);
+  const double yaw = 0.16 * NormalWithin(rng, 2.2), pitch = 0.09 * NormalWithin(rng, 2.2);
   if (gazes) looks.gaze_yaw = yaw, looks.gaze_pitch = pitch;
   looks.highlights = int(rng.Below(3));
 
@@ -168,7 +168,7 @@ Looks DrawLooks(Rng& rng, const LooksOptions& options) {
   const auto beard_style = static_cast<BeardStyle>(1 + rng.Below(kBeardStyleNames.size() - 1));
   if (beard) looks.beard = beard_style;
   looks.beard_colour = Varied(looks.hair_colour, 0.12, rng) * 0.95f;
-  looks.beard_length = std::exp(0.25 * CutNormal(rng, 2));
+  looks.beard_length = std::exp(0.25 * NormalWithin(rng, 2));
 
   const bool hat = rng.Uniform() < options.hats;
   const auto hat_style = static_cast<HatStyle>(1 + rng.Below(kHatStyleNames.size() - 1));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace daumier::faces {
 namespace {
@@ -114,7 +115,7 @@ Eigen::VectorXd AlongBrow(const FaceTemplate& face) {
 
 /// Spots: three plane waves of the given length (eye spans) in the frontal plane, symmetric, in [0, 1].
 Eigen::VectorXd Spots(const FaceTemplate& face, double length) {
-  const double k = 2 * M_PI / (length * EyeSpan(face));
+  const double k = 2 * std::numbers::pi / (length * EyeSpan(face));
   const double middle = face.neutral(face.annotation.landmarks[30], 0);
   Eigen::VectorXd spots(face.num_vertices());
   for (int v = 0; v < face.num_vertices(); ++v) {

@@ -21,7 +21,9 @@ TEST(Beards, AreClosedAndLeaveTheLipsFree) {
     testing::ExpectClosedSoup(beard);
     EXPECT_GT(testing::VolumeOf(beard), 0) << kBeardStyleNames[style];
     const double chin = face.neutral(face.annotation.landmarks[8], 1);
-    if (BeardStyle(style) == BeardStyle::kLong) EXPECT_LT(beard.vertices.col(1).minCoeff(), chin - 3);
+    if (BeardStyle(style) == BeardStyle::kLong) {
+      EXPECT_LT(beard.vertices.col(1).minCoeff(), chin - 3);
+    }
     // No vertex over the middle of the lips.
     const auto lip = face.neutral.row(face.annotation.landmarks[62]);
     EXPECT_GT((beard.vertices.rowwise() - lip).rowwise().norm().minCoeff(), 0.2);
