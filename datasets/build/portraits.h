@@ -35,9 +35,8 @@ struct PortraitsOptions {
     visit("big_eyes", big_eyes, Range{0, 1},
           "Share of faces (a person's level) whose eyes are enlarged in addition, by the control eye_size.");
     visit("seed", seed, Range{0, 9e15}, "Seed of all random numbers.");
-    visit("vertices", vertices, Flag{}, "Store the vertices of each portrait: 6 bytes a vertex, 67 KB of ict.");
-    visit("buffers", buffers, Flag{},
-          "Write an OpenEXR file of depth, normal and position a portrait, about 0.7 MB each.");
+    visit("vertices", vertices, Flag{}, "Store the vertices of each portrait: 6 bytes a vertex, 62 KB of ict.");
+    visit("buffers", buffers, Flag{}, "Write an OpenEXR file of depth, normal and position a portrait.");
     visit("pictures", pictures, Table{}, "What a portrait looks like.");
   }
 };
