@@ -1,7 +1,6 @@
 #include "datasets/build/portrait_buffers.h"
 
 #include "core/error.h"
-#include "geometry/normals.h"
 #include "raster/rasterise.h"
 
 #include <algorithm>
@@ -34,20 +33,45 @@ struct VertexLook {
   float front, back;
 };
 
+/// N x 3: unit normals in camera space (y up, z to the viewer), the sum of the areas of a vertex's triangles.
+Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> ViewNormals(const faces::PortraitHead& head,
+                                                                     const render::Camera& camera) {
+  using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  const Eigen::Matrix3d view = Eigen::Vector3d(1, -1, -1).asDiagonal() * camera.camera_from_world;
+  const Rows points = (head.vertices * view.transpose()).cast<float>();
+  Rows normals = Rows::Zero(points.rows(), 3);
+  for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
+    const int* const corner = head.triangles.data() + 3 * t;
+    const float *const a = points.data() + 3 * size_t(corner[0]), *const b = points.data() + 3 * size_t(corner[1]),
+                       *const c = points.data() + 3 * size_t(corner[2]);
+    const float ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
+    const float vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+    const float x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    for (int k = 0; k < 3; ++k) {
+      float* const normal = normals.data() + 3 * size_t(corner[k]);
+      normal[0] += x, normal[1] += y, normal[2] += z;
+    }
+  }
+  for (Eigen::Index v = 0; v < normals.rows(); ++v) {
+    const float length = normals.row(v).norm();
+    if (length > 0) normals.row(v) /= length;
+  }
+  return normals;
+}
+
 std::vector<VertexLook> LooksOfVertices(const faces::PortraitHead& head, const render::Camera& camera,
                                         const SphericalLight& light) {
-  const geometry::Points normals = geometry::VertexNormals({head.vertices, head.triangles});
-  const Eigen::Matrix3d view = Eigen::Vector3d(1, -1, -1).asDiagonal() * camera.camera_from_world;
+  const auto normals = ViewNormals(head, camera);
   std::vector<VertexLook> looks(static_cast<size_t>(head.vertices.rows()));
   for (Eigen::Index v = 0; v < head.vertices.rows(); ++v) {
-    const Eigen::Vector3d normal = view * normals.row(v).transpose();
+    const Eigen::Vector3f normal = normals.row(v);
     VertexLook& look = looks[size_t(v)];
     for (int c = 0; c < 3; ++c) {
       look.colour[size_t(c)] = head.colours(v, c);
-      look.normal[size_t(c)] = static_cast<float>(normal[c]);
+      look.normal[size_t(c)] = normal[c];
     }
-    look.front = LightOn(light, normal.cast<float>());
-    look.back = LightOn(light, -normal.cast<float>());
+    look.front = LightOn(light, normal);
+    look.back = LightOn(light, -normal);
   }
   return looks;
 }

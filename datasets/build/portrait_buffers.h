@@ -7,7 +7,7 @@
 
 namespace daumier::datasets {
 
-/// What the camera sees of a head, rasterised once: colours, smooth normals [Max 1999] turned to the viewer, light on
+/// What the camera sees of a head, rasterised once: colours, smooth normals (those of triangles weighted by area) turned to the viewer, light on
 /// them (LightOn at vertices, interpolated, at least 0), depth, classes and parts. `supersampling` pixels of the buffers a pixel and axis of the camera. No lines.
 /// @throws Error as render::Rasterise.
 render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render::Camera& camera,

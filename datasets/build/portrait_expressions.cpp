@@ -13,9 +13,10 @@ namespace {
 constexpr double kCloses = 0.7, kOpens = 0.15, kSmiles = 0.06, kMovesBrows = 0.015, kCrosses = 0.03;
 
 constexpr double kNeutralShare = 0.1;
-constexpr double kBothClosed = 0.12, kWink = 0.10, kHalfClosed = 0.18;
+constexpr double kBothClosed = 0.12, kWink = 0.10, kHalfClosed = 0.12;
 constexpr double kMouthOpen = 0.40, kSmile = 0.38, kBrows = 0.4;
 constexpr double kPair = 0.75;
+constexpr double kNarrows = 0.15, kNarrowShare = 0.3;  // Shapes that narrow an eye this much are drawn this often.
 
 int PickOne(const std::vector<int>& from, Rng& rng) {
   return from[rng.Below(from.size())];
@@ -70,7 +71,12 @@ Eigen::VectorXf ExpressionDrawer::Draw(Rng& rng) const {
   }
   if (!others_.empty()) {
     const int count = int(rng.Below(4));
-    for (int i = 0; i < count; ++i) Raise(weights, PickOne(others_, rng), rng.Uniform(0.1, 0.7), 0.3, rng);
+    for (int i = 0; i < count; ++i) {
+      const int shape = PickOne(others_, rng);
+      const auto& closes = effects_[size_t(shape)].closes;
+      const bool is_narrowing = std::max(closes[0], closes[1]) > kNarrows;
+      if (!is_narrowing || rng.Uniform() < kNarrowShare) Raise(weights, shape, rng.Uniform(0.1, 0.7), 0.3, rng);
+    }
   }
   if (!closers_.empty()) {
     const int shape = PickOne(closers_, rng);
@@ -123,16 +129,20 @@ PortraitExpressions::PortraitExpressions(const faces::FaceDatabase& database,
 }
 
 PortraitExpressions::Face PortraitExpressions::FaceOf(int person, int level) const {
-  const geometry::Points neutral = database_.points(database_.index({person, level, 0}));
+  return FaceOf(person, level, database_.points(database_.index({person, level, 0})));
+}
+
+PortraitExpressions::Face PortraitExpressions::FaceOf(int person, int level, const geometry::Points& neutral) const {
   if (transfer_) {
     auto target = std::make_shared<faces::ExpressionTransfer::Target>(transfer_->On(neutral));
     return [target](const Eigen::VectorXf& weights) { return target->Face(weights); };
   }
   return [this, person, level, neutral](const Eigen::VectorXf& weights) {
     geometry::Points face = neutral;
+    const geometry::Points stored = database_.points(database_.index({person, level, 0}));
     for (int e = 0; e < int(names_.size()); ++e) {
       if (weights[e] == 0) continue;
-      face += double(weights[e]) * (database_.points(database_.index({person, level, e + 1})) - neutral);
+      face += double(weights[e]) * (database_.points(database_.index({person, level, e + 1})) - stored);
     }
     return face;
   };

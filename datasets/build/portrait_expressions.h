@@ -42,6 +42,8 @@ class PortraitExpressions {
   /// neutral + sum_e weights_e offset_e. Thread-safe. It refers to this object.
   using Face = std::function<geometry::Points(const Eigen::VectorXf& weights)>;
   Face FaceOf(int person, int level) const;
+  /// The same on another neutral face of theirs.
+  Face FaceOf(int person, int level, const geometry::Points& neutral) const;
 
  private:
   const faces::FaceDatabase& database_;

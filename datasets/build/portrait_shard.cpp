@@ -82,6 +82,9 @@ std::string WritePortraitShard(const std::filesystem::path& file, const std::vec
   std::vector<uint8_t> bald;
   for (const PortraitRecord& record : records) bald.push_back(record.is_bald);
   writer.Add<uint8_t>("bald", {static_cast<int64_t>(bald.size())}, bald);
+  std::vector<float> eye_sizes;
+  for (const PortraitRecord& record : records) eye_sizes.push_back(record.eye_size);
+  writer.Add<float>("eye_sizes", {static_cast<int64_t>(eye_sizes.size())}, eye_sizes);
   AddVertices(writer, records);
   return writer.Write(file);
 }

@@ -21,6 +21,7 @@ struct PortraitRecord {
   std::array<float, PortraitSizes::kPose> pose{};
   int face = 0, person = 0, style = 0, skin_tone = 0;
   bool is_bald = false;
+  float eye_size = 0;
   geometry::Points vertices{};  ///< V x 3, cm; empty: not stored.
 };
 

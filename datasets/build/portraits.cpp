@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "datasets/build/sharded_build.h"
+#include "faces/controls/face_controls.h"
 #include "faces/face_database.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace daumier::datasets {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kLeastBigEye = 0.8, kGreatestBigEye = 2.6;
 
 /// The portraits of a person: first, and one past the last.
 struct PortraitRange {
@@ -23,6 +26,7 @@ struct PortraitPlan {
   const faces::FaceDatabase& database;
   const PortraitExpressions& expressions;
   const PortraitMaker& maker;
+  const faces::FaceControls& controls;
   int num_persons;  ///< Portrayed: the first ones.
 
   PortraitRange RangeOf(int person) const {
@@ -31,6 +35,22 @@ struct PortraitPlan {
   }
   int LevelOf(int image, int person) const { return (image - RangeOf(person).begin + person) % database.num_levels(); }
 };
+
+/// The value of the control eye_size of a face; 0: as it is.
+float DrawEyeSize(const PortraitsOptions& options, int face) {
+  Rng rng = Stream(options.seed, "big eyes", static_cast<uint64_t>(face));
+  const bool is_big = rng.Uniform() < options.big_eyes;
+  const double value = rng.Uniform(kLeastBigEye, kGreatestBigEye);
+  return is_big ? static_cast<float>(value) : 0.0f;
+}
+
+geometry::Points EnlargedEyes(const faces::FaceControls& controls, const geometry::Points& face, float eye_size) {
+  if (eye_size == 0) return face;
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(controls.num_values());
+  for (int k = 0; k < controls.num_values(); ++k)
+    if (controls.value_names()[size_t(k)].starts_with("eye_size")) values[k] = eye_size;
+  return controls.Apply(face, values);
+}
 
 /// Relative to the folder of the database.
 fs::path BuffersName(int image) {
@@ -44,8 +64,13 @@ std::string WritePersonPortraits(const fs::path& directory, const fs::path& file
   std::vector<PortraitRecord> records;
   for (int image = range.begin; image < range.end; ++image) {
     const int level = plan.LevelOf(image, person);
+    const int index = plan.database.index({person, level, 0});
+    const float eye_size = DrawEyeSize(plan.options, index);
     auto face = faces.find(level);
-    if (face == faces.end()) face = faces.emplace(level, plan.expressions.FaceOf(person, level)).first;
+    if (face == faces.end()) {
+      const geometry::Points neutral = EnlargedEyes(plan.controls, plan.database.points(index), eye_size);
+      face = faces.emplace(level, plan.expressions.FaceOf(person, level, neutral)).first;
+    }
     Rng rng = Stream(plan.options.seed, "portrait", static_cast<uint64_t>(image));
     const Eigen::VectorXf weights = plan.expressions.Draw(rng);
     render::FloatImage buffers;
@@ -53,7 +78,8 @@ std::string WritePersonPortraits(const fs::path& directory, const fs::path& file
         plan.maker.MakeWithBuffers(face->second(weights), rng, plan.options.buffers ? &buffers : nullptr);
     if (plan.options.buffers) WriteFileAtomically(directory / BuffersName(image), render::EncodeExr(buffers));
     std::copy(weights.begin(), weights.end(), record.expression.begin());
-    record.face = plan.database.index({person, level, 0});
+    record.face = index;
+    record.eye_size = eye_size;
     record.person = person;
     if (!plan.options.vertices) record.vertices.resize(0, 3);
     records.push_back(std::move(record));
@@ -66,7 +92,9 @@ void Build(const std::optional<faces::FaceModel>& model, const PortraitsOptions&
   const faces::FaceDatabase database(options.faces);
   const PortraitExpressions expressions(database, model);
   const PortraitMaker maker(database.face_template(), options.pictures);
-  const PortraitPlan plan{options, database, expressions, maker, std::min(database.num_persons(), options.num_images)};
+  const faces::FaceControls controls(database.face_template());
+  const PortraitPlan plan{options, database, expressions,
+                          maker,   controls, std::min(database.num_persons(), options.num_images)};
 
   ShardedBuild build;
   build.manifest.kind = "portraits";

@@ -16,6 +16,7 @@ struct PortraitsOptions {
   std::string expressions = "shapes";
   faces::SourceOptions source;
   int num_images = 3000;
+  double big_eyes = 0.3;
   uint64_t seed = 1;
   bool vertices = true;
   bool buffers = false;
@@ -31,16 +32,18 @@ struct PortraitsOptions {
     visit("source", source, Table{}, "The source of the faces, for its expression shapes.");
     visit("num_images", num_images, Range{1, 10000000},
           "Number of portraits, the same for every person up to one; levels take turns.");
+    visit("big_eyes", big_eyes, Range{0, 1},
+          "Share of faces (a person's level) whose eyes are enlarged in addition, by the control eye_size.");
     visit("seed", seed, Range{0, 9e15}, "Seed of all random numbers.");
-    visit("vertices", vertices, Flag{}, "Store the vertices of each portrait: 6 bytes a vertex, 67 KB of ict.");
-    visit("buffers", buffers, Flag{},
-          "Write an OpenEXR file of depth, normal and position a portrait, about 0.7 MB each.");
+    visit("vertices", vertices, Flag{}, "Store the vertices of each portrait: 6 bytes a vertex, 62 KB of ict.");
+    visit("buffers", buffers, Flag{}, "Write an OpenEXR file of depth, normal and position a portrait.");
     visit("pictures", pictures, Table{}, "What a portrait looks like.");
   }
 };
 
 /// Writes a PortraitDatabase, a shard a person. Portrait i is of person floor(i P / N) and makes all of its choices from
-/// Stream(seed, "portrait", i). Its face is PortraitExpressions::FaceOf of its level and weights. With buffers it also
+/// Stream(seed, "portrait", i). Its face is PortraitExpressions::FaceOf of its level and weights; the neutral face is the
+/// database's with a share of eyes enlarged (EnlargedEyes), with values from Stream(seed, "big eyes", face). With buffers it also
 /// writes buffers/000000.exr and on. Resumes an interrupted build of the same options.
 /// @throws Error as faces::FaceDatabase, LoadFaceModel, PortraitExpressions, PortraitMaker and BuildShards.
 void BuildPortraits(const PortraitsOptions& options, const std::filesystem::path& directory, const Task& task = {});

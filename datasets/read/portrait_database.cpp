@@ -29,7 +29,8 @@ std::vector<RowArray> RowArrays(bool has_vertices, int num_vertices) {
                                   {"persons", {}, Dtype::kI32},
                                   {"styles", {}, Dtype::kI32},
                                   {"skin_tones", {}, Dtype::kI32},
-                                  {"bald", {}, Dtype::kU8}};
+                                  {"bald", {}, Dtype::kU8},
+                                  {"eye_sizes", {}, Dtype::kF32}};
   if (has_vertices) arrays.push_back({"vertices", {num_vertices, 3, 2}, Dtype::kU8});
   return arrays;
 }
@@ -187,6 +188,10 @@ int PortraitDatabase::face(int i) const {
 }
 int PortraitDatabase::person(int i) const {
   return Row<int32_t>(i, "persons", 1)[0];
+}
+
+float PortraitDatabase::eye_size(int i) const {
+  return Row<float>(i, "eye_sizes", 1)[0];
 }
 
 geometry::Points PortraitDatabase::vertices(int i) const {

@@ -34,7 +34,7 @@ inline constexpr int kNumPortraitClasses = 8;
 ///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of PortraitClass;
 ///   landmarks (n, 68, 2) float32 px, visibility (n, 68) uint8, states (n, 3) float32 mm,
 ///   expression (n, 64), albedo (n, 80), light (n, 9), pose (n, 6) float32,
-///   faces, persons, styles, skin_tones (n) int32, bald (n) uint8,
+///   faces, persons, styles, skin_tones (n) int32, bald (n) uint8, eye_sizes (n) float32,
 /// and where details.vertices is true vertices (n, V, 3, 2) uint8: int16, low byte first, in units of 0.001 cm.
 /// Images of a person are next to each other. A camera sees a vertex p of vertices(i) at
 ///   q = R p + t, R = Rz(roll) Ry(yaw) Rx(pitch),
@@ -65,6 +65,8 @@ class PortraitDatabase {
   /// Of the FaceDatabase: the neutral face, and its person.
   int face(int i) const;
   int person(int i) const;
+  /// Value of the control eye_size (faces/controls/), left and right, that enlarged the eyes of that neutral face; 0: none did.
+  float eye_size(int i) const;
   /// Whether the vertices were stored.
   bool has_vertices() const { return has_vertices_; }
   /// V x 3, cm: the face with its expression, not posed, moved so that the mean of the template's neutral 68 landmarks

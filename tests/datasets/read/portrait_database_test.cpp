@@ -58,6 +58,7 @@ class PortraitDatabaseTest : public ::testing::Test {
     record.style = i % 2;
     record.skin_tone = i + 3;
     record.is_bald = i == 1;
+    record.eye_size = 0.5f * float(i);
     record.vertices = face.neutral * (1 + 0.1 * i);
     return record;
   }
@@ -102,6 +103,7 @@ TEST_F(PortraitDatabaseTest, EverythingWrittenIsReadBack) {
     EXPECT_EQ(database.style(i), i == 1 ? "toon" : "smooth");
     EXPECT_EQ(database.skin_tone(i), record.skin_tone);
     EXPECT_EQ(database.is_bald(i), record.is_bald);
+    EXPECT_EQ(database.eye_size(i), record.eye_size);
     EXPECT_LE((database.vertices(i) - record.vertices).cwiseAbs().maxCoeff(), 0.0005 + 1e-9) << "half a step";
   }
 }
