@@ -20,7 +20,9 @@ TEST_F(PortraitTrainingsTest, TheRowOfTheTrainingLibraryExportsWithParityAndTime
   EXPECT_EQ(row.validation_metric, "nme_percent");
   EXPECT_GT(row.infer_ms(folder() / "run"), 0);
   const Json parity = exporting::WriteExport(row.describe_export(folder() / "run"), folder() / "export");
-  if (!parity.at("max_abs_diff").is_null()) EXPECT_LT(parity.at("max_abs_diff").get<double>(), 1e-4);
+  if (parity.at("max_abs_diff").is_number()) {
+    EXPECT_LT(parity.at("max_abs_diff").get<double>(), 1e-4);
+  }
 }
 
 TEST_F(PortraitTrainingsTest, AnUntrainedNetworkRefusesClutterInWords) {
