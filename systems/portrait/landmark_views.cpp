@@ -95,19 +95,36 @@ std::optional<CropFrame> FrameApart(const LandmarkSample& sample, int size, Rng&
   return {};
 }
 
+/// A crop of the face that is far too close or too far away.
+CropFrame FrameOfWrongSize(const LandmarkSample& sample, int size, bool is_close, Rng& rng) {
+  CropFrame frame = FrameOfBox(BoxOf(sample.landmarks), size);
+  const auto landmark = size_t(rng.Below(uint64_t(kNumLandmarks)));
+  if (is_close) frame.centre = {sample.landmarks[2 * landmark], sample.landmarks[2 * landmark + 1]};
+  const double side = frame.side;
+  frame.side *= is_close ? rng.Uniform(0.15, 0.4) : rng.Uniform(2.5, 5);
+  if (!is_close) frame.centre += 0.3 * (frame.side - side) * Eigen::Vector2d(rng.Uniform(-1, 1), rng.Uniform(-1, 1));
+  return frame;
+}
+
 TrainingView NegativeView(const LandmarkSample& sample, const ViewOptions& options, Rng& rng) {
-  TrainingView view = EmptyView(options.size);
-  const uint64_t kind = rng.Below(4);
-  const std::optional<CropFrame> apart = kind < 2 ? FrameApart(sample, options.size, rng) : std::nullopt;
-  if (apart) {
-    SampleCrop(PicturePyramid(sample.picture), *apart, DrawOutside(rng), view.picture);
-    view.labels = SampleLabels(sample.mask, *apart, LabelSide(options.size), kUnknownLabel);
+  const int size = options.size;
+  TrainingView view = EmptyView(size);
+  view.search = MakeSearchTargets({}, size);
+  const uint64_t kind = rng.Below(6);
+  std::optional<CropFrame> frame;
+  if (kind < 2) frame = FrameApart(sample, size, rng);
+  if (kind > 3) frame = FrameOfWrongSize(sample, size, kind == 4, rng);
+  if (frame) {
+    SampleCrop(PicturePyramid(sample.picture), *frame, DrawOutside(rng), view.picture);
+    view.labels = SampleLabels(sample.mask, *frame, LabelSide(size), kUnknownLabel);
+    const Box box = BoxOf(PointsInCrop(sample, *frame));
+    if (kind == 5) view.search = MakeSearchTargets({&box, 1}, size);
   } else if (kind == 2) {
-    SampleCrop(PicturePyramid(sample.picture), FrameOfBox(BoxOf(sample.landmarks), options.size), DrawOutside(rng),
+    SampleCrop(PicturePyramid(sample.picture), FrameOfBox(BoxOf(sample.landmarks), size), DrawOutside(rng),
                view.picture);
-    ShuffleBlocks(view.picture, options.size, rng);
+    ShuffleBlocks(view.picture, size, rng);
   } else {
-    DrawClutter(view.picture, options.size, rng);
+    DrawClutter(view.picture, size, rng);
     std::ranges::fill(view.labels, int64_t(FaceClass::kBackground));
   }
   return view;
@@ -156,7 +173,6 @@ TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& o
   if (augmentation != nullptr && rng.Uniform() < options.negative_share) {
     TrainingView view = NegativeView(sample, options, rng);
     ChangeColours(view.picture, size, *augmentation, rng);
-    view.search = MakeSearchTargets({}, size);
     return view;
   }
   TrainingView view = EmptyView(size);

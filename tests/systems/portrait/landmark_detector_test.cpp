@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 namespace daumier::portrait {
@@ -84,6 +85,20 @@ TEST(LandmarkDetector, SearchesSmallFacesInALargerPicture) {
   const std::vector<float> truth = testing::PlausibleLandmarks(150, 20, 24);
   const DetectedFace face = LandmarkDetector(kNetwork, NetworkOf({truth})).FindOne(Picture());
   EXPECT_GT(Overlap(face.box, BoxOf(truth)), 0.85);
+}
+
+TEST(LandmarkDetector, AcceptsTinyLongAndGreyPictures) {
+  const LandmarkDetector detector(kNetwork, NetworkOf({}));
+  for (const auto& [height, width, channels] : {std::array{1, 1, 3}, {2, 400, 3}, {900, 3, 1}, {40, 40, 1}})
+    EXPECT_TRUE(detector.FindAll(render::Image(height, width, channels, 90)).empty());
+  testing::ExpectError([&] { detector.FindAll(render::Image()); }, "expected at least one pixel");
+}
+
+TEST(LandmarkDetector, FindsAFaceInAPictureOfFewPixels) {
+  const std::vector<float> truth = testing::PlausibleLandmarks(6, 5, 28);
+  const DetectedFace face =
+      LandmarkDetector(kNetwork, NetworkOf({truth}), {.snap_eyes = false}).FindOne(testing::PictureOfPlaces(40, 40));
+  for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(face.landmarks[i], truth[i], 0.25);
 }
 
 TEST(LandmarkDetector, MayBeUsedFromSeveralThreads) {

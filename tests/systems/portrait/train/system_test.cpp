@@ -6,6 +6,7 @@
 #include "systems/portrait/train/landmark_export.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/landmark_run.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,15 @@ namespace {
 class PortraitTrainingsTest : public testing::LandmarkRunTest {};
 
 TEST_F(PortraitTrainingsTest, TheRowOfTheTrainingLibraryExportsWithParityAndTimes) {
+  testing::AllowWarnings();  // There may be no runtime.
   const systems::SystemTraining row = PortraitTrainings().front();
   EXPECT_EQ(row.name, kLandmarkSystem);
   EXPECT_EQ(row.validation_metric, "nme_percent");
   EXPECT_GT(row.infer_ms(folder() / "run"), 0);
   const Json parity = exporting::WriteExport(row.describe_export(folder() / "run"), folder() / "export");
-  if (!parity.at("max_abs_diff").is_null()) EXPECT_LT(parity.at("max_abs_diff").get<double>(), 1e-4);
+  if (parity.at("max_abs_diff").is_number()) {
+    EXPECT_LT(parity.at("max_abs_diff").get<double>(), 1e-4);
+  }
 }
 
 TEST_F(PortraitTrainingsTest, AnUntrainedNetworkRefusesClutterInWords) {
