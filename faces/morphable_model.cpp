@@ -52,7 +52,7 @@ MorphableModel WithoutIdentity(const FaceModel& source, const AlbedoModes& albed
   return model;
 }
 
-void AddMatrix(SafetensorsWriter& writer, const std::string& name, const Eigen::MatrixXf& matrix) {
+void AddFloatRows(SafetensorsWriter& writer, const std::string& name, const Eigen::MatrixXf& matrix) {
   const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = matrix;
   writer.Add<float>(name, {rows.rows(), rows.cols()}, {rows.data(), size_t(rows.size())});
 }
@@ -151,10 +151,10 @@ Eigen::VectorXf FitIdentity(const MorphableModel& model, const geometry::Points&
 std::map<std::string, std::string> WriteMorphableFiles(const fs::path& directory, const MorphableModel& model) {
   auto checksums = WriteFaceTemplate(directory, model.face_template);
   SafetensorsWriter writer;
-  AddMatrix(writer, "identity", model.identity);
-  AddMatrix(writer, "expression", model.expression);
-  AddMatrix(writer, "albedo_mean", model.albedo_mean);
-  AddMatrix(writer, "albedo_modes", model.albedo_modes);
+  AddFloatRows(writer, "identity", model.identity);
+  AddFloatRows(writer, "expression", model.expression);
+  AddFloatRows(writer, "albedo_mean", model.albedo_mean);
+  AddFloatRows(writer, "albedo_modes", model.albedo_modes);
   writer.Add<double>("centre", {3}, {model.centre.data(), 3});
   writer.SetMetadata("kind", "morphable model");
   writer.SetMetadata("expression_names", Json(model.expression_names).dump());

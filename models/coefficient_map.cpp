@@ -23,14 +23,17 @@ torch::Tensor Slot(const torch::Tensor& coefficients, const faces::CoefficientSl
   return coefficients.narrow(1, slot.first, slot.count);
 }
 
-torch::Tensor CoefficientsOf(const torch::Tensor& outputs, const CoefficientMap& map) {
+torch::Tensor CoefficientsOf(const torch::Tensor& outputs, faces::ExpressionWeights expression_weights,
+                             const torch::Tensor& usual_pose) {
+  tensor::CheckShape(usual_pose, {faces::kPoseSlot.count}, "usual_pose");
   tensor::CheckShape(outputs, {tensor::kAny, faces::kNumCoefficients}, "outputs");
   const torch::Tensor expression = Slot(outputs, faces::kExpressionSlot), pose = Slot(outputs, faces::kPoseSlot);
   return at::cat({Slot(outputs, faces::kIdentitySlot),
-                  map.expression_weights == faces::ExpressionWeights::kUnit ? UnitWeights(expression) : expression,
+                  expression_weights == faces::ExpressionWeights::kUnit ? UnitWeights(expression) : expression,
                   Slot(outputs, faces::kAlbedoSlot), kLightScale * Slot(outputs, faces::kLightSlot),
-                  kAngleScale * pose.narrow(1, 0, 3), kShiftScale * pose.narrow(1, 3, 2),
-                  kDepthScale * pose.narrow(1, 5, 1) + map.usual_depth},
+                  kAngleScale * pose.narrow(1, 0, 3) + usual_pose.narrow(0, 0, 3),
+                  kShiftScale * pose.narrow(1, 3, 2) + usual_pose.narrow(0, 3, 2),
+                  kDepthScale * pose.narrow(1, 5, 1) + usual_pose.narrow(0, 5, 1)},
                  1);
 }
 

@@ -59,8 +59,8 @@ inline void WriteSmallPortraits(const std::filesystem::path& faces_folder, const
   const faces::FaceOpenings openings = faces::FindOpenings(model.face_template);
   const double mm = faces::MillimetresPerCm(model.face_template);
   Manifest manifest{.kind = "portraits", .verb = "dataset portraits"};
-  manifest.checksums = faces::WriteFaceTemplate(folder, SyntheticFace());
   MakeDirectory(folder / "shards");
+  manifest.checksums = faces::WriteFaceTemplate(folder, SyntheticFace());
   Rng rng(11);
   for (int person = 0; person < faces_database.num_persons(); ++person) {
     std::vector<datasets::PortraitRecord> records;

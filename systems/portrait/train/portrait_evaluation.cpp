@@ -233,7 +233,8 @@ class PortraitEvaluation {
         ++missing;
         maps.push_back(CropOfWhole(portraits_.image_size(), portraits_.image_size()));
         const PortraitRenderer& renderer = loss_.renderer();
-        torch::Tensor x = models::CoefficientsOf(torch::zeros({1, faces::kNumCoefficients}), run_.network->map());
+        torch::Tensor x = models::CoefficientsOf(torch::zeros({1, faces::kNumCoefficients}),
+                                                 run_.network->expression_weights(), run_.network->usual_pose());
         const torch::Tensor points = renderer.Landmarks(x).contiguous();
         landmarks.emplace_back(points.data_ptr<float>(), points.data_ptr<float>() + 136);
         continue;

@@ -46,7 +46,7 @@ exporting::ExportedFunction PortraitFunction(PortraitNetwork network) {
                       }}};
   function.forward = [network](const std::vector<torch::Tensor>& inputs) mutable {
     return std::vector<torch::Tensor>{
-        models::ClampedExpressions(network->forward(inputs[0]), network->map().expression_weights)};
+        models::ClampedExpressions(network->forward(inputs[0]), network->expression_weights())};
   };
   return function;
 }

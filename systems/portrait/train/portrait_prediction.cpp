@@ -18,7 +18,7 @@ PredictedPortraits PredictPortraits(PortraitNetwork& network, const PortraitRend
   for (int64_t first = 0; first < inputs.size(0); first += kAtOnce)
     coefficients.push_back(
         models::ClampedExpressions(network->forward(inputs.slice(0, first, std::min(first + kAtOnce, inputs.size(0)))),
-                                   network->map().expression_weights));
+                                   network->expression_weights()));
   PredictedPortraits predicted{torch::cat(coefficients), {}};
   predicted.landmarks = renderer.Landmarks(predicted.coefficients);
   return predicted;

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/evenly_spaced.h"
+#include "fitting/portrait_fit.h"
 #include "systems/portrait/train/portrait_prediction.h"
 #include "tensor/torch_version.h"
 
@@ -12,6 +13,23 @@ namespace {
 
 std::vector<int> TrainingImages(const PortraitTrainingOptions& options, const std::vector<int>& images) {
   return options.max_images > 0 ? EvenlySpaced(images, options.max_images) : images;
+}
+
+/// The pose in which the mean face explains the mean landmarks of some training crops best.
+fitting::PortraitPose UsualPose(const faces::MorphableModel& model, const datasets::PortraitDatabase& portraits,
+                                const std::vector<int>& images, const PortraitTrainingOptions& options) {
+  constexpr int kMost = 500;
+  fitting::PicturePoints mean = fitting::PicturePoints::Zero(68, 2);
+  const std::vector<int> some = EvenlySpaced(images, kMost);
+  for (const int image : some) {
+    const std::vector<float> landmarks =
+        MapLandmarks(portraits.landmarks(image), PlainCrop(portraits, image, options.pictures));
+    for (int n = 0; n < 68; ++n) mean.row(n) += Eigen::RowVector2d(landmarks[2 * n], landmarks[2 * n + 1]);
+  }
+  mean /= double(some.size());
+  return fitting::FitPortrait(fitting::LandmarkModel(model), mean, Eigen::VectorXd::Ones(68),
+                              {.freedom = fitting::PortraitFreedom::kPose})
+      .pose();
 }
 
 }  // namespace
@@ -32,7 +50,8 @@ PortraitRecipe::PortraitRecipe(const PortraitTrainingOptions& options, const fac
                 "pictures.leave_out",
                 sets.train.size(), sets.validation.size());
   if (!device.is_cpu()) throw UsageError("the renderer of portraits runs on the CPU: train with --device cpu");
-  network_ = PortraitNetwork(options.network, model.expression_weights);
+  network_ =
+      PortraitNetwork(options.network, model.expression_weights, UsualPose(model, portraits, sets.train, options));
   std::vector<int> samples(size_t(validation_.size()));
   std::iota(samples.begin(), samples.end(), 0);
   validation_batch_ = validation_.Get(samples, 0);
