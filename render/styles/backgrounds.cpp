@@ -11,14 +11,14 @@
 namespace daumier::render {
 namespace {
 
-using Colour = std::array<float, 3>;
+using Tint = std::array<float, 3>;
 
 constexpr std::array<std::string_view, kNumBackgroundKinds> kBackgroundNames = {
     "flat", "gradient", "clouds", "paper", "dots", "stripes", "shapes", "room", "foliage", "hills"};
 
 /// Hue, saturation and value, hue in turns.
-Colour ColourOfHue(float hue, float saturation, float value) {
-  Colour colour{};
+Tint ColourOfHue(float hue, float saturation, float value) {
+  Tint colour{};
   for (int channel = 0; channel < 3; ++channel) {
     const float place = hue + static_cast<float>(3 - channel) / 3.0f;
     const float t = place - std::floor(place);
@@ -28,13 +28,13 @@ Colour ColourOfHue(float hue, float saturation, float value) {
   return colour;
 }
 
-Colour MixedColour(const Colour& from, const Colour& to, float share) {
-  Colour colour{};
+Tint MixedColour(const Tint& from, const Tint& to, float share) {
+  Tint colour{};
   for (int channel = 0; channel < 3; ++channel) colour[channel] = from[channel] + share * (to[channel] - from[channel]);
   return colour;
 }
 
-Colour ScaledColour(const Colour& colour, float factor) {
+Tint ScaledColour(const Tint& colour, float factor) {
   return {colour[0] * factor, colour[1] * factor, colour[2] * factor};
 }
 
@@ -47,7 +47,7 @@ struct BackgroundScene {
   ColourPlanes& colours;
 
   float Draw(double low, double high) const { return static_cast<float>(rng.Uniform(low, high)); }
-  Colour AnyColour() const {
+  Tint AnyColour() const {
     const double which = rng.Uniform();
     return which < 0.4 ? choice.first : which < 0.75 ? choice.second : choice.third;
   }
@@ -145,7 +145,7 @@ void DrawStripes(const BackgroundScene& scene) {
 void DrawShapes(const BackgroundScene& scene) {
   const int count = static_cast<int>(6 + scene.rng.Below(14));
   for (int i = 0; i < count; ++i) {
-    const Colour colour = MixedColour(scene.AnyColour(), {1, 1, 1}, scene.Draw(0, 0.3));
+    const Tint colour = MixedColour(scene.AnyColour(), {1, 1, 1}, scene.Draw(0, 0.3));
     const ShapePaint paint{colour, scene.Draw(0.3, 0.95)};
     const float x = scene.Draw(0, 1) * scene.width, y = scene.Draw(0, 1) * scene.height,
                 angle = scene.Draw(0, 3.1415927);
@@ -162,11 +162,11 @@ void DrawShapes(const BackgroundScene& scene) {
 }
 
 /// A window with bars, or a frame with one colour in it.
-void DrawOpening(const BackgroundScene& scene, float x, float y, float half_x, float half_y, const Colour& frame) {
+void DrawOpening(const BackgroundScene& scene, float x, float y, float half_x, float half_y, const Tint& frame) {
   const float bar = scene.Draw(2.5, 5) * scene.unit;
   FillBox(scene.colours, x, y, half_x + bar, half_y + bar, 0, 1, {frame});
   const bool is_window = scene.rng.Uniform() < 0.6;
-  const Colour inside = is_window ? MixedColour({0.8f, 0.92f, 1.0f}, scene.choice.third, 0.25f) : scene.choice.third;
+  const Tint inside = is_window ? MixedColour({0.8f, 0.92f, 1.0f}, scene.choice.third, 0.25f) : scene.choice.third;
   FillBox(scene.colours, x, y, half_x, half_y, 0, 0, {inside});
   if (!is_window) {
     FillBox(scene.colours, x, y + 0.4f * half_y, half_x, 0.6f * half_y, 0, 0,
@@ -182,7 +182,7 @@ void DrawRoom(const BackgroundScene& scene) {
   scene.Mix([&](float x, float y) {
     return std::clamp(0.15f + 0.25f * y / scene.height + fall * x / scene.width, 0.0f, 0.5f);
   });
-  const Colour wood = MixedColour({0.45f, 0.32f, 0.22f}, scene.choice.third, 0.3f);
+  const Tint wood = MixedColour({0.45f, 0.32f, 0.22f}, scene.choice.third, 0.3f);
   const float floor_row = scene.Draw(0.72, 0.95) * scene.height;
   FillBox(scene.colours, 0.5f * scene.width, scene.height + floor_row, scene.width, scene.height, 0, 0,
           {ScaledColour(wood, 0.85f)});
@@ -198,7 +198,7 @@ void DrawRoom(const BackgroundScene& scene) {
     FillBox(scene.colours, other, shelf_row, half, 2 * scene.unit, 0, 0, {wood});
     for (float x = other - half + 3 * scene.unit; x < other + half - 8 * scene.unit;) {
       const float book = scene.Draw(2, 4.5) * scene.unit, high = scene.Draw(9, 16) * scene.unit;
-      const Colour colour = MixedColour(scene.AnyColour(), ColourOfHue(scene.Draw(0, 1), 0.5f, 0.6f), 0.6f);
+      const Tint colour = MixedColour(scene.AnyColour(), ColourOfHue(scene.Draw(0, 1), 0.5f, 0.6f), 0.6f);
       FillBox(scene.colours, x + book, shelf_row - high - 2 * scene.unit, book, high, 0, 1, {colour});
       x += 2 * book + (scene.rng.Uniform() < 0.15 ? 8 * scene.unit : 0.6f * scene.unit);
     }
@@ -216,7 +216,7 @@ void DrawFoliage(const BackgroundScene& scene) {
     const int count = 60 - 10 * layer;
     for (int i = 0; i < count; ++i) {
       const float value = scene.Draw(0.3, 0.7) * (1 - 0.35f * depth);
-      const Colour leaf = MixedColour(ColourOfHue(hue + scene.Draw(-0.05, 0.05), scene.Draw(0.35, 0.7), value),
+      const Tint leaf = MixedColour(ColourOfHue(hue + scene.Draw(-0.05, 0.05), scene.Draw(0.35, 0.7), value),
                                       scene.choice.first, 0.4f * (1 - depth));
       const float size = scene.Draw(7, 15) * scene.unit * (0.8f + 0.9f * depth);
       const float x = scene.Draw(0, 1) * scene.width, high = scene.Draw(0, 1);
@@ -227,7 +227,7 @@ void DrawFoliage(const BackgroundScene& scene) {
 }
 
 void DrawHills(const BackgroundScene& scene) {
-  const Colour sky = MixedColour(scene.choice.first, {0.6f, 0.8f, 1.0f}, 0.5f);
+  const Tint sky = MixedColour(scene.choice.first, {0.6f, 0.8f, 1.0f}, 0.5f);
   const Plane clouds = FractalNoise(scene.colours[0].height, scene.colours[0].width, 45 * scene.unit, 3, scene.rng);
   for (int row = 0; row < scene.colours[0].height; ++row) {
     const float low = static_cast<float>(row) / scene.height;

@@ -211,7 +211,7 @@ FlowField FlowAlongForms(const Plane& plane, float deviation) {
   return flow;
 }
 
-ColourPlanes Paint(const ColourPlanes& picture, float brush, Rng& rng) {
+ColourPlanes BrushPainting(const ColourPlanes& picture, float brush, Rng& rng) {
   brush = std::max(brush, 1.0f);
   const int height = picture[0].height, width = picture[0].width;
   const ColourPlanes ground = Kuwahara(picture, std::max(1, static_cast<int>(std::lround(0.6f * brush))));

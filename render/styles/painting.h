@@ -18,6 +18,6 @@ FlowField FlowAlongForms(const Plane& plane, float deviation);
 /// An oil painting of a picture: a ground by Kuwahara, on it two layers of short strokes along the forms, coarse ones
 /// first, that keep to what has nearly their colour [after Hertzmann 1998]; the ridges of bristles catch light from the
 /// upper left. `brush`: width of the fine strokes, pixels.
-ColourPlanes Paint(const ColourPlanes& picture, float brush, Rng& rng);
+ColourPlanes BrushPainting(const ColourPlanes& picture, float brush, Rng& rng);
 
 }  // namespace daumier::render

@@ -74,7 +74,7 @@ Image DrawStyled(const PictureBuffers& buffers, const StyleChoice& choice, Rng& 
     case PictureStyle::kPainterly:
       // A painter's lines are paint, too.
       InkOver(input.colours, input.ink, choice);
-      picture = Paint(input.colours, choice.brush * layers.scale, rng);
+      picture = BrushPainting(input.colours, choice.brush * layers.scale, rng);
       break;
     case PictureStyle::kPencil:
       picture = PencilDrawing(input, layers, choice, rng);

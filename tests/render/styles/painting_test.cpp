@@ -42,9 +42,9 @@ TEST(FlowAlongForms, IsAlongStripes) {
   EXPECT_GT(flow.strength.at(20, 20), 0.9f);
 }
 
-TEST(Paint, KeepsColoursNearTheirs) {
+TEST(BrushPainting, KeepsColoursNearTheirs) {
   Rng rng(5);
-  const ColourPlanes painted = Paint(MakeColourPlanes(50, 60, {0.6f, 0.4f, 0.3f}), 3, rng);
+  const ColourPlanes painted = BrushPainting(MakeColourPlanes(50, 60, {0.6f, 0.4f, 0.3f}), 3, rng);
   for (const float value : painted[1].values) EXPECT_NEAR(value, 0.4f, 0.13f);
 }
 
