@@ -61,32 +61,34 @@ void Predict(const PredictArguments& arguments) {
 }  // namespace
 
 Verb PredictVerb() {
-  return {
-      "predict", "Drawings to meshes and pictures",
-      [](CLI::App& command) {
-        auto arguments = std::make_shared<PredictArguments>();
-        command.add_option("run", arguments->run, "Run folder")->required();
-        command
-            .add_option("inputs", arguments->inputs,
-                        "Frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures of lines (PNG, "
-                        "JPEG, WebP, BMP, TIFF); a folder of them; and key=value")
-            ->required();
-        command.add_flag(
-            "--keep-frame", arguments->keep_frame,
-            "Use the sheet as the canvas of the training sketches; without it, scale and shift are searched");
-        command.add_flag("--all", arguments->all,
-                         "Predict every face on a sheet, as NAME_1, NAME_2, ...; without it, the largest face is "
-                         "predicted, and a warning counts the faces");
-        command.add_flag(
-            "--no-refine", arguments->no_refine,
-            "Write the face of the network as it is; without it, its contours are matched with the strokes");
-        command.add_flag("--deform", arguments->deform,
-                         "Also move the surface of the face onto the strokes, beyond what the model of faces can show");
-        command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-        command.add_option("-o,--out", arguments->out, "Folder to write")->required();
-        return [arguments] { Predict(*arguments); };
-      },
-      /*keeps_freed_memory=*/false};
+  return {"predict", "Drawings to meshes, portraits to landmarks and masks, with pictures",
+          [](CLI::App& command) {
+            auto arguments = std::make_shared<PredictArguments>();
+            command.add_option("run", arguments->run, "Run folder")->required();
+            command
+                .add_option(
+                    "inputs", arguments->inputs,
+                    "Of a sketch run: frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures "
+                    "of lines (PNG, "
+                    "JPEG, WebP, BMP, TIFF). Of a landmarks run: pictures of faces. A folder of them; and key=value")
+                ->required();
+            command.add_flag(
+                "--keep-frame", arguments->keep_frame,
+                "Use the sheet as the canvas of the training sketches; without it, scale and shift are searched");
+            command.add_flag("--all", arguments->all,
+                             "Predict every face on a sheet, as NAME_1, NAME_2, ...; without it, the largest face is "
+                             "predicted, and a warning counts the faces");
+            command.add_flag(
+                "--no-refine", arguments->no_refine,
+                "Write the face of the network as it is; without it, its contours are matched with the strokes");
+            command.add_flag(
+                "--deform", arguments->deform,
+                "Also move the surface of the face onto the strokes, beyond what the model of faces can show");
+            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+            command.add_option("-o,--out", arguments->out, "Folder to write")->required();
+            return [arguments] { Predict(*arguments); };
+          },
+          /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

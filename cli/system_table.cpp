@@ -4,6 +4,7 @@
 #include "core/run_manifest.h"
 #include "core/training.h"
 #include "systems/deform/system.h"
+#include "systems/portrait/system.h"
 #include "systems/sketch/system.h"
 
 #include <fmt/ranges.h>
@@ -13,7 +14,11 @@
 namespace daumier::cli {
 
 const std::vector<systems::System>& Systems() {
-  static const std::vector<systems::System> table = {sketch::SketchSystem(), deform::DeformSystem()};
+  static const std::vector<systems::System> table = [] {
+    std::vector<systems::System> rows = {sketch::SketchSystem(), deform::DeformSystem()};
+    for (systems::System& system : portrait::PortraitSystems()) rows.push_back(std::move(system));
+    return rows;
+  }();
   return table;
 }
 

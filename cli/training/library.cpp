@@ -6,6 +6,7 @@
 #include "core/stopwatch.h"
 #include "export/torch_runner.h"
 #include "systems/deform/train/system.h"
+#include "systems/portrait/train/system.h"
 #include "systems/sketch/train/system.h"
 #include "systems/training_library.h"
 #include "tensor/runtime.h"
@@ -74,10 +75,16 @@ Json BaseConfig(const systems::AblationRequest& request) {
   return ablation::LoadAblation(request.config, request.overrides, {}).rows.front().config;
 }
 
+std::vector<systems::SystemTraining> AllTrainings() {
+  std::vector<systems::SystemTraining> rows = {sketch::SketchTraining(), deform::DeformTraining()};
+  for (const systems::SystemTraining& row : portrait::PortraitTrainings()) rows.push_back(row);
+  return rows;
+}
+
 const systems::TrainingLibrary& Library() {
   static const systems::TrainingLibrary library{
       .version = DAUMIER_VERSION,
-      .systems = {sketch::SketchTraining(), deform::DeformTraining()},
+      .systems = AllTrainings(),
       .set_up = [](int threads) { tensor::SetUpTorch(threads); },
       .describe = DescribeLibTorch,
       .open_network = [](const std::filesystem::path& run,

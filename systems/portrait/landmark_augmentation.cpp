@@ -65,7 +65,7 @@ void BlurChannel(float* channel, int size, int reach) {
     float sum = 0;
     for (int i = -reach; i <= reach; ++i) sum += line[size_t(std::clamp(i, 0, size - 1))];
     for (int i = 0; i < size; ++i) {
-      first[i * step] = sum * share;
+      first[i * step] = Unit(sum * share);
       sum += line[size_t(std::min(i + reach + 1, size - 1))] - line[size_t(std::max(i - reach, 0))];
     }
   };
@@ -90,7 +90,7 @@ void MakeCoarse(float* channel, int size, int side) {
       const float u = x - float(c0), v = y - float(r0);
       const auto at = [&](int r, int c) { return means[size_t(r) * size_t(cells) + size_t(c)]; };
       channel[size_t(row) * size_t(size) + size_t(column)] =
-          (1 - v) * ((1 - u) * at(r0, c0) + u * at(r0, c1)) + v * ((1 - u) * at(r1, c0) + u * at(r1, c1));
+          Unit((1 - v) * ((1 - u) * at(r0, c0) + u * at(r0, c1)) + v * ((1 - u) * at(r1, c0) + u * at(r1, c1)));
     }
   }
 }
@@ -222,6 +222,35 @@ void ChangeColours(std::span<float> values, int size, const LandmarkAugmentation
   if (happens(options.jpeg)) {
     const auto step = float(rng.Uniform(0.05, 0.25));
     for (float* channel : picture.of) RoundFrequencies(channel, size, step);
+  }
+}
+
+void PaintTeeth(std::span<float> picture, int size, std::span<const uint8_t> is_mouth, int cells, Rng& rng) {
+  const size_t count = size_t(size) * size_t(size);
+  DAUMIER_CHECK(picture.size() == 3 * count && is_mouth.size() == size_t(cells) * size_t(cells),
+                "a picture of side {} has {} numbers, and {} marks are no {} x {}", size, picture.size(),
+                is_mouth.size(), cells, cells);
+  if (std::ranges::count(is_mouth, 1) < 10) return;
+  const std::array<float, 3> white = {float(rng.Uniform(0.75, 1)), float(rng.Uniform(0.75, 1)),
+                                      float(rng.Uniform(0.6, 1))};
+  const double upper = rng.Uniform(0.3, 1.1), lower = rng.Below(2) == 0 ? rng.Uniform(0.6, 1) : 2;
+  const double tooth = rng.Uniform(0.02, 0.06) * size, phase = rng.Uniform(0, tooth), gap = rng.Uniform(0, 0.25);
+  const auto darkness = float(rng.Uniform(0.2, 0.8));
+  for (int column = 0; column < size; ++column) {
+    const auto marked = [&](int row) {
+      return is_mouth[size_t(row * cells / size) * size_t(cells) + size_t(column * cells / size)] != 0;
+    };
+    int first = 0, last = size - 1;
+    while (first < size && !marked(first)) ++first;
+    while (last > first && !marked(last)) --last;
+    const double height = last - first + 1, in_tooth = std::fmod(column + phase, tooth) / tooth;
+    for (int row = first; row <= last && row < size; ++row) {
+      const double depth = (row - first + 0.5) / height;
+      if (!marked(row) || (depth > upper && depth < lower)) continue;
+      const float share = in_tooth < gap ? darkness : 1.0f;
+      for (size_t k = 0; k < 3; ++k)
+        picture[k * count + size_t(row) * size_t(size) + size_t(column)] = share * white[k];
+    }
   }
 }
 

@@ -15,6 +15,9 @@ struct LandmarkAugmentationOptions {
   double rotation_degrees = 30;
   double upside_down = 0.0;
   double flip = 0.5;
+  double stretch = 0.3;
+  double bulges = 0.5;
+  double teeth = 0.4;
   double colour = 0.35;
   double tint = 0.3;
   double grey = 0.12;
@@ -37,6 +40,10 @@ struct LandmarkAugmentationOptions {
           "Largest turn of the crop; small turns are more frequent.");
     visit("upside_down", upside_down, Range{0, 1}, "Share of samples that are turned by any angle.");
     visit("flip", flip, Range{0, 1}, "Share of samples that are mirrored, left and right landmarks exchanged.");
+    visit("stretch", stretch, Range{0, 1},
+          "Largest logarithm of the ratio of width to height by which crops are stretched.");
+    visit("bulges", bulges, Range{0, 1}, "Share of samples with parts of the face enlarged, made smaller and moved.");
+    visit("teeth", teeth, Range{0, 1}, "Share of open mouths into which teeth are painted.");
     visit("colour", colour, Range{0, 1}, "Largest logarithm of the gain of each colour channel.");
     visit("tint", tint, Range{0, 1}, "Share of samples whose channels are mixed with others.");
     visit("grey", grey, Range{0, 1}, "Share of samples without colour.");
@@ -55,6 +62,10 @@ struct LandmarkAugmentationOptions {
 /// Values of a picture, 3 x size x size of 0..1, changed as `options` specify. A function of the picture, the options and
 /// the state of `rng` alone; values stay in 0..1; with strength 0 the picture is unchanged.
 void ChangeColours(std::span<float> picture, int size, const LandmarkAugmentationOptions& options, Rng& rng);
+
+/// Paints teeth into an open mouth, where `is_mouth` marks cells x cells squares of the picture: one or two rows of light
+/// teeth with gaps, from the upper border of what is marked. Nothing where less than ten squares are marked.
+void PaintTeeth(std::span<float> picture, int size, std::span<const uint8_t> is_mouth, int cells, Rng& rng);
 
 /// Draws up to four patches (rectangles, ellipses, bars) of one colour or of noise over the picture; sets covered[i] for each
 /// of the `cells` x `cells` squares whose centre one covers. Patches are at most a third of the side wide, thin bars its whole width.

@@ -27,7 +27,10 @@ class Canvas {
   int size() const { return size_; }
   void Set(int row, int column, const Colour& colour, float share = 1) {
     const size_t count = size_t(size_) * size_t(size_), at = size_t(row) * size_t(size_) + size_t(column);
-    for (size_t k = 0; k < 3; ++k) values_[k * count + at] += share * (colour[k] - values_[k * count + at]);
+    for (size_t k = 0; k < 3; ++k) {
+      float& value = values_[k * count + at];
+      value = std::clamp(value + share * (colour[k] - value), 0.0f, 1.0f);
+    }
   }
   /// Where `inside` holds at the pixel's centre, in units of the side.
   template <class Inside>

@@ -68,7 +68,7 @@ Eigen::Matrix2d CropFrame::picture_from_crop() const {
   const double c = scale() * std::cos(turn), s = scale() * std::sin(turn), m = mirrored ? -1 : 1;
   Eigen::Matrix2d matrix;
   matrix << m * c, -s, m * s, c;
-  return matrix;
+  return matrix * Eigen::Vector2d(std::exp(0.5 * stretch), std::exp(-0.5 * stretch)).asDiagonal();
 }
 
 Eigen::Vector2d CropFrame::ToPicture(const Eigen::Vector2d& p_crop) const {
@@ -87,10 +87,11 @@ PicturePyramid::PicturePyramid(const render::Image& picture) {
     levels_.push_back(Halved(levels_.back()));
 }
 
-void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Outside& outside, std::span<float> crop) {
+void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Outside& outside, std::span<float> crop,
+                std::span<const float> moved) {
   const auto size = size_t(frame.size);
-  DAUMIER_CHECK(frame.size > 0 && crop.size() == 3 * size * size, "a crop of side {} has {} numbers", frame.size,
-                crop.size());
+  DAUMIER_CHECK(frame.size > 0 && crop.size() == 3 * size * size && (moved.empty() || moved.size() == 2 * size * size),
+                "a crop of side {} has {} numbers and {} of a field", frame.size, crop.size(), moved.size());
   int level = 0;
   while (level + 1 < picture.num_levels() && frame.scale() > kFinestRatio * (1 << level)) ++level;
   const render::Image& image = picture.level(level);
@@ -100,9 +101,12 @@ void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Out
   const auto last_x = float(image.width - 1), last_y = float(image.height - 1);
   for (size_t row = 0; row < size; ++row)
     for (size_t column = 0; column < size; ++column) {
-      const auto x = float(first.x() + step(0, 0) * double(column) + step(0, 1) * double(row)),
-                 y = float(first.y() + step(1, 0) * double(column) + step(1, 1) * double(row));
-      float* const to = &crop[row * size + column];
+      const size_t pixel = row * size + column;
+      const double u0 = double(column) + (moved.empty() ? 0 : moved[pixel]),
+                   v0 = double(row) + (moved.empty() ? 0 : moved[size * size + pixel]);
+      const auto x = float(first.x() + step(0, 0) * u0 + step(0, 1) * v0),
+                 y = float(first.y() + step(1, 0) * u0 + step(1, 1) * v0);
+      float* const to = &crop[pixel];
       if (!outside.continued && (x < -0.5f || y < -0.5f || x > last_x + 0.5f || y > last_y + 0.5f)) {
         for (size_t k = 0; k < 3; ++k) to[k * size * size] = outside.colour[k];
         continue;
@@ -116,7 +120,7 @@ void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Out
       for (size_t k = 0; k < 3; ++k) {
         const float above = w * upper[3 * size_t(c0) + k] + u * upper[3 * size_t(c1) + k];
         const float below = w * lower[3 * size_t(c0) + k] + u * lower[3 * size_t(c1) + k];
-        to[k * size * size] = above + v * (below - above);
+        to[k * size * size] = std::clamp(above + v * (below - above), 0.0f, 1.0f);
       }
     }
 }
@@ -127,16 +131,20 @@ std::vector<float> SampleCrop(const PicturePyramid& picture, const CropFrame& fr
   return crop;
 }
 
-std::vector<int64_t> SampleLabels(const render::Image& mask, const CropFrame& frame, int cells, int64_t none) {
+std::vector<int64_t> SampleLabels(const render::Image& mask, const CropFrame& frame, int cells, int64_t none,
+                                  std::span<const float> moved) {
   DAUMIER_CHECK(mask.channels == 1, "a mask of classes has {} channels, expected 1", mask.channels);
   std::vector<int64_t> labels(size_t(cells) * size_t(cells), none);
   const double cell = double(frame.size) / cells;
   for (int row = 0; row < cells; ++row)
     for (int column = 0; column < cells; ++column) {
-      const Eigen::Vector2d at = frame.ToPicture({(column + 0.5) * cell, (row + 0.5) * cell});
+      const size_t pixel = size_t(row) * size_t(cells) + size_t(column);
+      Eigen::Vector2d in_crop((column + 0.5) * cell, (row + 0.5) * cell);
+      if (!moved.empty()) in_crop += Eigen::Vector2d(moved[pixel], moved[moved.size() / 2 + pixel]);
+      const Eigen::Vector2d at = frame.ToPicture(in_crop);
       const double x = std::floor(at.x()), y = std::floor(at.y());
       if (x < 0 || y < 0 || x >= mask.width || y >= mask.height) continue;
-      labels[size_t(row) * size_t(cells) + size_t(column)] = mask.at(int(y), int(x));
+      labels[pixel] = mask.at(int(y), int(x));
     }
   return labels;
 }

@@ -28,12 +28,14 @@ Box BoxOf(std::span<const float> points);
 double Overlap(const Box& a, const Box& b);
 
 /// A square of a picture as a network reads it:
-///   p_picture = centre + side / size * R(turn) M (p_crop - size / 2),
-/// M mirrors x if `mirrored`, R turns x towards y (clockwise, as y points down).
+///   p_picture = centre + side / size * R(turn) S M (p_crop - size / 2),
+/// M mirrors x if `mirrored`, S = diag(e^(stretch / 2), e^(-stretch / 2)), R turns x towards y (clockwise, as y points
+/// down).
 struct CropFrame {
   Eigen::Vector2d centre = {0, 0};  ///< Pixels of the picture.
   double side = 1;                  ///< Pixels of the picture.
   double turn = 0;                  ///< Radians.
+  double stretch = 0;               ///< Of training alone: what is shown becomes narrower if positive.
   bool mirrored = false;
   int size = 128;  ///< Pixels of the crop.
 
@@ -68,13 +70,16 @@ struct Outside {
 
 /// The crop as numbers of 0..1, 3 x size x size, the colours one after the other. Each pixel is looked up bilinearly at
 /// its centre, in the level of the pyramid whose pixels are at most 1.4 times as small. Written to `crop`.
+/// moved: if not empty, Bulges::Field of all pixels: from where in the crop each comes, 2 x size x size.
 /// @throws Error if it has another size.
-void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Outside& outside, std::span<float> crop);
+void SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Outside& outside, std::span<float> crop,
+                std::span<const float> moved = {});
 std::vector<float> SampleCrop(const PicturePyramid& picture, const CropFrame& frame, const Outside& outside = {});
 
 /// The value of a grey picture of classes at the centre of each of cells x cells squares of the crop; `none` outside of
-/// the picture. @throws Error if the mask is not grey.
-std::vector<int64_t> SampleLabels(const render::Image& mask, const CropFrame& frame, int cells, int64_t none);
+/// the picture. moved: as of SampleCrop, 2 x cells x cells. @throws Error if the mask is not grey.
+std::vector<int64_t> SampleLabels(const render::Image& mask, const CropFrame& frame, int cells, int64_t none,
+                                  std::span<const float> moved = {});
 
 /// The frame of a face with that box: upright, centred on it, kCropSide of its longer side.
 inline constexpr double kCropSide = 1.5;

@@ -19,25 +19,25 @@ struct LandmarkDataOptions {
 
 struct LandmarkViewOptions {
   double hidden_weight = 0.5;
-  double negative_share = 0.1;
+  double negative_share = 0.15;
   double scene_share = 0.25;
 
   template <class V>
   void Visit(V&& visit) {
     visit("hidden_weight", hidden_weight, Range{0, 1}, "Weight of landmarks that are hidden; seen ones weigh 1.");
-    visit("negative_share", negative_share, Range{0, 0.9}, "Share of crops that show no face.");
+    visit("negative_share", negative_share, Range{0, 0.9}, "Share of crops that show no face, or one of a wrong size.");
     visit("scene_share", scene_share, Range{0, 1},
           "Scenes to a crop: pictures of several faces or none, from which the search is learnt.");
   }
 };
 
 struct LandmarkLossOptions {
-  double label_weight = 1;
+  double label_weight = 1.5;
   double state_weight = 0.3;
   double score_weight = 0.3;
   double box_weight = 0.3;
-  double eye_class_weight = 4;
-  double mouth_class_weight = 2;
+  double eye_class_weight = 16;
+  double part_class_weight = 6;
   double background_class_weight = 0.5;
 
   template <class V>
@@ -47,7 +47,7 @@ struct LandmarkLossOptions {
     visit("score_weight", score_weight, Range{0, 100}, "Weight of the focal loss of boxes' centres.");
     visit("box_weight", box_weight, Range{0, 100}, "Weight of the absolute error of boxes.");
     visit("eye_class_weight", eye_class_weight, Range{0, 100}, "Weight of pixels of eyes; skin weighs 1.");
-    visit("mouth_class_weight", mouth_class_weight, Range{0, 100}, "Weight of pixels of brows, lips and mouth.");
+    visit("part_class_weight", part_class_weight, Range{0, 100}, "Weight of pixels of brows, lips, mouth and ears.");
     visit("background_class_weight", background_class_weight, Range{0, 100}, "Weight of pixels of the background.");
   }
 };

@@ -1,6 +1,7 @@
 #include "systems/portrait/landmark_views.h"
 
 #include "core/error.h"
+#include "systems/portrait/landmark_bulges.h"
 #include "systems/portrait/landmark_clutter.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ CropFrame DrawFrame(const Box& box, int size, const LandmarkAugmentationOptions&
   frame.turn = kRadians * strength * options.rotation_degrees * rng.Uniform(-1, 1) * rng.Uniform(0.2, 1);
   if (rng.Uniform() < options.upside_down * strength) frame.turn = rng.Uniform(-std::numbers::pi, std::numbers::pi);
   frame.mirrored = rng.Uniform() < options.flip;
+  frame.stretch = strength * rng.Uniform(-options.stretch, options.stretch);
   return frame;
 }
 
@@ -39,6 +41,19 @@ std::vector<float> PointsInCrop(const LandmarkSample& sample, const CropFrame& f
     points[2 * size_t(i) + 1] = float(at.y());
   }
   return points;
+}
+
+void MovePoints(std::vector<float>& points, const Bulges& bulges) {
+  for (size_t i = 0; i < points.size(); i += 2) {
+    const Eigen::Vector2d place = bulges.PlaceOf({points[i], points[i + 1]});
+    points[i] = float(place.x());
+    points[i + 1] = float(place.y());
+  }
+}
+
+/// Empty where nothing moves.
+std::vector<float> FieldOf(const Bulges& bulges, int size, int cells) {
+  return bulges.empty() ? std::vector<float>() : bulges.Field(size, cells);
 }
 
 int64_t StateOf(float gap_mm, float closed_mm, float open_mm, bool open_is_one) {
@@ -80,19 +95,36 @@ std::optional<CropFrame> FrameApart(const LandmarkSample& sample, int size, Rng&
   return {};
 }
 
+/// A crop of the face that is far too close or too far away.
+CropFrame FrameOfWrongSize(const LandmarkSample& sample, int size, bool is_close, Rng& rng) {
+  CropFrame frame = FrameOfBox(BoxOf(sample.landmarks), size);
+  const auto landmark = size_t(rng.Below(uint64_t(kNumLandmarks)));
+  if (is_close) frame.centre = {sample.landmarks[2 * landmark], sample.landmarks[2 * landmark + 1]};
+  const double side = frame.side;
+  frame.side *= is_close ? rng.Uniform(0.15, 0.4) : rng.Uniform(2.5, 5);
+  if (!is_close) frame.centre += 0.3 * (frame.side - side) * Eigen::Vector2d(rng.Uniform(-1, 1), rng.Uniform(-1, 1));
+  return frame;
+}
+
 TrainingView NegativeView(const LandmarkSample& sample, const ViewOptions& options, Rng& rng) {
-  TrainingView view = EmptyView(options.size);
-  const uint64_t kind = rng.Below(4);
-  const std::optional<CropFrame> apart = kind < 2 ? FrameApart(sample, options.size, rng) : std::nullopt;
-  if (apart) {
-    SampleCrop(PicturePyramid(sample.picture), *apart, DrawOutside(rng), view.picture);
-    view.labels = SampleLabels(sample.mask, *apart, LabelSide(options.size), kUnknownLabel);
+  const int size = options.size;
+  TrainingView view = EmptyView(size);
+  view.search = MakeSearchTargets({}, size);
+  const uint64_t kind = rng.Below(6);
+  std::optional<CropFrame> frame;
+  if (kind < 2) frame = FrameApart(sample, size, rng);
+  if (kind > 3) frame = FrameOfWrongSize(sample, size, kind == 4, rng);
+  if (frame) {
+    SampleCrop(PicturePyramid(sample.picture), *frame, DrawOutside(rng), view.picture);
+    view.labels = SampleLabels(sample.mask, *frame, LabelSide(size), kUnknownLabel);
+    const Box box = BoxOf(PointsInCrop(sample, *frame));
+    if (kind == 5) view.search = MakeSearchTargets({&box, 1}, size);
   } else if (kind == 2) {
-    SampleCrop(PicturePyramid(sample.picture), FrameOfBox(BoxOf(sample.landmarks), options.size), DrawOutside(rng),
+    SampleCrop(PicturePyramid(sample.picture), FrameOfBox(BoxOf(sample.landmarks), size), DrawOutside(rng),
                view.picture);
-    ShuffleBlocks(view.picture, options.size, rng);
+    ShuffleBlocks(view.picture, size, rng);
   } else {
-    DrawClutter(view.picture, options.size, rng);
+    DrawClutter(view.picture, size, rng);
     std::ranges::fill(view.labels, int64_t(FaceClass::kBackground));
   }
   return view;
@@ -141,16 +173,26 @@ TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& o
   if (augmentation != nullptr && rng.Uniform() < options.negative_share) {
     TrainingView view = NegativeView(sample, options, rng);
     ChangeColours(view.picture, size, *augmentation, rng);
-    view.search = MakeSearchTargets({}, size);
     return view;
   }
   TrainingView view = EmptyView(size);
   const Box box = BoxOf(sample.landmarks);
   const CropFrame frame = augmentation != nullptr ? DrawFrame(box, size, *augmentation, rng) : FrameOfBox(box, size);
-  SampleCrop(PicturePyramid(sample.picture), frame, augmentation != nullptr ? DrawOutside(rng) : Outside(),
-             view.picture);
-  view.labels = SampleLabels(sample.mask, frame, LabelSide(size), kUnknownLabel);
   view.points = PointsInCrop(sample, frame);
+  Bulges bulges;
+  if (augmentation != nullptr && rng.Uniform() < augmentation->bulges * augmentation->strength) {
+    bulges = DrawBulges(view.points, augmentation->strength, rng);
+    MovePoints(view.points, bulges);
+  }
+  SampleCrop(PicturePyramid(sample.picture), frame, augmentation != nullptr ? DrawOutside(rng) : Outside(),
+             view.picture, FieldOf(bulges, size, size));
+  view.labels =
+      SampleLabels(sample.mask, frame, LabelSide(size), kUnknownLabel, FieldOf(bulges, size, LabelSide(size)));
+  if (augmentation != nullptr && rng.Uniform() < augmentation->teeth * augmentation->strength) {
+    std::vector<uint8_t> mouth;
+    for (const int64_t label : view.labels) mouth.push_back(label == int64_t(FaceClass::kMouth));
+    PaintTeeth(view.picture, size, mouth, LabelSide(size), rng);
+  }
   view.states = StatesOf(sample, frame.mirrored);
   const Box in_crop = BoxOf(view.points);
   view.search = MakeSearchTargets({&in_crop, 1}, size);
@@ -189,20 +231,28 @@ TrainingView MakeScene(std::span<const LandmarkSample* const> samples, const Vie
     const double share = 0.12 * std::pow(0.9 / 0.12, samples.size() > 1 ? 0.6 * rng.Uniform() : rng.Uniform());
     CropFrame frame{.side = box.side() / share, .mirrored = rng.Below(2) == 0, .size = size};
     frame.turn = kRadians * augmentation.rotation_degrees * rng.Uniform(-1, 1) * rng.Uniform(0.2, 1);
+    frame.stretch = rng.Uniform(-augmentation.stretch, augmentation.stretch);
     // The face lies wholly in the scene where it fits, apart from the faces before it.
     const double room = std::max(0.0, 0.5 - 0.5 * share);
     std::optional<Box> placed;
+    Bulges bulges;
     for (int trial = 0; trial < 6 && !placed; ++trial) {
       const Eigen::Vector2d shift(rng.Uniform(-room, room), rng.Uniform(-room, room));
       frame.centre = box.centre() - frame.picture_from_crop() * (shift * size);
-      const Box candidate = BoxOf(PointsInCrop(*sample, frame));
+      std::vector<float> points = PointsInCrop(*sample, frame);
+      bulges = Bulges();
+      if (rng.Uniform() < augmentation.bulges * augmentation.strength) {
+        bulges = DrawBulges(points, augmentation.strength, rng);
+        MovePoints(points, bulges);
+      }
+      const Box candidate = BoxOf(points);
       if (std::ranges::all_of(boxes,
                               [&](const Box& other) { return Overlap(Enlarged(other), Enlarged(candidate)) == 0; }))
         placed = candidate;
     }
     if (!placed) continue;
     boxes.push_back(*placed);
-    SampleCrop(PicturePyramid(sample->picture), frame, {}, layer);
+    SampleCrop(PicturePyramid(sample->picture), frame, {}, layer, FieldOf(bulges, size, size));
     const bool is_alone = samples.size() == 1, fills = is_alone && rng.Below(2) == 0;
     const Box window = Enlarged(*placed);
     for (int row = 0; row < size; ++row)

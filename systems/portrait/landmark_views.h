@@ -47,12 +47,12 @@ struct TrainingView {
 
 struct ViewOptions {
   int size = 128;
-  double hidden_weight = 0.5;   ///< Of landmarks that are hidden.
-  double negative_share = 0.1;  ///< Of views that show no face.
+  double hidden_weight = 0.5;    ///< Of landmarks that are hidden.
+  double negative_share = 0.15;  ///< Of views that show no face.
 };
 
-/// The crop of a face, or a view without a face: clutter, shuffled blocks of the face, or a part of the picture apart from
-/// the face. Without augmentation (absent) it is the upright crop of the face.
+/// The crop of a face, or a view that is not one: clutter, shuffled blocks of the face, a part of the picture apart from the
+/// face, a part of the face alone, or a face so small that only the search has to find it. Without augmentation (absent) it is the upright crop of the face.
 TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& options,
                               const LandmarkAugmentationOptions* augmentation, Rng& rng);
 

@@ -210,10 +210,10 @@ TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
   for (const char* verb : {"eval", "export", "predict"}) {
     std::vector<std::string> arguments{verb, portrait, "--out", out};
     if (verb == std::string("predict")) arguments.push_back(folder / "drawing.svg");
-    expect(arguments, "'portrait'", "expected sketch, deform");
+    expect(arguments, "'portrait'", "expected sketch, deform, landmarks");
   }
   WriteFileAtomically(folder / "portrait.toml", "system = \"portrait\"\n");
-  expect({"train", folder / "portrait.toml", "--out", out}, "'portrait'", "expected sketch, deform");
+  expect({"train", folder / "portrait.toml", "--out", out}, "'portrait'", "expected sketch, deform, landmarks");
 }
 
 /// Content of every file below a folder, by name.

@@ -134,6 +134,29 @@ TEST_F(PredictFilesTest, AMeshHasNoStrokes) {
   EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "manifest.json"}));
 }
 
+/// Finds something in a picture, but no face to make a mesh of.
+class MarkPredictor : public Predictor {
+ public:
+  std::vector<FaceResult> Predict(std::span<const Input>, const Task&) const override {
+    FaceResult result;
+    result.pictures = {{render::Image(20, 30, 3), "marks"}};
+    result.files = {{".pts", "marks\n"}};
+    result.masks = {{"_mask.png", render::Image(4, 5, 1, 3)}};
+    return {result};
+  }
+};
+
+TEST_F(PredictFilesTest, AResultWithoutAMeshIsASheetWithItsOwnFiles) {
+  System system = system_;
+  system.result_files = {".png", ".pts", "_mask.png"};
+  const PredictionInputs inputs = ReadPredictionInputs(system, {Draw("anna.svg")});
+  PredictFiles(system, MarkPredictor(), run(), inputs, out(), Json::object());
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.png", "anna.pts", "anna_mask.png", "manifest.json"}));
+  EXPECT_EQ(ReadFile(out() / "anna.pts"), "marks\n");
+  EXPECT_EQ(render::ReadImage(out() / "anna_mask.png"), render::Image(4, 5, 1, 3));
+  EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 3u);
+}
+
 TEST_F(PredictFilesTest, TheManifestHoldsSystemOptionsRunAndRecords) {
   Predict({Draw("anna.svg"), Draw("bert.svg", 3)});
   const Manifest manifest = ReadManifest(out(), "predictions");

@@ -25,7 +25,7 @@ TEST(TrainingLibrary, HasTasksByName) {
 TEST(TrainingLibrary, AnUnknownTaskIsNamedWithTheKnownOnes) {
   TrainingLibrary library{};
   library.systems = {TrainingNamed("sketch"), TrainingNamed("deform")};
-  ExpectError([&] { library.at("portrait"); }, "the training library has no task 'portrait' (it has sketch, deform)");
+  ExpectError([&] { library.at("portrait"); }, "the training library has no task 'portrait' (it has sketch, deform, landmarks)");
 }
 
 /// Test binaries without LibTorch have no run path to the library.

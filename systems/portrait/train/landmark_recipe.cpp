@@ -77,8 +77,8 @@ torch::Tensor ClassWeights(const LandmarkLossOptions& options) {
   std::vector<float> weights(size_t(kNumFaceClasses), 1);
   weights[size_t(FaceClass::kBackground)] = float(options.background_class_weight);
   weights[size_t(FaceClass::kEye)] = float(options.eye_class_weight);
-  for (const FaceClass part : {FaceClass::kBrow, FaceClass::kLip, FaceClass::kMouth})
-    weights[size_t(part)] = float(options.mouth_class_weight);
+  for (const FaceClass part : {FaceClass::kBrow, FaceClass::kLip, FaceClass::kMouth, FaceClass::kEar})
+    weights[size_t(part)] = float(options.part_class_weight);
   return torch::tensor(weights);
 }
 

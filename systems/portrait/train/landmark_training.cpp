@@ -7,6 +7,7 @@
 #include "core/run_manifest.h"
 #include "core/runtime.h"
 #include "systems/portrait/landmark_portraits.h"
+#include "systems/portrait/landmark_run_folder.h"
 #include "systems/portrait/landmark_split.h"
 #include "systems/portrait/train/landmark_export.h"
 #include "systems/portrait/train/landmark_recipe.h"

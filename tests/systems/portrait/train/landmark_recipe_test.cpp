@@ -31,7 +31,7 @@ LandmarkRecipe SmallRecipe(const LandmarkTrainingOptions& options, const Landmar
   return {options, source, Count(source.size()), Count(source.size()), torch::kCPU};
 }
 
-TEST(LandmarkRecipe, FitsEightDrawnPortraitsWithin80Steps) {
+TEST(LandmarkRecipe, FitsEightDrawnPortraitsWithin120Steps) {
   const testing::DrawnPortraits portraits(8);
   LandmarkTrainingOptions options = SmallOptions();
   options.augmentation.strength = 0;
@@ -39,8 +39,8 @@ TEST(LandmarkRecipe, FitsEightDrawnPortraitsWithin80Steps) {
   options.views = {.negative_share = 0, .scene_share = 0};
   options.optimiser.learning_rate = 1e-2;
   options.optimiser.weight_decay = 0;
-  options.trainer.epochs = 80;
-  options.trainer.validate_every = 80;
+  options.trainer.epochs = 120;
+  options.trainer.validate_every = 120;
   LandmarkRecipe recipe = SmallRecipe(options, portraits);
   const testing::TempDir run;
   const TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, 1, run.path());

@@ -1,0 +1,54 @@
+#include "systems/portrait/system.h"
+
+#include "core/training.h"
+#include "systems/portrait/landmark_evaluation_options.h"
+#include "systems/portrait/landmark_metrics.h"
+#include "systems/portrait/landmark_options.h"
+#include "systems/portrait/landmark_predictor.h"
+
+namespace daumier::portrait {
+namespace {
+
+std::vector<systems::Input> ReadPicture(const std::filesystem::path& file) {
+  std::vector<systems::Input> inputs;
+  inputs.emplace_back(render::ReadImage(file));
+  return inputs;
+}
+
+}  // namespace
+
+systems::System LandmarkSystem() {
+  return {
+      .name = kLandmarkSystem,
+      .room = "systems/portrait",
+      .training_help = [] { return HelpText<LandmarkTrainingOptions>(); },
+      .evaluation_help = [] { return HelpText<LandmarkEvalOptions>(); },
+      .resolve_config =
+          [](const Json& config, const std::string& where) {
+            return ToJson(ParseTraining<LandmarkTrainingOptions>(config, where));
+          },
+      .resolve_evaluation =
+          [](const Json& options, const std::string& where) {
+            const auto parsed = ParseOptions<LandmarkEvalOptions>(options, where);
+            if (!parsed.rival.empty() && parsed.pictures.empty())
+              throw UsageError(fmt::format("{}: rival needs pictures, the folder of what it was found in", where));
+            return ToJson(parsed);
+          },
+      .read_metrics = ReadLandmarkMetrics,
+      .summary_columns = LandmarkSummaryColumns,
+      .resolve_prediction =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<LandmarkPredictOptions>(options, where));
+          },
+      .open = OpenLandmarkPredictor,
+      .read_inputs = ReadPicture,
+      .input_extensions = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff"},
+      .result_files = {".png", ".pts", ".json", "_mask.png"},
+  };
+}
+
+std::vector<systems::System> PortraitSystems() {
+  return {LandmarkSystem()};
+}
+
+}  // namespace daumier::portrait

@@ -1,0 +1,46 @@
+#include "systems/portrait/landmark_run_folder.h"
+
+#include "core/config.h"
+#include "core/files.h"
+#include "core/run_manifest.h"
+#include "systems/portrait/landmark_options.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::portrait {
+namespace {
+
+/// A finished run without weights that a network could read.
+void WriteRun(const std::filesystem::path& folder, const Json& config, const std::string& system) {
+  MakeDirectory(folder / "best");
+  WriteFileAtomically(folder / kBestFile, "weights");
+  WriteFileAtomically(folder / "resolved.toml", ToToml(config));
+  Manifest manifest{.kind = "run", .verb = "train"};
+  manifest.config = config;
+  manifest.config.erase("data");
+  manifest.counts = {{"best_epoch", 1}};
+  manifest.details = {{"system", system}};
+  manifest.checksums[kBestFile] = Sha256("weights");
+  WriteManifest(folder, manifest);
+}
+
+TEST(LandmarkRunFolder, HasTheOptionsOfItsNetwork) {
+  const testing::TempDir folder;
+  LandmarkTrainingOptions options;
+  options.network.resolution = 96;
+  options.data.portraits = "/data";
+  WriteRun(folder / "run", ToJson(options), kLandmarkSystem);
+  EXPECT_EQ(ReadLandmarkRunFolder(folder / "run").network_options.resolution, 96);
+}
+
+TEST(LandmarkRunFolder, OfAnotherTaskIsRefused) {
+  const testing::TempDir folder;
+  WriteRun(folder / "run", {{"system", "sketch"}}, "sketch");
+  testing::ExpectError([&] { ReadLandmarkRunFolder(folder / "run"); }, "sketch");
+  testing::ExpectError([&] { ReadLandmarkRunFolder(folder / "nowhere"); }, "nowhere");
+}
+
+}  // namespace
+}  // namespace daumier::portrait
