@@ -1,5 +1,4 @@
 #pragma once
-#include "core/runtime.h"
 #include "core/thread_pool.h"
 
 #include <algorithm>

@@ -1,18 +1,12 @@
 #pragma once
+#include "core/num_cores.h"
+
 #include <string>
 #include <string_view>
 
 /// Settings of the process that precede any computation, and what `daumier info` prints of them. Independent of
 /// LibTorch, whose own thread count the tensor room sets.
 namespace daumier {
-
-/// Cores that this process may use: its CPU affinity, cut by the CPU quotas of its control groups as they were at
-/// the first call. At least 1.
-int NumCores();
-
-/// The cores that a cgroup quota allows, rounded up: "200000 100000" (quota and period, in microseconds) is 2. 0 if it
-/// contains "max", a quota of -1, or nothing readable: no limit.
-int CoresOfQuota(std::string_view quota_and_period);
 
 /// To be called first in main. Sets OpenMP's threads where an OpenMP run-time is loaded (0: one a core).
 /// @throws UsageError if `threads` is negative.

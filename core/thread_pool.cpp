@@ -1,6 +1,6 @@
 #include "core/thread_pool.h"
 
-#include "core/runtime.h"
+#include "core/num_cores.h"
 
 #include <utility>
 

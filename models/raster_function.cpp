@@ -1,7 +1,7 @@
 #include "models/raster_function.h"
 
 #include "core/error.h"
-#include "core/parallel.h"
+#include "raster/batch.h"
 #include "raster/face_picture.h"
 #include "tensor/shape.h"
 
@@ -31,12 +31,6 @@ struct PictureBatch : torch::CustomClassHolder {
   std::vector<Picture> images;
 };
 
-template <class Work>
-void ForEachImage(int64_t count, const Work& work) {
-  RunInOrder(
-      static_cast<int>(count), static_cast<int>(count), [&](int i) { work(i); }, [](int) {}, SharedThreadPool());
-}
-
 template <class T>
 torch::Tensor ForwardColours(AutogradContext* context, const SharedTopology& topology, const torch::Tensor& positions,
                              const torch::Tensor& colours, int height, int width,
@@ -48,7 +42,7 @@ torch::Tensor ForwardColours(AutogradContext* context, const SharedTopology& top
   const T *const p = positions.data_ptr<T>(), *const c = colours.data_ptr<T>();
   T* const to = pictures.data_ptr<T>();
   const int64_t num_vertices = topology->num_vertices;
-  ForEachImage(positions.size(0), [&](int64_t i) {
+  raster::ForEachImage(int(positions.size(0)), [&](int64_t i) {
     batch->images[i].Forward(*topology, p + 4 * num_vertices * i, c + 3 * num_vertices * i, height, width, options,
                              to + int64_t(height) * width * 4 * i);
   });
@@ -65,7 +59,7 @@ variable_list BackwardColours(AutogradContext* context, const torch::Tensor& gra
   torch::Tensor by_colours = torch::empty({count, num_vertices, 3}, gradient.options());
   const T* const g = gradient.data_ptr<T>();
   T *const p = by_positions.data_ptr<T>(), *const c = by_colours.data_ptr<T>();
-  ForEachImage(count, [&](int64_t i) {
+  raster::ForEachImage(int(count), [&](int64_t i) {
     batch.images[i].Backward(*batch.topology, g + batch.images[i].raster().num_pixels() * 4 * i,
                              p + 4 * num_vertices * i, c + 3 * num_vertices * i);
   });
@@ -103,7 +97,7 @@ torch::Tensor ForwardFaces(AutogradContext* context, const SharedTopology& topol
                  *const p = pose.data_ptr<T>();
   T* const to = pictures.data_ptr<T>();
   const int64_t size = 3 * int64_t(topology->num_vertices);
-  ForEachImage(vertices.size(0), [&](int64_t i) {
+  raster::ForEachImage(int(vertices.size(0)), [&](int64_t i) {
     std::array<T, raster::kLightBands> light_of_image;
     raster::Pose<T> pose_of_image;
     std::copy_n(l + raster::kLightBands * i, raster::kLightBands, light_of_image.begin());
@@ -128,7 +122,7 @@ variable_list BackwardFaces(AutogradContext* context, const torch::Tensor& gradi
   torch::Tensor by_pose = torch::empty({count, 6}, gradient.options());
   T *const gv = by_vertices.data_ptr<T>(), *const ga = by_albedo.data_ptr<T>(), *const gl = by_light.data_ptr<T>(),
            *const gp = by_pose.data_ptr<T>();
-  ForEachImage(count, [&](int64_t i) {
+  raster::ForEachImage(int(count), [&](int64_t i) {
     std::array<T, raster::kLightBands> light_gradient;
     raster::Pose<T> pose_gradient;
     batch.images[i].Backward(*batch.topology, v + size * i, a + size * i, g + image_size * i, gv + size * i,

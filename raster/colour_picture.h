@@ -31,7 +31,7 @@ class ColourPicture {
   /// position_gradient (V x 4, its third column 0) and colour_gradient (V x 3).
   void Backward(const MeshTopology& topology, const T* picture_gradient, T* position_gradient, T* colour_gradient);
 
-  /// Of the last Forward.
+  /// Of the last Forward, without barycentrics.
   const Raster<T>& raster() const { return raster_; }
   const std::vector<Crossing<T>>& crossings() const { return crossings_; }
 
@@ -40,13 +40,18 @@ class ColourPicture {
     T position[4], colour[4];
   };
 
-  void PixelBackward(const MeshTopology& topology, int64_t pixel, T fx, T fy, const T* gradient);
+  void Interpolate(const MeshTopology& topology, T* picture);
+  void InterpolateBackward(const MeshTopology& topology, const T* picture_gradient);
+  void CrossingsBackward(const MeshTopology& topology, const T* picture_gradient, T* position_gradient);
 
   Raster<T> raster_;
   CrossingMemory<T> memory_;
   std::vector<Crossing<T>> crossings_;
+  size_t num_covered_ = 0;
   std::vector<std::array<T, 4>> differences_;  ///< Colour at the edge minus that outside, of each crossing.
   std::vector<std::array<T, 4>> colours_;      ///< V: RGB, 1.
+  std::vector<int> covered_;  ///< Pixels that show a triangle, ascending; the last repeated to a multiple of 4.
+  std::vector<std::array<T, 8>> barycentrics_;  ///< b0, b1 of four of them.
   std::vector<VertexGradient> gradients_;
 };
 

@@ -52,7 +52,7 @@ void FacePicture<T>::Backward(const MeshTopology& topology, const T* vertices, c
   Pose<T> rotation = {pose_[0], pose_[1], pose_[2], T(0), T(0), T(0)}, rotation_gradient = {};
   ApplyPoseBackward(rotation, num_vertices, normals_.data(), posed_gradient_.data(), rotation_gradient,
                     normal_gradient_.data());
-  VertexNormalsBackward(topology, vertices, normal_memory_, normal_gradient_.data(), vertex_gradient);
+  VertexNormalsBackward(topology, normal_memory_, normal_gradient_.data(), vertex_gradient);
 
   posed_gradient_.assign(3 * num_vertices, T(0));
   ProjectBackward(camera_, num_vertices, position_gradient_.data(), posed_gradient_.data());

@@ -11,7 +11,8 @@ template <class T>
 struct NormalMemory {
   std::vector<std::array<T, 4>> triangle_normals;  ///< Unit normal and 1 / length of the cross product; 0 without area.
   std::vector<std::array<T, 4>> vertex_normals;    ///< Unit normal and 1 / length of the sum; 0 where the sum is 0.
-  std::vector<std::array<T, 4>> gradients;
+  std::vector<std::array<T, 4>> vertices;          ///< Copied, 16 bytes each for float.
+  std::vector<std::array<T, 4>> gradients, vertex_gradients;
 };
 
 /// Vertex normals as in Deep3D's renderer [Deng et al. 2019]: cross products of the triangles, normalised, summed over
@@ -20,9 +21,10 @@ struct NormalMemory {
 template <class T>
 void VertexNormals(const MeshTopology& topology, const T* vertices, NormalMemory<T>& memory, T* normals);
 
-/// Adds to vertex_gradient (V x 3) the gradient of sum(normals * normal_gradient); memory is that of VertexNormals.
+/// Adds to vertex_gradient (V x 3) the gradient of sum(normals * normal_gradient); `memory` is that of VertexNormals,
+/// and holds the vertices.
 template <class T>
-void VertexNormalsBackward(const MeshTopology& topology, const T* vertices, NormalMemory<T>& memory,
-                           const T* normal_gradient, T* vertex_gradient);
+void VertexNormalsBackward(const MeshTopology& topology, NormalMemory<T>& memory, const T* normal_gradient,
+                           T* vertex_gradient);
 
 }  // namespace daumier::raster

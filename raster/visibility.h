@@ -18,6 +18,11 @@ struct alignas(4 * sizeof(T)) ScreenVertex {
 };
 inline constexpr double kNearestW = 1e-3;
 
+/// A triangle that may cover pixel centres, and the pixels that hold it, bounds included.
+struct DrawnTriangle {
+  int row, left, top, right, bottom;
+};
+
 /// Greatest height and width of a picture.
 inline constexpr int kMaxPictureSide = 32768;
 
@@ -30,6 +35,8 @@ struct Raster {
   std::vector<T> depth;        ///< H x W: Z / w of the point; infinite where there is no triangle.
   std::vector<ScreenVertex<T>> vertices;  ///< V
   std::vector<int8_t> facing;  ///< A triangle: 1 front, -1 back, 0 seen edge-on or with a vertex of w < kNearestW.
+
+  std::vector<DrawnTriangle> drawn;  ///< In the order of rows.
 
   int64_t num_pixels() const { return int64_t(height) * width; }
 };
