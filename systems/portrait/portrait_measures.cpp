@@ -7,7 +7,7 @@
 
 namespace daumier::portrait {
 
-std::array<double, 68> LandmarkErrors(std::span<const float> predicted, std::span<const float> truth) {
+std::array<double, 68> ErrorsOfLandmarks(std::span<const float> predicted, std::span<const float> truth) {
   constexpr size_t kRightCorner = 36, kLeftCorner = 45;
   DAUMIER_CHECK(predicted.size() == 136 && truth.size() == 136, "{} and {} numbers of landmarks, expected 136",
                 predicted.size(), truth.size());
@@ -21,7 +21,7 @@ std::array<double, 68> LandmarkErrors(std::span<const float> predicted, std::spa
 
 double LandmarkError(std::span<const float> predicted, std::span<const float> truth) {
   double sum = 0;
-  for (const double error : LandmarkErrors(predicted, truth)) sum += error;
+  for (const double error : ErrorsOfLandmarks(predicted, truth)) sum += error;
   return sum / 68;
 }
 

@@ -14,7 +14,7 @@ namespace daumier::portrait {
 /// a share: "normalised mean error". @throws Error if the true corners are in one point.
 double LandmarkError(std::span<const float> predicted, std::span<const float> truth);
 /// The same of each landmark, 68.
-std::array<double, 68> LandmarkErrors(std::span<const float> predicted, std::span<const float> truth);
+std::array<double, 68> ErrorsOfLandmarks(std::span<const float> predicted, std::span<const float> truth);
 
 /// What is counted of a predicted shape.
 class ShapeMeasure {

@@ -5,6 +5,7 @@
 #include "systems/portrait/landmark_metrics.h"
 #include "systems/portrait/landmark_options.h"
 #include "systems/portrait/landmark_predictor.h"
+#include "systems/portrait/portrait_system.h"
 
 namespace daumier::portrait {
 namespace {
@@ -48,7 +49,7 @@ systems::System LandmarkSystem() {
 }
 
 std::vector<systems::System> PortraitSystems() {
-  return {LandmarkSystem()};
+  return {LandmarkSystem(), PortraitSystem()};
 }
 
 }  // namespace daumier::portrait

@@ -77,7 +77,7 @@ PictureEvaluation EvaluatePictures(const fs::path& folder, const fs::path& detec
     const auto measure = [&](PictureRow& row, const PictureMap& map, const std::vector<float>& x) {
       const FacePicture face = painter.Paint(x);
       row.errors.push_back(
-          {picture.name, LandmarkErrors(MapLandmarks(face.landmarks, map.Inverse()), picture.landmarks)});
+          {picture.name, ErrorsOfLandmarks(MapLandmarks(face.landmarks, map.Inverse()), picture.landmarks)});
       return face;
     };
     const PictureMap map = CropOfLandmarks(picture.landmarks, run.options.pictures.size);

@@ -162,7 +162,7 @@ class PortraitEvaluation {
   }
 
   /// Inputs of the network, (n, 3, R, R).
-  torch::Tensor Inputs(const PortraitMeasurement& measurement) const {
+  torch::Tensor Inputs(const CropMeasurement& measurement) const {
     const int64_t r = run_.options.network.resolution;
     FloatArray inputs({int64_t(measurement.portraits().size()), 3, r, r});
     for (size_t i = 0; i < measurement.portraits().size(); ++i) {
@@ -172,7 +172,7 @@ class PortraitEvaluation {
     return tensor::TakeTensor(std::move(inputs));
   }
 
-  PortraitGuesses Guess(const PortraitMeasurement& measurement) {
+  PortraitGuesses Guess(const CropMeasurement& measurement) {
     const torch::Tensor inputs = Inputs(measurement);
     const torch::Tensor x = PredictPortraits(run_.network, loss_.renderer(), inputs).coefficients.contiguous();
     const Stopwatch stopwatch;
@@ -186,7 +186,7 @@ class PortraitEvaluation {
   }
 
   /// The first guesses, refined. landmarks: of each portrait in its crop; empty: the true ones.
-  PortraitGuesses Refined(const PortraitMeasurement& measurement, const PortraitGuesses& guesses,
+  PortraitGuesses Refined(const CropMeasurement& measurement, const PortraitGuesses& guesses,
                           const std::vector<std::vector<float>>& landmarks) {
     PortraitGuesses refined;
     const size_t count = std::min(size_t(options_.refined_images), measurement.portraits().size());
@@ -215,7 +215,7 @@ class PortraitEvaluation {
     return refined;
   }
 
-  void AddFits(PortraitMeasurement& measurement, const std::vector<std::vector<float>>& landmarks,
+  void AddFits(CropMeasurement& measurement, const std::vector<std::vector<float>>& landmarks,
                const std::string& suffix) const {
     measurement.AddRow(kMeanFaceRow + suffix, FitAll(run_.model, landmarks, fitting::PortraitFreedom::kPose), true);
     measurement.AddRow(kLandmarkFitRow + suffix, FitAll(run_.model, landmarks, fitting::PortraitFreedom::kPoseAndFace),
@@ -243,7 +243,7 @@ class PortraitEvaluation {
       landmarks.push_back(MapLandmarks(*found, maps.back()));
     }
     if (missing > 0) log::Warn("{} of {} portraits have no detected landmarks", missing, images_.size());
-    PortraitMeasurement measurement(run_.model, portraits_, images_, maps, run_.manifest.seed);
+    CropMeasurement measurement(run_.model, portraits_, images_, maps, run_.manifest.seed);
     const PortraitGuesses guesses = Guess(measurement);
     measurement.AddRow("network, detected landmarks", guesses);
     if (options_.refined_images > 0)
@@ -265,7 +265,7 @@ class PortraitEvaluation {
   const PortraitLoss loss_;
   const torch::Tensor losses_weights_ = torch::ones({1, 68});
   std::vector<int> images_;
-  std::optional<PortraitMeasurement> measurement_;
+  std::optional<CropMeasurement> measurement_;
   std::vector<std::vector<float>> guesses_;
   std::vector<reports::MetricRow> detected_rows_;
   std::optional<PictureEvaluation> pictures_;

@@ -34,7 +34,7 @@ class PortraitLoss {
   PortraitLoss(const faces::MorphableModel& model, const PortraitLossOptions& options,
                torch::ScalarType type = torch::kFloat32);
 
-  /// batch: PortraitSamples'. Parts have the terms by name, without their weights.
+  /// batch: CropSamples'. Parts have the terms by name, without their weights.
   train::LossTerms operator()(const torch::Tensor& coefficients, const train::Batch& batch) const;
 
   const PortraitRenderer& renderer() const { return renderer_; }

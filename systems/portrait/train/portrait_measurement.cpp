@@ -24,9 +24,8 @@ fitting::PortraitPose OnlyAngles(const float* angles) {
 
 }  // namespace
 
-PortraitMeasurement::PortraitMeasurement(const faces::MorphableModel& model,
-                                         const datasets::PortraitDatabase& portraits, const std::vector<int>& images,
-                                         const std::vector<PictureMap>& maps, uint64_t seed)
+CropMeasurement::CropMeasurement(const faces::MorphableModel& model, const datasets::PortraitDatabase& portraits,
+                                 const std::vector<int>& images, const std::vector<PictureMap>& maps, uint64_t seed)
     : painter_(model), measure_(model.face_template), seed_(seed) {
   DAUMIER_CHECK(!images.empty() && images.size() == maps.size(), "{} portraits with {} crops are measured",
                 images.size(), maps.size());
@@ -53,7 +52,7 @@ PortraitMeasurement::PortraitMeasurement(const faces::MorphableModel& model,
   }
 }
 
-void PortraitMeasurement::AddRow(const std::string& name, const PortraitGuesses& guesses, bool baseline) {
+void CropMeasurement::AddRow(const std::string& name, const PortraitGuesses& guesses, bool baseline) {
   const size_t count = guesses.coefficients.size();
   DAUMIER_CHECK(count > 0 && count <= portraits_.size(), "row '{}' has {} guesses for {} portraits", name, count,
                 portraits_.size());

@@ -29,11 +29,11 @@ struct PortraitGuesses {
 };
 
 /// The rows of a table of errors on some portraits.
-class PortraitMeasurement {
+class CropMeasurement {
  public:
   /// Databases and model have to outlive it. maps: the crop of each image.
-  PortraitMeasurement(const faces::MorphableModel& model, const datasets::PortraitDatabase& portraits,
-                      const std::vector<int>& images, const std::vector<PictureMap>& maps, uint64_t seed);
+  CropMeasurement(const faces::MorphableModel& model, const datasets::PortraitDatabase& portraits,
+                  const std::vector<int>& images, const std::vector<PictureMap>& maps, uint64_t seed);
 
   /// Adds a row. @throws Error if there are no guesses or more than portraits.
   void AddRow(const std::string& name, const PortraitGuesses& guesses, bool baseline = false);

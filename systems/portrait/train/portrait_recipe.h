@@ -40,7 +40,7 @@ class PortraitRecipe : public train::Recipe {
  private:
   const PortraitTrainingOptions options_;
   torch::Device device_;
-  PortraitSamples training_, validation_;
+  CropSamples training_, validation_;
   PortraitLoss loss_;
   ShapeMeasure measure_;
   PortraitNetwork network_{nullptr};

@@ -10,7 +10,7 @@ struct RefinementOptions {
 };
 
 /// Coefficients (1, 239) of one portrait, refined by gradients through the renderer from a first guess: Adam on `loss` of
-/// the batch (one sample of PortraitSamples), expression weights of kUnit cut off to 0 .. 1 after each step. The best
+/// the batch (one sample of CropSamples), expression weights of kUnit cut off to 0 .. 1 after each step. The best
 /// coefficients seen are returned, so that the loss never grows.
 torch::Tensor RefinePortrait(const PortraitLoss& loss, const torch::Tensor& guess, const train::Batch& batch,
                              faces::ExpressionWeights weights, const RefinementOptions& options = {});

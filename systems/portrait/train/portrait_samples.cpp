@@ -61,9 +61,9 @@ std::vector<int> ImagesOfPersons(const datasets::PortraitDatabase& portraits, co
   return images;
 }
 
-PortraitSamples::PortraitSamples(const datasets::PortraitDatabase& portraits, std::vector<int> images,
-                                 const datasets::PortraitDatabase* real, const PortraitTrainingOptions& options,
-                                 Jitter jitter, PortraitArrays arrays)
+CropSamples::CropSamples(const datasets::PortraitDatabase& portraits, std::vector<int> images,
+                         const datasets::PortraitDatabase* real, const PortraitTrainingOptions& options, Jitter jitter,
+                         PortraitArrays arrays)
     : portraits_(portraits),
       images_(std::move(images)),
       real_(real),
@@ -75,17 +75,17 @@ PortraitSamples::PortraitSamples(const datasets::PortraitDatabase& portraits, st
                 "the portraits were built without vertices, which the loss needs: build them with vertices=true");
 }
 
-int PortraitSamples::size() const {
+int CropSamples::size() const {
   return int(images_.size()) + (real_ == nullptr ? 0 : real_->size());
 }
 
-PortraitSamples::Row PortraitSamples::RowOf(int sample) const {
+CropSamples::Row CropSamples::RowOf(int sample) const {
   DAUMIER_CHECK(sample >= 0 && sample < size(), "portrait sample {} of {}", sample, size());
   if (sample < int(images_.size())) return {&portraits_, images_[size_t(sample)], true};
   return {real_, sample - int(images_.size()), false};
 }
 
-SampleBatch PortraitSamples::Get(std::span<const int> samples, int64_t epoch) const {
+SampleBatch CropSamples::Get(std::span<const int> samples, int64_t epoch) const {
   const auto batch_size = int64_t(samples.size());
   const int64_t r = options_.network.resolution;
   SampleBatch batch;
@@ -111,7 +111,7 @@ SampleBatch PortraitSamples::Get(std::span<const int> samples, int64_t epoch) co
   return batch;
 }
 
-void PortraitSamples::Fill(SampleBatch& batch, int64_t b, int sample, int64_t epoch) const {
+void CropSamples::Fill(SampleBatch& batch, int64_t b, int sample, int64_t epoch) const {
   const Row row = RowOf(sample);
   const datasets::PortraitDatabase& database = *row.database;
   Rng rng = Stream(options_.seed, "portrait sample", uint64_t(epoch) * uint64_t(size()) + uint64_t(sample));

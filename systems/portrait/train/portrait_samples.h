@@ -26,13 +26,13 @@ struct PortraitArrays {
 ///   expression (B, 64), albedo (B, 80), light (B, 9), angles (B, 3)   0 where they are not known; angles as seen in the crop
 ///   picture (B, 3, 224, 224), skin (B, 1, 224, 224)   the crop, and A_m: 1 where the mask has skin, brows, lips or ears
 ///   vertices (B, V, 3)                cm
-class PortraitSamples {
+class CropSamples {
  public:
   /// Databases have to outlive it. real: null, or a database all of whose pictures are samples.
   /// @throws Error if vertices are needed and not stored.
-  PortraitSamples(const datasets::PortraitDatabase& portraits, std::vector<int> images,
-                  const datasets::PortraitDatabase* real, const PortraitTrainingOptions& options, Jitter jitter,
-                  PortraitArrays arrays);
+  CropSamples(const datasets::PortraitDatabase& portraits, std::vector<int> images,
+              const datasets::PortraitDatabase* real, const PortraitTrainingOptions& options, Jitter jitter,
+              PortraitArrays arrays);
 
   int size() const;
   /// Samples 0 .. size() - 1. A function of its arguments and the options' seed. Thread-safe.

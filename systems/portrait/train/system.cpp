@@ -5,6 +5,7 @@
 #include "systems/portrait/train/landmark_export.h"
 #include "systems/portrait/train/landmark_run.h"
 #include "systems/portrait/train/landmark_training.h"
+#include "systems/portrait/train/portrait_system.h"
 #include "tensor/torch_version.h"
 
 namespace daumier::portrait {
@@ -36,7 +37,7 @@ systems::SystemTraining LandmarkTraining() {
 }
 
 std::vector<systems::SystemTraining> PortraitTrainings() {
-  return {LandmarkTraining()};
+  return {LandmarkTraining(), PortraitTraining()};
 }
 
 }  // namespace daumier::portrait

@@ -79,7 +79,7 @@ TEST_F(PortraitRecipeTest, FirstStepIsTheMeanFace) {
 TEST_F(PortraitRecipeTest, SamplesAreTheDatabasesPortraitsInTheirCrops) {
   const datasets::PortraitDatabase portraits(*folder_ / "portraits");
   PortraitTrainingOptions options = SmallOptions();
-  const PortraitSamples plain(portraits, {3, 5}, nullptr, options, Jitter::kNone, {true, true});
+  const CropSamples plain(portraits, {3, 5}, nullptr, options, Jitter::kNone, {true, true});
   const std::vector<int> both = {0, 1};
   const SampleBatch batch = plain.Get(both, 0);
   const std::vector<float> landmarks = portraits.landmarks(5);
@@ -91,7 +91,7 @@ TEST_F(PortraitRecipeTest, SamplesAreTheDatabasesPortraitsInTheirCrops) {
   EXPECT_EQ(batch.arrays.at("picture").shape, (std::vector<int64_t>{2, 3, 224, 224}));
   options.pictures.crop = "landmarks";
   options.pictures.shift = 10;
-  const PortraitSamples jittered(portraits, {3, 5}, nullptr, options, Jitter::kRandom, {true, false});
+  const CropSamples jittered(portraits, {3, 5}, nullptr, options, Jitter::kRandom, {true, false});
   const SampleBatch first = jittered.Get(both, 0), again = jittered.Get(both, 0), next = jittered.Get(both, 1);
   EXPECT_EQ(first.arrays.at("input").values, again.arrays.at("input").values);
   EXPECT_NE(first.arrays.at("input").values, next.arrays.at("input").values);
