@@ -85,7 +85,7 @@ TEST(ImageFile, WriteRefusesUnknownExtensionEmptyPictureAndMissingFolder) {
 }
 
 TEST(EncodeImage, GivesTheBytesOfTheFiles) {
-  const TempDir folder;
+  const testing::TempDir folder;
   const Image image = Gradient(6, 5, 3);
   WriteImage(folder / "a.png", image);
   WriteImage(folder / "a.jpg", image, 93);
