@@ -1,7 +1,10 @@
 #include "models/residual_network.h"
 
-#include <torch/utils.h>
 #include "tests/support/expect_error.h"
+
+#include <gtest/gtest.h>
+#include <torch/nn/modules/conv.h>
+#include <torch/utils.h>
 
 namespace daumier::models {
 namespace {
