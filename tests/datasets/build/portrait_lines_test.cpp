@@ -21,10 +21,12 @@ class PortraitLinesTest : public ::testing::Test {
   }
 
   static render::Camera Camera(float yaw = 0) { return PortraitCamera({}, std::vector<float>{0, yaw, 0, 0, 0, -40}); }
-  /// Buffers of the face alone.
+  /// Buffers of the face alone, with eyes and mouth closed.
   render::PictureBuffers Own(const render::Camera& camera) const {
     render::PictureBuffers buffers = render::EmptyPictureBuffers(224, 224);
-    const render::Raster raster = render::Rasterise(camera, {face_, face_template_.triangles});
+    geometry::Triangles triangles(face_template_.triangles.rows() + face_template_.closing_triangles.rows(), 3);
+    triangles << face_template_.triangles, face_template_.closing_triangles;
+    const render::Raster raster = render::Rasterise(camera, {face_, triangles});
     std::copy(raster.depth.begin(), raster.depth.end(), buffers.depth.begin());
     return buffers;
   }
@@ -74,8 +76,8 @@ TEST_F(PortraitLinesTest, OccludingContoursLieWhereTheFaceEnds) {
   const render::Camera camera = Camera();
   const render::PictureBuffers buffers = Own(camera);
   const auto strokes = lines_.Draw(face_, camera, buffers);
-  // The widest place of the face in the row of the nose's tip, left and right.
-  const int row = int(render::Project(camera, face_.row(face_template_.annotation.landmarks[30]))(0, 1));
+  // The left and right end of the face in the row of the hairline, where no other line is.
+  const int row = int(render::Project(camera, face_.row(face_template_.annotation.hairline_vertex))(0, 1));
   int left = 224, right = 0;
   for (int column = 0; column < 224; ++column)
     if (buffers.is_covered(size_t(row) * 224 + size_t(column))) left = std::min(left, column), right = column;

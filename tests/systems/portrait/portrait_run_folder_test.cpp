@@ -43,8 +43,8 @@ TEST(PortraitRunFolder, HasTheOptionsAndTheModelOfItsTraining) {
   EXPECT_EQ(run.config, PortraitRunConfig());
   EXPECT_EQ(SystemOf(run.manifest), kPortraitSystem);
   const faces::MorphableModel model = testing::SyntheticMorphable();
-  EXPECT_EQ(run.model.identity, model.identity);
-  EXPECT_EQ(run.model.albedo_modes, model.albedo_modes);
+  EXPECT_TRUE(run.model.identity == model.identity);
+  EXPECT_TRUE(run.model.albedo_modes == model.albedo_modes);
   EXPECT_EQ(run.model.expression_names, model.expression_names);
   EXPECT_EQ(run.model.centre, model.centre);
 }
