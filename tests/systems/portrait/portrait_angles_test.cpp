@@ -42,7 +42,8 @@ TEST(MovedAngles, UndoThemselvesAndRollWithThePicture) {
 }
 
 TEST(MovedAngles, AreThoseOfAFaceFittedInTheCrop) {
-  // The mean face away from the middle; its crop in the middle, turned. The pose that explains the crop's landmarks best.
+  // The mean face away from the middle; its crop in the middle, turned. The pose that explains the crop's landmarks
+  // best.
   const faces::MorphableModel model = testing::SyntheticMorphable();
   const fitting::LandmarkModel landmarks_of(model);
   const FacePainter painter(model);
