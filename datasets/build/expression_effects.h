@@ -10,7 +10,7 @@
 namespace daumier::datasets {
 
 /// What an expression shape of full weight does to the mean face, measured at landmarks, so that shapes of any source
-/// can be told apart without their names.
+/// can be distinguished without their names.
 struct ExpressionEffect {
   std::array<double, 2> closes{};  ///< Right and left eye: the share of the gap between the lids that it closes.
   double opens = 0;                ///< Growth of the gap between the lips, in widths of the neutral mouth.

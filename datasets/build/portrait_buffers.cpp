@@ -10,14 +10,34 @@
 namespace daumier::datasets {
 namespace {
 
+using faces::MaskClass;
 using faces::PortraitPart;
+using render::PictureClass;
 using render::PicturePart;
 
-// Rooms below faces/ number parts and classes alike.
-static_assert(int(PortraitPart::kSkin) == int(PicturePart::kSkin) &&
-              int(PortraitPart::kHair) == int(PicturePart::kHair) &&
-              int(PortraitPart::kLens) == int(PicturePart::kLens) &&
+constexpr bool IsSame(MaskClass a, PictureClass b) {
+  return int(a) == int(b);
+}
+constexpr bool IsSame(PortraitPart a, PicturePart b) {
+  return int(a) == int(b);
+}
+
+// render/ does not see faces/ and has its own names of classes and parts: the numbers are the same.
+static_assert(IsSame(MaskClass::kBackground, PictureClass::kNothing) && IsSame(MaskClass::kSkin, PictureClass::kSkin) &&
+              IsSame(MaskClass::kBrows, PictureClass::kBrows) && IsSame(MaskClass::kEyes, PictureClass::kEyes) &&
+              IsSame(MaskClass::kLips, PictureClass::kLips) && IsSame(MaskClass::kMouth, PictureClass::kMouthInside) &&
+              IsSame(MaskClass::kEars, PictureClass::kEars) && IsSame(MaskClass::kHair, PictureClass::kHair) &&
               faces::kNumMaskClasses == render::kNumPictureClasses);
+static_assert(IsSame(PortraitPart::kSkin, PicturePart::kSkin) &&
+              IsSame(PortraitPart::kEyeball, PicturePart::kEyeball) &&
+              IsSame(PortraitPart::kHighlight, PicturePart::kHighlight) &&
+              IsSame(PortraitPart::kLidRim, PicturePart::kLidRim) && IsSame(PortraitPart::kLash, PicturePart::kLash) &&
+              IsSame(PortraitPart::kBrow, PicturePart::kBrow) && IsSame(PortraitPart::kMouth, PicturePart::kMouth) &&
+              IsSame(PortraitPart::kTeeth, PicturePart::kTeeth) && IsSame(PortraitPart::kHair, PicturePart::kHair) &&
+              IsSame(PortraitPart::kBeard, PicturePart::kBeard) && IsSame(PortraitPart::kHat, PicturePart::kHat) &&
+              IsSame(PortraitPart::kGlasses, PicturePart::kGlasses) &&
+              IsSame(PortraitPart::kLens, PicturePart::kLens) &&
+              int(PortraitPart::kClothes) == render::kNumPictureParts);
 
 /// Cloth is cloth, on the head or below it.
 PicturePart PictureOf(PortraitPart part) {

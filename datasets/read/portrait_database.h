@@ -1,6 +1,7 @@
 #pragma once
 #include "core/manifest.h"
 #include "core/safetensors.h"
+#include "faces/appearance/portrait_parts.h"
 #include "faces/face_model.h"
 #include "render/image.h"
 
@@ -23,15 +24,11 @@ struct PortraitSizes {
   static constexpr int kLandmarks = 68;
 };
 
-/// Classes of a portrait's mask. Hats and glasses are background.
-enum class PortraitClass : uint8_t { kBackground, kSkin, kBrow, kEye, kLip, kMouth, kEar, kHair };
-inline constexpr int kNumPortraitClasses = 8;
-
 /// A folder of portraits on disk, made of the neutral faces of a FaceDatabase (details.faces_data_hash) or imported:
 /// manifest.json (kind "portraits"), the template, shards/portraits-00000.safetensors of some images each. With n
 /// images, a shard has
 ///   pictures (bytes) uint8, picture_offsets (n + 1) int64: a PNG or JPEG file each, RGB, size x size pixels;
-///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of PortraitClass;
+///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of faces::MaskClass;
 ///   landmarks (n, 68, 2) float32 px, visibility (n, 68) uint8, states (n, 3) float32 mm,
 ///   expression (n, 64), albedo (n, 80), light (n, 9), pose (n, 6) float32,
 ///   faces, persons, styles, skin_tones (n) int32, bald (n) uint8, eye_sizes (n) float32,
@@ -52,7 +49,7 @@ class PortraitDatabase {
   int size() const { return first_.back(); }
   /// RGB, image_size() square. @throws Error if its bytes are no such picture.
   render::Image picture(int i) const;
-  /// Grey, image_size() square: PortraitClass of each pixel. @throws Error if its bytes are no such picture.
+  /// Grey, image_size() square: faces::MaskClass of each pixel. @throws Error if its bytes are no such picture.
   render::Image mask(int i) const;
   /// 68 x 2, pixels of the picture (x0 y0 x1 y1 ...); also of points that are hidden or outside of it.
   std::vector<float> landmarks(int i) const;

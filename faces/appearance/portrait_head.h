@@ -1,6 +1,7 @@
 #pragma once
 #include "faces/appearance/albedo_basis.h"
 #include "faces/appearance/looks.h"
+#include "faces/appearance/portrait_parts.h"
 #include "faces/finished_head.h"
 #include "geometry/mesh.h"
 
@@ -11,28 +12,6 @@
 #include <vector>
 
 namespace daumier::faces {
-
-/// Classes of parsing masks. Hats, glasses and clothes are background: they hide the face.
-enum class MaskClass : uint8_t { kBackground, kSkin, kBrows, kEyes, kLips, kMouth, kEars, kHair };
-inline constexpr int kNumMaskClasses = 8;
-
-/// What a triangle is made of: for gloss, line weights, light from both sides.
-enum class PortraitPart : uint8_t {
-  kSkin,
-  kEyeball,
-  kHighlight,
-  kLidRim,
-  kLash,
-  kBrow,
-  kMouth,
-  kTeeth,
-  kHair,
-  kBeard,
-  kHat,
-  kGlasses,
-  kLens,
-  kClothes
-};
 
 /// Everything that a portrait shows of one face, as one list of triangles. Vertices are repeated where colours break.
 /// All but the face's own surface are closed or seen from both sides.

@@ -27,7 +27,8 @@ struct PictureBuffers {
   static constexpr float kBackgroundDepth = 1e9f;  ///< Cm; from here on a pixel is background.
 };
 
-/// Classes of a portrait's parsing mask. Hats and glasses have the class kNothing, as the background has.
+/// Classes of a portrait's parsing mask, with the values of faces::MaskClass. Hats and glasses have the class kNothing,
+/// as the background has.
 enum class PictureClass : uint8_t { kNothing, kSkin, kBrows, kEyes, kLips, kMouthInside, kEars, kHair };
 inline constexpr int kNumPictureClasses = 8;
 

@@ -38,7 +38,8 @@ double PhotometricError(const FacePicture& face, const render::Image& crop, std:
 
 /// The rendered face over the crop, `share` of it.
 render::Image OverlayFace(const render::Image& crop, const FacePicture& face, double share = 1);
-/// The edges of the mesh's silhouette and landmarks over the crop: landmarks as dots of that colour.
+/// Landmarks (x0 y0 x1 y1 ..., pixels) as dots of that colour over the picture, of any size; those that are not finite
+/// are skipped.
 render::Image DotsOver(const render::Image& picture, std::span<const float> landmarks, const render::Rgb& colour);
 
 }  // namespace daumier::portrait

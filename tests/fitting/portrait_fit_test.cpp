@@ -25,32 +25,6 @@ PicturePoints Seen(const LandmarkModel& model, const PortraitPose& pose, const E
   return Projected(Posed(model.Landmarks(identity, expression), pose));
 }
 
-TEST(PortraitView, PutsUpOnTopAndTheFacesLeftOnTheRight) {
-  geometry::Points points(3, 3);
-  points << 0, 0, 0, 1, 0, 0, 0, 2, 0;
-  const PicturePoints pixels = Projected(points);
-  EXPECT_TRUE(pixels.row(0).isApprox(Eigen::RowVector2d(112, 112)));
-  EXPECT_TRUE(pixels.row(1).isApprox(Eigen::RowVector2d(112 + 10.15, 112)));
-  EXPECT_TRUE(pixels.row(2).isApprox(Eigen::RowVector2d(112, 112 - 20.3)));
-}
-
-TEST(PortraitView, RotatesAboutXThenYThenZ) {
-  PortraitPose pose = PortraitPose::Zero();
-  pose[1] = std::acos(0.0);  // A quarter turn of yaw sends z to x.
-  EXPECT_TRUE((RotationOf(pose) * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitX()));
-  pose[0] = pose[1];  // Pitch first: z to -y, which yaw does not move.
-  EXPECT_TRUE((RotationOf(pose) * Eigen::Vector3d::UnitZ()).isApprox(-Eigen::Vector3d::UnitY()));
-  pose[2] = pose[0];  // Then roll: -y to x.
-  EXPECT_TRUE((RotationOf(pose) * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitX()));
-}
-
-TEST(PortraitView, AngleBetweenPosesIsThatOfTheirRotation) {
-  PortraitPose a = PortraitPose::Zero(), b = a;
-  b[1] = 0.2;
-  EXPECT_NEAR(AngleBetween(a, b), 0.2 * 180 / std::acos(-1.0), 1e-9);
-  EXPECT_NEAR(AngleBetween(b, b), 0, 1e-5);
-}
-
 TEST(LandmarkModel, DerivativesEqualCentralDifferences) {
   const LandmarkModel model(FittedModel());
   Rng rng(4);

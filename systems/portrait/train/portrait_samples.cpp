@@ -39,9 +39,9 @@ PictureMap PlainCrop(const datasets::PortraitDatabase& database, int image, cons
 }
 
 std::vector<float> FaceMask(const render::Image& classes) {
-  using datasets::PortraitClass;
+  using faces::MaskClass;
   std::array<float, 256> shows{};
-  for (const PortraitClass c : {PortraitClass::kSkin, PortraitClass::kBrow, PortraitClass::kLip, PortraitClass::kEar})
+  for (const MaskClass c : {MaskClass::kSkin, MaskClass::kBrows, MaskClass::kLips, MaskClass::kEars})
     shows[size_t(c)] = 1;
   std::vector<float> mask(classes.pixels.size());
   std::transform(classes.pixels.begin(), classes.pixels.end(), mask.begin(), [&](uint8_t c) { return shows[c]; });

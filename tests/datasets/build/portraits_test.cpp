@@ -2,7 +2,6 @@
 
 #include "core/config.h"
 #include "core/files.h"
-#include "datasets/build/portrait_buffers.h"
 #include "datasets/read/portrait_database.h"
 #include "faces/controls/face_controls.h"
 #include "faces/face_database.h"
@@ -61,22 +60,6 @@ TEST_F(BuildPortraitsTest, EveryPersonAndLevelIsPortrayed) {
   for (const auto& [face, count] : num_of_face) EXPECT_EQ(count, kNumImages / 6) << face;
 }
 
-TEST_F(BuildPortraitsTest, LandmarksAreTheProjectedVertices) {
-  const PortraitDatabase portraits(*folder_ / "portraits");
-  for (const int i : {0, 7, kNumImages - 1}) {
-    const geometry::Points vertices = portraits.vertices(i);
-    const auto pose = portraits.pose(i);
-    const std::vector<float> landmarks = portraits.landmarks(i);
-    const Eigen::Matrix3d rotation = PoseRotation(pose);
-    for (size_t l = 0; l < 68; ++l) {
-      const Eigen::Vector3d p = vertices.row(portraits.face_template().annotation.landmarks[l]);
-      const Eigen::Vector3d q = rotation * p + Eigen::Vector3d(pose[3], pose[4], pose[5]);
-      EXPECT_NEAR(landmarks[2 * l], 112 + 1015 * q.x() / (100 - q.z()), 0.02) << l;
-      EXPECT_NEAR(landmarks[2 * l + 1], 112 - 1015 * q.y() / (100 - q.z()), 0.02) << l;
-    }
-  }
-}
-
 TEST_F(BuildPortraitsTest, CoefficientsGiveTheVertices) {
   const faces::FaceDatabase faces(*folder_ / "faces");
   const PortraitDatabase portraits(*folder_ / "portraits");
@@ -98,58 +81,6 @@ TEST_F(BuildPortraitsTest, CoefficientsGiveTheVertices) {
     const geometry::Points expected = face.rowwise() - portraits.centre().transpose();
     EXPECT_LT((portraits.vertices(i) - expected).cwiseAbs().maxCoeff(), 0.0006);
   }
-}
-
-TEST_F(BuildPortraitsTest, MasksAgreeWithLandmarks) {
-  const PortraitDatabase portraits(*folder_ / "portraits");
-  int num_lids = 0, num_around_eyes = 0, num_lips = 0, num_around_lips = 0;
-  for (int i = 0; i < portraits.size(); ++i) {
-    const render::Image mask = portraits.mask(i);
-    const std::vector<float> landmarks = portraits.landmarks(i);
-    const std::vector<uint8_t> seen = portraits.visibility(i);
-    const auto is_near = [&](float x, float y, std::initializer_list<PortraitClass> classes) {
-      for (int row = int(y) - 2; row <= int(y) + 2; ++row)
-        for (int column = int(x) - 2; column <= int(x) + 2; ++column)
-          if (row >= 0 && column >= 0 && row < mask.height && column < mask.width)
-            for (const PortraitClass c : classes)
-              if (mask.at(row, column) == uint8_t(c)) return true;
-      return false;
-    };
-    for (const int eye : {36, 42}) {
-      const bool is_open = portraits.states(i)[eye == 36 ? 0 : 1] > 4;
-      float x = 0, y = 0;
-      bool all_seen = true;
-      for (size_t l = size_t(eye); l < size_t(eye) + 6; ++l) {
-        x += landmarks[2 * l] / 6, y += landmarks[2 * l + 1] / 6;
-        all_seen = all_seen && seen[l];
-      }
-      if (!is_open || !all_seen) continue;
-      ++num_lids;
-      num_around_eyes += is_near(x, y, {PortraitClass::kEye});
-    }
-    for (size_t l = 48; l < 60; ++l) {
-      if (!seen[l]) continue;
-      ++num_lips;
-      num_around_lips += is_near(landmarks[2 * l], landmarks[2 * l + 1], {PortraitClass::kLip});
-    }
-  }
-  EXPECT_GT(num_lids, 8);
-  EXPECT_GE(num_around_eyes, 0.9 * num_lids);
-  EXPECT_GT(num_lips, 100);
-  EXPECT_GE(num_around_lips, 0.8 * num_lips);
-}
-
-TEST_F(BuildPortraitsTest, LandmarksThatAreTurnedAwayAreHidden) {
-  const PortraitDatabase portraits(*folder_ / "portraits");
-  int num_turned = 0;
-  for (int i = 0; i < portraits.size(); ++i) {
-    const float yaw = portraits.pose(i)[1];
-    if (std::abs(yaw) < 0.6f) continue;
-    ++num_turned;
-    // A face that turns to its own left shows its right ear, and hides the left end of its jaw.
-    EXPECT_EQ(portraits.visibility(i)[yaw > 0 ? 16 : 0], 0) << i << " yaw " << yaw;
-  }
-  EXPECT_GT(num_turned, 0);
 }
 
 TEST_F(BuildPortraitsTest, AnInterruptedBuildEndsWithTheSameBytes) {

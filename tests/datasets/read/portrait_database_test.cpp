@@ -186,13 +186,5 @@ TEST_F(PortraitDatabaseTest, NewerAndOtherFoldersAreRefused) {
   ExpectError([&] { PortraitDatabase(directory_.path()); }, "99");
 }
 
-TEST(PortraitShard, VerticesFarAwayAreRefused) {
-  const TempDir folder;
-  PortraitRecord record;
-  record.vertices = geometry::Points::Constant(2, 3, 33);
-  ExpectError([&] { WritePortraitShard(folder / "a.safetensors", {record}); }, "within 32.767 cm");
-  ExpectError([&] { WritePortraitShard(folder / "a.safetensors", {}); }, "a shard without portraits");
-}
-
 }  // namespace
 }  // namespace daumier::datasets
