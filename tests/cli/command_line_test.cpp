@@ -198,7 +198,7 @@ TEST(CommandLine, EvalRefusesOptionsOfAnotherTask) {
 TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
   const TempDir folder;
   const std::string deform = WriteFinishedRun(folder / "deform", "deform"),
-                    portrait = WriteFinishedRun(folder / "portrait", "portrait"), out = folder / "out";
+                    unknown = WriteFinishedRun(folder / "caricature", "caricature"), out = folder / "out";
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& found,
                           const std::string& expected) {
     const ProcessResult result = Daumier(arguments);
@@ -208,12 +208,13 @@ TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
   };
   expect({"predict", deform, folder / "drawing.svg", "--out", out}, "task 'deform'", "'sketch'");
   for (const char* verb : {"eval", "export", "predict"}) {
-    std::vector<std::string> arguments{verb, portrait, "--out", out};
+    std::vector<std::string> arguments{verb, unknown, "--out", out};
     if (verb == std::string("predict")) arguments.push_back(folder / "drawing.svg");
-    expect(arguments, "'portrait'", "expected sketch, deform, landmarks");
+    expect(arguments, "'caricature'", "expected sketch, deform, landmarks, portrait");
   }
-  WriteFileAtomically(folder / "portrait.toml", "system = \"portrait\"\n");
-  expect({"train", folder / "portrait.toml", "--out", out}, "'portrait'", "expected sketch, deform, landmarks");
+  WriteFileAtomically(folder / "caricature.toml", "system = \"caricature\"\n");
+  expect({"train", folder / "caricature.toml", "--out", out}, "'caricature'",
+         "expected sketch, deform, landmarks, portrait");
 }
 
 /// Content of every file below a folder, by name.

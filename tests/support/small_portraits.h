@@ -49,6 +49,9 @@ inline std::vector<float> DrawPortrait(const faces::MorphableModel& model, Rng& 
   return x;
 }
 
+/// Of the Rng from which DrawPortrait draws the portraits of WriteSmallPortraits, one after the other.
+inline constexpr uint64_t kSmallPortraitSeed = 11;
+
 /// Writes a PortraitDatabase of `per_person` portraits of each person of a database of faces of the synthetic model. The faces
 /// shown are the model's own, not those of the database.
 inline void WriteSmallPortraits(const std::filesystem::path& faces_folder, const std::filesystem::path& folder,
@@ -61,7 +64,7 @@ inline void WriteSmallPortraits(const std::filesystem::path& faces_folder, const
   Manifest manifest{.kind = "portraits", .verb = "dataset portraits"};
   MakeDirectory(folder / "shards");
   manifest.checksums = faces::WriteFaceTemplate(folder, SyntheticFace());
-  Rng rng(11);
+  Rng rng(kSmallPortraitSeed);
   for (int person = 0; person < faces_database.num_persons(); ++person) {
     std::vector<datasets::PortraitRecord> records;
     for (int i = 0; i < per_person; ++i) {
