@@ -58,7 +58,7 @@ TEST(PortraitSystem, ReadsAPictureFromEachOfItsKindsOfFile) {
 
 TEST(PortraitSystem, IsARowOfItsRoom) {
   std::vector<std::string> names;
-  for (const systems::System& system : PortraitSystems()) names.push_back(system.name);
+  for (const systems::System& system : PortraitSystems()) names.emplace_back(system.name);
   EXPECT_EQ(names, (std::vector<std::string>{"landmarks", "portrait"}));
 }
 
