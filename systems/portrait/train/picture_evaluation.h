@@ -12,7 +12,7 @@ namespace daumier::portrait {
 struct PictureEvaluation {
   reports::ReportTable table;
   Json metrics;         ///< {rows: [{name, mean, median, eyes, jaw, num_pictures}], pictures: {NAME: {row: error}}}
-  render::Image sheet;  ///< A row a picture: crop, landmarks, overlay.
+  render::Image sheet;  ///< Crop, landmarks and overlay of each picture, two pictures a row.
 };
 
 /// Pictures of a folder that have a landmark file of the same name (LandmarksInFolder), by name. Rows: the network with

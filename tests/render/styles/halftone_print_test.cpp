@@ -35,8 +35,8 @@ TEST(HalftonePrint, HasThreeKindsOfScreens) {
   const ColourPlanes black = HalftonePrint(input, layers, choice);
   std::set<float> greens;
   for (const float value : black[1].values) greens.insert(value);
-  EXPECT_EQ(*greens.begin(), choice.line_colour[1]) << "ink";
-  EXPECT_EQ(*greens.rbegin(), choice.paper[1]) << "paper";
+  EXPECT_NEAR(*greens.begin(), choice.line_colour[1], 1e-4) << "ink";
+  EXPECT_NEAR(*greens.rbegin(), choice.paper[1], 1e-4) << "paper";
   choice.screens = ScreenKind::kShadows;
   const ColourPlanes shadows = HalftonePrint(input, layers, choice);
   EXPECT_EQ(shadows[0].at(1, 1), 0.7f) << "not covered";

@@ -44,7 +44,7 @@ TEST(PictureEvaluation, MeasuresFacesByLandmarksOfPictures) {
   const std::string suffix = " to the given landmarks";
   EXPECT_LT(pictures.at("5").at(kLandmarkFitRow + suffix).get<double>(),
             0.5 * pictures.at("5").at(kMeanFaceRow + suffix).get<double>());
-  EXPECT_GT(evaluation.sheet.height, 2 * 200);
+  EXPECT_GT(evaluation.sheet.width, 6 * 200) << "two pictures a row";
 }
 
 TEST(PictureEvaluation, RefusesAFolderWithoutLandmarks) {

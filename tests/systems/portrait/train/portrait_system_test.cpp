@@ -1,5 +1,6 @@
 #include "systems/portrait/train/portrait_system.h"
 
+#include "export/run_export.h"
 #include "systems/portrait/portrait_options.h"
 #include "systems/portrait/train/system.h"
 #include "tests/support/expect_error.h"
