@@ -105,8 +105,8 @@ Eigen::VectorXd CaricatureGenerator::DrawValues(const geometry::Points& neutral,
     const GivenControl& given = controls_.given()[k - controls_.first_given_value()];
     const ArtistHabit habit = HabitOf(given.name);
     const double sideways = given.sides == FaceControl::Sides::kSideways ? 2 * options_.asymmetry : 1.0;
-    values[k] = value(k, habit,
-                      sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k, habit)));
+    values[k] =
+        value(k, habit, sideways * (given.group == "warp" ? options_.looseness * HeavyTailed(rng) : invent(k, habit)));
   }
   return values;
 }

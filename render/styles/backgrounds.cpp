@@ -217,7 +217,7 @@ void DrawFoliage(const BackgroundScene& scene) {
     for (int i = 0; i < count; ++i) {
       const float value = scene.Draw(0.3, 0.7) * (1 - 0.35f * depth);
       const Tint leaf = MixedColour(ColourOfHue(hue + scene.Draw(-0.05, 0.05), scene.Draw(0.35, 0.7), value),
-                                      scene.choice.first, 0.4f * (1 - depth));
+                                    scene.choice.first, 0.4f * (1 - depth));
       const float size = scene.Draw(7, 15) * scene.unit * (0.8f + 0.9f * depth);
       const float x = scene.Draw(0, 1) * scene.width, high = scene.Draw(0, 1);
       const float y = scene.height * (0.1f + 0.25f * depth + (0.9f - 0.2f * depth) * high);

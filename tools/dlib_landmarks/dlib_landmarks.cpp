@@ -50,9 +50,8 @@ int Run(int count, char** words) {
     std::vector<std::pair<double, dlib::rectangle>> faces;
     detector(picture, faces, Threshold());
     if (!faces.empty()) {
-      const auto largest = std::max_element(faces.begin(), faces.end(), [](const auto& a, const auto& b) {
-        return a.second.area() < b.second.area();
-      });
+      const auto largest = std::max_element(
+          faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.second.area() < b.second.area(); });
       WritePts(folder / fs::path(words[i]).filename().replace_extension(".pts"), predictor(picture, largest->second));
       ++num_found;
     }
