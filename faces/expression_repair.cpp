@@ -1,7 +1,6 @@
 #include "faces/expression_repair.h"
 
 #include "geometry/flips.h"
-#include "geometry/submesh.h"
 
 #include <algorithm>
 

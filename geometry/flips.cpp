@@ -24,25 +24,6 @@ std::vector<int> FlippedTriangles(const Points& before, const Points& after, con
   return flipped;
 }
 
-Points RelaxFlips(const Points& before, const Points& after, const Triangles& triangles, const Adjacency& neighbours,
-                  const std::vector<int>& subset) {
-  constexpr int kMaxRounds = 12, kRoundsARing = 3;
-  Points relaxed = after;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    std::vector<int> corners;
-    for (const int f : FlippedTriangles(before, relaxed, triangles, subset))
-      corners.insert(corners.end(), {triangles(f, 0), triangles(f, 1), triangles(f, 2)});
-    if (corners.empty()) break;
-    const Points displacement = relaxed - before;
-    for (const int v : VerticesWithin(neighbours, corners, round / kRoundsARing)) {
-      Eigen::RowVector3d sum = displacement.row(v);
-      for (const int other : neighbours[v]) sum += displacement.row(other);
-      relaxed.row(v) = before.row(v) + sum / double(neighbours[v].size() + 1);
-    }
-  }
-  return relaxed;
-}
-
 int CountFlippedTriangles(const Points& before, const Points& after, const Triangles& triangles,
                           const std::vector<int>& subset) {
   return static_cast<int>(FlippedTriangles(before, after, triangles, subset).size());

@@ -1,6 +1,5 @@
 #pragma once
 #include "geometry/mesh.h"
-#include "geometry/topology.h"
 
 #include <vector>
 
@@ -15,11 +14,5 @@ std::vector<int> FlippedTriangles(const Points& before, const Points& after, con
 /// How many they are.
 int CountFlippedTriangles(const Points& before, const Points& after, const Triangles& triangles,
                           const std::vector<int>& subset = {});
-
-/// `after` without FlippedTriangles in `subset`: around them its displacement from `before` is averaged over neighbours,
-/// again and again over ever more rings, at most twelve times. Returns `after` where nothing flips. A displacement that is
-/// constant around a triangle only moves it, so that flips in small spots end. @throws Error if a shape disagrees.
-Points RelaxFlips(const Points& before, const Points& after, const Triangles& triangles, const Adjacency& neighbours,
-                  const std::vector<int>& subset = {});
 
 }  // namespace daumier::geometry

@@ -4,6 +4,7 @@
 #include "geometry/flips.h"
 #include "geometry/normals.h"
 #include "geometry/surface_matcher.h"
+#include "geometry/topology.h"
 
 #include <Eigen/SparseCholesky>
 

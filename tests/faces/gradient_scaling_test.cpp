@@ -2,6 +2,7 @@
 
 #include "geometry/flips.h"
 #include "geometry/operators.h"
+#include "geometry/topology.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
 

@@ -2,6 +2,7 @@
 
 #include "faces/source.h"
 #include "geometry/flips.h"
+#include "geometry/topology.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 #include "tests/support/synthetic_face.h"

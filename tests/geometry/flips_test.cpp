@@ -24,21 +24,5 @@ TEST(FlippedTriangles, CountLostArea) {
   EXPECT_EQ(CountFlippedTriangles(mesh.vertices, Points::Zero(3, 3), mesh.triangles), 1);
 }
 
-TEST(RelaxFlips, MovesOnlyWhatIsAroundAFlip) {
-  const TriangleMesh sheet = testing::FlatSheet(8);
-  const auto neighbours = VertexNeighbours(sheet.triangles, static_cast<int>(sheet.vertices.rows()));
-  Points after = sheet.vertices;
-  after.col(2).array() += 0.5;
-  EXPECT_EQ(RelaxFlips(sheet.vertices, after, sheet.triangles, neighbours), after) << "nothing flips";
-  const int folded = 4 * 9 + 4;
-  after.row(folded) += Eigen::RowVector3d(1.3, 1.3, 0);
-  ASSERT_GT(CountFlippedTriangles(sheet.vertices, after, sheet.triangles), 0);
-  EXPECT_EQ(RelaxFlips(sheet.vertices, after, sheet.triangles, neighbours, {0, 1, 9}), after) << "not in the subset";
-  const Points relaxed = RelaxFlips(sheet.vertices, after, sheet.triangles, neighbours);
-  EXPECT_EQ(CountFlippedTriangles(sheet.vertices, relaxed, sheet.triangles), 0);
-  EXPECT_EQ(relaxed.row(0), after.row(0));
-  EXPECT_EQ(relaxed.row(80), after.row(80));
-}
-
 }  // namespace
 }  // namespace daumier::geometry
