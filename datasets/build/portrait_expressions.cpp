@@ -13,8 +13,10 @@ namespace {
 constexpr double kCloses = 0.7, kOpens = 0.15, kSmiles = 0.06, kMovesBrows = 0.015, kCrosses = 0.03;
 
 constexpr double kNeutralShare = 0.1;
-constexpr double kBothClosed = 0.12, kWink = 0.10, kHalfClosed = 0.12;
+constexpr double kBothClosed = 0.08, kWink = 0.08, kHalfClosed = 0.06;
 constexpr double kMouthOpen = 0.40, kSmile = 0.38, kBrows = 0.4;
+constexpr double kGrin = 0.25;  // Broad smiles with lips apart: what most caricatures show.
+constexpr int kGrinOpeners = 3;
 constexpr double kPair = 0.75;
 constexpr double kNarrows = 0.15, kNarrowShare = 0.3;  // Shapes that narrow an eye this much are drawn this often.
 
@@ -61,8 +63,12 @@ void ExpressionDrawer::Raise(Eigen::VectorXf& weights, int shape, double weight,
 Eigen::VectorXf ExpressionDrawer::Draw(Rng& rng) const {
   Eigen::VectorXf weights = Eigen::VectorXf::Zero(Eigen::Index(effects_.size()));
   if (rng.Uniform() < kNeutralShare) return weights;
-  if (!openers_.empty() && rng.Uniform() < kMouthOpen)
+  if (!openers_.empty() && !smilers_.empty() && rng.Uniform() < kGrin) {
+    Raise(weights, PickOne(smilers_, rng), rng.Uniform(0.6, 1), 0.15, rng);
+    for (int i = 0; i < kGrinOpeners; ++i) Raise(weights, PickOne(openers_, rng), rng.Uniform(0.1, 0.7), 0.1, rng);
+  } else if (!openers_.empty() && rng.Uniform() < kMouthOpen) {
     Raise(weights, PickOne(openers_, rng), std::pow(rng.Uniform(0.1, 1), 1.3), 0, rng);
+  }
   if (!smilers_.empty() && rng.Uniform() < kSmile)
     Raise(weights, PickOne(smilers_, rng), rng.Uniform(0.25, 1), 0.25, rng);
   if (!brows_.empty() && rng.Uniform() < kBrows) {

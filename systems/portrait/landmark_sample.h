@@ -38,6 +38,6 @@ enum class FaceState { kIsFace, kRightEyeClosed, kLeftEyeClosed, kMouthOpen };
 inline constexpr int kNumFaceStates = 4;
 
 /// Gaps at which an eye counts as closed or open, and a mouth; between them the state is unknown.
-inline constexpr float kClosedEyeMm = 1.0f, kOpenEyeMm = 2.5f, kClosedMouthMm = 1.0f, kOpenMouthMm = 3.0f;
+inline constexpr float kClosedEyeMm = 1.0f, kOpenEyeMm = 2.5f, kClosedMouthMm = 2.0f, kOpenMouthMm = 4.0f;
 
 }  // namespace daumier::portrait
