@@ -155,7 +155,7 @@ render::Image PortraitDatabase::picture(int i) const {
 render::Image PortraitDatabase::mask(int i) const {
   render::Image mask = Decode(i, "masks", "mask_offsets", 1);
   const bool is_known =
-      std::all_of(mask.pixels.begin(), mask.pixels.end(), [](uint8_t value) { return value < faces::kNumMaskClasses; });
+      std::all_of(mask.pixels.begin(), mask.pixels.end(), [](uint8_t value) { return value < kNumPictureClasses; });
   DAUMIER_CHECK(is_known, "{}: the mask of portrait {} holds a class that is not there", directory_.string(), i);
   return mask;
 }

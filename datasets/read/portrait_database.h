@@ -1,7 +1,7 @@
 #pragma once
 #include "core/manifest.h"
+#include "core/picture_parts.h"
 #include "core/safetensors.h"
-#include "faces/appearance/portrait_parts.h"
 #include "faces/face_model.h"
 #include "render/image.h"
 
@@ -28,7 +28,7 @@ struct PortraitSizes {
 /// manifest.json (kind "portraits"), the template, shards/portraits-00000.safetensors of some images each. With n
 /// images, a shard has
 ///   pictures (bytes) uint8, picture_offsets (n + 1) int64: a PNG or JPEG file each, RGB, size x size pixels;
-///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of faces::MaskClass;
+///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of PictureClass;
 ///   landmarks (n, 68, 2) float32 px, visibility (n, 68) uint8, states (n, 3) float32 mm,
 ///   expression (n, 64), albedo (n, 80), light (n, 9), pose (n, 6) float32,
 ///   faces, persons, styles, skin_tones (n) int32, bald (n) uint8, eye_sizes (n) float32,
@@ -49,7 +49,7 @@ class PortraitDatabase {
   int size() const { return first_.back(); }
   /// RGB, image_size() square. @throws Error if its bytes are no such picture.
   render::Image picture(int i) const;
-  /// Grey, image_size() square: faces::MaskClass of each pixel. @throws Error if its bytes are no such picture.
+  /// Grey, image_size() square: PictureClass of each pixel. @throws Error if its bytes are no such picture.
   render::Image mask(int i) const;
   /// 68 x 2, pixels of the picture (x0 y0 x1 y1 ...); also of points that are hidden or outside of it.
   std::vector<float> landmarks(int i) const;

@@ -47,7 +47,7 @@ struct DetectedFace {
   std::vector<float> landmark_confidences;         ///< 68, 0..1; 1 for given ones.
   std::array<double, kNumFaceStates> states = {};  ///< Probabilities of FaceState.
   CropFrame frame;                                 ///< Of the last round: `labels` are scores of its cells.
-  std::vector<float> labels;                       ///< 8 x n x n scores of FaceClass, n = LabelSide(frame.size).
+  std::vector<float> labels;                       ///< 8 x n x n scores of PictureClass, n = LabelSide(frame.size).
 
   /// The class of every pixel of a picture of that size, grey; background outside of the crop.
   render::Image Mask(int height, int width) const;

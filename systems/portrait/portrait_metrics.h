@@ -17,7 +17,4 @@ const std::vector<reports::Metric>& PortraitColumns();
 /// Columns of a table of several runs, besides the error.
 std::vector<reports::Metric> PortraitSummaryColumns();
 
-/// metrics.json of a report as a table. @throws Error if it is malformed.
-reports::MetricTable ReadPortraitMetrics(const Json& metrics);
-
 }  // namespace daumier::portrait

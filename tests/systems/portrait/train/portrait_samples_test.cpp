@@ -87,8 +87,8 @@ TEST(PlainCrop, IsThePictureOrTheBoxOfItsLandmarks) {
 }
 
 TEST(FaceMask, IsSkinBrowsLipsAndEars) {
-  render::Image classes(1, faces::kNumMaskClasses, 1);
-  for (int c = 0; c < faces::kNumMaskClasses; ++c) classes.at(0, c) = uint8_t(c);
+  render::Image classes(1, kNumPictureClasses, 1);
+  for (int c = 0; c < kNumPictureClasses; ++c) classes.at(0, c) = uint8_t(c);
   EXPECT_EQ(FaceMask(classes), (std::vector<float>{0, 1, 1, 0, 1, 0, 1, 0}));
 }
 
