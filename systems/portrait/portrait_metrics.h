@@ -7,6 +7,7 @@ namespace daumier::portrait {
 
 /// Names of rows of an evaluation.
 inline constexpr const char* kPortraitNetworkRow = "network";
+inline constexpr const char* kRefinedRow = "network, refined";
 inline constexpr const char* kMeanFaceRow = "mean face, pose fitted";
 inline constexpr const char* kLandmarkFitRow = "landmark fit";
 

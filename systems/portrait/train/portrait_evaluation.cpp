@@ -50,7 +50,7 @@ class PortraitEvaluation {
     const Stopwatch stopwatch;
     const PortraitGuesses guesses = Guess(*measurement_);
     measurement_->AddRow(kPortraitNetworkRow, guesses);
-    if (options_.refined_images > 0) measurement_->AddRow("network, refined", Refined(*measurement_, guesses, {}));
+    if (options_.refined_images > 0) measurement_->AddRow(kRefinedRow, Refined(*measurement_, guesses, {}));
     if (options_.baselines) {
       std::vector<std::vector<float>> landmarks;
       for (const MeasuredPortrait& portrait : measurement_->portraits()) landmarks.push_back(portrait.landmarks);

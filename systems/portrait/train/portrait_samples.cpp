@@ -4,6 +4,8 @@
 #include "losses/landmark_loss.h"
 #include "systems/portrait/portrait_angles.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <set>
 
@@ -49,12 +51,17 @@ std::vector<float> FaceMask(const render::Image& classes) {
 
 std::vector<int> ImagesOfPersons(const datasets::PortraitDatabase& portraits, const std::vector<int>& persons,
                                  const std::vector<std::string>& leave_out) {
+  for (const std::string& style : leave_out) {
+    if (style == kBaldStyle || std::ranges::count(portraits.style_names(), style) > 0) continue;
+    throw UsageError(fmt::format("pictures.leave_out: the portraits have no style '{}' (expected {} or {})", style,
+                                 kBaldStyle, fmt::join(portraits.style_names(), ", ")));
+  }
   const std::set<int> wanted(persons.begin(), persons.end());
   const std::set<std::string> unwanted(leave_out.begin(), leave_out.end());
   std::vector<int> images;
   for (int i = 0; i < portraits.size(); ++i) {
     if (!wanted.contains(portraits.person(i)) || unwanted.contains(portraits.style(i))) continue;
-    if (portraits.is_bald(i) && unwanted.contains("bald")) continue;
+    if (portraits.is_bald(i) && unwanted.contains(kBaldStyle)) continue;
     images.push_back(i);
   }
   return images;

@@ -97,7 +97,8 @@ TEST(ImagesOfPersons, AreThoseOfTheWantedPersonsAndStyles) {
   EXPECT_EQ(ImagesOfPersons(portraits, {3, 1}), (std::vector<int>{2, 3, 6, 7}));
   EXPECT_TRUE(ImagesOfPersons(portraits, {}).empty());
   EXPECT_TRUE(ImagesOfPersons(portraits, {0, 1}, {"plain"}).empty());
-  EXPECT_EQ(ImagesOfPersons(portraits, {0}, {"oil"}), (std::vector<int>{0, 1}));
+  EXPECT_EQ(ImagesOfPersons(portraits, {0}, {"bald"}), (std::vector<int>{0, 1}));
+  testing::ExpectError([&] { ImagesOfPersons(portraits, {0}, {"oil"}); }, "no style 'oil' (expected bald or plain)");
 }
 
 }  // namespace
