@@ -33,6 +33,8 @@ struct PortraitSizes {
 ///   expression (n, 64), albedo (n, 80), light (n, 9), pose (n, 6) float32,
 ///   faces, persons, styles, skin_tones (n) int32, bald (n) uint8, eye_sizes (n) float32,
 /// and where details.vertices is true vertices (n, V, 3, 2) uint8: int16, low byte first, in units of 0.001 cm.
+/// Where details.known_faces is false (pictures of other origin) there is no template; expression, albedo, light and pose
+/// are 0, and states say nothing.
 /// Images of a person are next to each other. A camera sees a vertex p of vertices(i) at
 ///   q = R p + t, R = Rz(roll) Ry(yaw) Rx(pitch),
 ///   x = size / 2 + focal q_x / (distance - q_z), y = size / 2 - focal q_y / (distance - q_z),
@@ -59,11 +61,14 @@ class PortraitDatabase {
   std::span<const float> albedo(int i) const;
   std::span<const float> light(int i) const;
   std::span<const float> pose(int i) const;
-  /// Of the FaceDatabase: the neutral face, and its person.
+  /// Of the FaceDatabase: the neutral face, and its person; where faces are not known, those that have one number are
+  /// taken for one person.
   int face(int i) const;
   int person(int i) const;
   /// Value of the control eye_size (faces/controls/), left and right, that enlarged the eyes of that neutral face; 0: none did.
   float eye_size(int i) const;
+  /// Whether coefficients, states and vertices are true, and there is a template.
+  bool has_known_faces() const { return face_template_.num_vertices() > 0; }
   /// Whether the vertices were stored.
   bool has_vertices() const { return has_vertices_; }
   /// V x 3, cm: the face with its expression, not posed, moved so that the mean of the template's neutral 68 landmarks
@@ -76,7 +81,7 @@ class PortraitDatabase {
   /// Gaps between the lids of the right eye (the face's own, landmarks 36 to 41), of the left eye, and between the
   /// lips, mm; 0 or less where closed.
   std::array<float, 3> states(int i) const;
-  /// From 0, the lightest, to 5.
+  /// From 0, the lightest, to 5; 0 where faces are not known.
   int skin_tone(int i) const;
 
   int image_size() const { return image_size_; }

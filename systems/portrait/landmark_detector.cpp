@@ -208,4 +208,13 @@ DetectedFace LandmarkDetector::FindIn(const render::Image& picture, const Box& b
   return Refine(PicturePyramid(picture), {box, 1}, unsnapped);
 }
 
+DetectedFace LandmarkDetector::FindGiven(const render::Image& picture, std::span<const float> landmarks) const {
+  const Box box = BoxOf(landmarks);
+  DetectedFace face = FindIn(picture, box);
+  face.landmarks.assign(landmarks.begin(), landmarks.end());
+  face.landmark_confidences.assign(size_t(kNumLandmarks), 1.0f);
+  face.box = box;
+  return face;
+}
+
 }  // namespace daumier::portrait

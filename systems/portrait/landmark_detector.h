@@ -69,6 +69,9 @@ class LandmarkDetector {
   /// The face in a box that is given; its confidence may be anything. unsnapped: if not null, the landmarks before SnapEyes.
   DetectedFace FindIn(const render::Image& picture, const Box& box, std::vector<float>* unsnapped = nullptr) const;
 
+  /// The face of landmarks that are given (68 x 2), of whatever confidence: they take the place of those that are found.
+  DetectedFace FindGiven(const render::Image& picture, std::span<const float> landmarks) const;
+
   const LandmarkDetectorOptions& options() const { return options_; }
 
  private:

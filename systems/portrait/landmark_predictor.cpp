@@ -30,11 +30,7 @@ std::vector<DetectedFace> LandmarkPredictor::Faces(const render::Image& picture)
     if (faces.empty()) faces.push_back(detector_.FindOne(picture));  // Throws, with the reason.
     return faces;
   }
-  DetectedFace face = detector_.FindIn(picture, BoxOf(given_landmarks_));
-  face.landmarks = given_landmarks_;
-  face.landmark_confidences.assign(size_t(kNumLandmarks), 1.0f);
-  face.box = BoxOf(face.landmarks);
-  return {std::move(face)};
+  return {detector_.FindGiven(picture, given_landmarks_)};
 }
 
 systems::FaceResult LandmarkPredictor::ResultOf(const render::Image& picture) const {

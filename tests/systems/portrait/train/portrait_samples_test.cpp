@@ -1,7 +1,10 @@
 #include "systems/portrait/train/portrait_samples.h"
 
 #include "tests/support/expect_error.h"
+#include "tests/support/given_pictures.h"
 #include "tests/systems/portrait/train/small_portrait_runs.h"
+
+#include <numeric>
 
 namespace daumier::portrait {
 namespace {
@@ -47,6 +50,24 @@ TEST(CropSamples, HaveTheArraysThatAreAskedForAndPicturesWithoutTruthLast) {
   EXPECT_EQ(row("landmark_weights", 0)[8], 1);
   const std::vector<int> beyond = {9};
   testing::ExpectError([&] { samples.Get(beyond, 0); }, "portrait sample 9 of 9");
+}
+
+TEST(CropSamples, MixGivenPicturesInWithoutTheirFaces) {
+  const testing::TempDir folder;
+  testing::WriteGivenPictures(folder / "in");
+  BuildGivenPortraits(testing::GivenDetector(), {}, folder / "in", {}, folder / "given");
+  const datasets::PortraitDatabase portraits(testing::SmallPortraitFolder() / "portraits"), given(folder / "given");
+  const CropSamples samples(portraits, {6}, &given, testing::SmallPortraitOptions(), Jitter::kNone, {true, true});
+  ASSERT_EQ(samples.size(), 1 + 3);
+  const std::vector<int> both = {0, 2};
+  const SampleBatch batch = samples.Get(both, 0);
+  EXPECT_EQ(batch.arrays.at("known").values, (std::vector<float>{1, 0}));
+  const FloatArray &vertices = batch.arrays.at("vertices"), &landmarks = batch.arrays.at("landmarks");
+  EXPECT_EQ(std::vector<float>(vertices.row(1), vertices.row(1) + vertices.row_size()),
+            std::vector<float>(size_t(vertices.row_size())));
+  EXPECT_NEAR(landmarks.row(1)[60], given.landmarks(1)[60], 1e-3);
+  const FloatArray& skin = batch.arrays.at("skin");
+  EXPECT_GT(std::accumulate(skin.row(1), skin.row(1) + skin.row_size(), 0.0), 1000);
 }
 
 TEST(CropSamples, MoveLandmarksAndFaceTogether) {
