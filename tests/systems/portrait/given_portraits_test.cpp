@@ -85,7 +85,7 @@ TEST(GivenPortraits, WhatIsNotKeptIsListedWithItsCause) {
   const Json rows = ReadJson(folder / "out/pictures.json").at("pictures");
   EXPECT_EQ(rows[0].at("portraits"), Json::array({0}));
   EXPECT_GT(rows[0].at("confidences")[0].get<double>(), 0.9);
-  // The doubtful face is kept where less confidence is asked for.
+  // The doubtful face is kept by a lower threshold.
   GivenPortraitsOptions options;
   options.detector.least_confidence = 0.5;
   auto network = std::make_shared<MarkedPictureNetwork>();
