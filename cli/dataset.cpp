@@ -19,6 +19,7 @@
 #include "datasets/gallery/face_gallery.h"
 #include "datasets/gallery/portrait_gallery.h"
 #include "faces/controls/given_controls.h"
+#include "systems/portrait/given_portraits.h"
 
 #include <fmt/core.h>
 
@@ -60,7 +61,18 @@ void RequireInputs(const std::string& name, const Options& options) {
         "dataset {}: it needs faces=FOLDER, a folder of faces that `daumier dataset faces` or `register` wrote", name));
 }
 
-/// A builder of datasets: a config of type Options becomes the folder --out, of the manifest kind `name`.
+/// A config of type Options becomes the folder --out, of the manifest kind `name`.
+template <class Options>
+void Build(const BuildArguments& arguments, const std::string& name,
+           void (*build)(const Options&, const fs::path&, const Task&)) {
+  const auto options = ReadConfigOf("dataset " + name, arguments.config.file, [&] {
+    return ParseOptions<Options>(arguments.config.Load(), arguments.config.Where());
+  });
+  RequireInputs(name, options);
+  CheckOutputFolder(arguments.out, datasets::BuildOutput(name), InputsOf(options));
+  build(options, arguments.out, TaskOfProcess());
+}
+
 template <class Options>
 std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, const std::string& summary,
                                  void (*build)(const Options&, const fs::path&, const Task&)) {
@@ -69,13 +81,37 @@ std::function<void()> AddBuilder(CLI::App& parent, const std::string& name, cons
   AddConfigArguments(*command, arguments->config);
   command->add_option("-o,--out", arguments->out, "Folder to write; resumes an interrupted build")->required();
   command->footer("Options:\n" + HelpText<Options>());
-  return [arguments, build, name] {
-    const auto options = ReadConfigOf("dataset " + name, arguments->config.file, [&] {
-      return ParseOptions<Options>(arguments->config.Load(), arguments->config.Where());
-    });
-    RequireInputs(name, options);
-    CheckOutputFolder(arguments->out, datasets::BuildOutput(name), InputsOf(options));
-    build(options, arguments->out, TaskOfProcess());
+  return [arguments, build, name] { Build(*arguments, name, build); };
+}
+
+/// Portraits of the faces of a database, or with --images of given pictures: each has options of its own.
+std::function<void()> AddPortraits(CLI::App& parent) {
+  struct Arguments {
+    BuildArguments build;
+    fs::path images;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  const std::string name = "portraits";
+  CLI::App* command =
+      parent.add_subcommand(name, "Cartoon portraits of the faces of a database, with their truth; or given pictures");
+  AddConfigArguments(*command, arguments->build.config);
+  command->add_option("--images", arguments->images,
+                      "Folder of pictures, with sub-folders: portraits of the faces that a run finds in them, without "
+                      "faces=");
+  command->add_option("-o,--out", arguments->build.out, "Folder to write; resumes an interrupted build")->required();
+  command->footer("Options:\n" + HelpText<datasets::PortraitsOptions>() + "\nOptions with --images:\n" +
+                  HelpText<portrait::GivenPortraitsOptions>());
+  return [arguments, name] {
+    const BuildArguments& build = arguments->build;
+    if (arguments->images.empty()) return Build<datasets::PortraitsOptions>(build, name, datasets::BuildPortraits);
+    const auto options =
+        ParseOptions<portrait::GivenPortraitsOptions>(build.config.Load(), build.config.Where() + ", with --images");
+    CheckOutputFolder(build.out, datasets::BuildOutput(name), {arguments->images, options.landmark_run});
+    const portrait::GivenPortraits made =
+        portrait::BuildGivenPortraits(arguments->images, options, build.out, TaskOfProcess());
+    fmt::print("{}: {} portraits of {} pictures, {} dropped (pictures.json)\n", build.out.string(), made.num_portraits,
+               made.num_pictures, made.dropped.size());
+    for (const portrait::DroppedPicture& picture : made.dropped) fmt::print("  {}: {}\n", picture.file, picture.cause);
   };
 }
 
@@ -243,30 +279,27 @@ std::function<void()> AddControls(CLI::App& parent) {
 }  // namespace
 
 Verb DatasetVerb() {
-  return {
-      "dataset", "Build faces, sketches, surface points and portraits, look at them, count them",
-      [](CLI::App& command) {
-        command.require_subcommand(1);
-        const std::vector<std::pair<std::string, std::function<void()>>> actions = {
-            {"faces",
-             AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
-            {"sketches", AddBuilder<datasets::SketchesOptions>(
-                             command, "sketches", "A sketch of every face of a database", datasets::BuildSketches)},
-            {"points", AddBuilder<datasets::PointsOptions>(
-                           command, "points", "Points on the surface of every face of a database, and attributes",
-                           datasets::BuildPoints)},
-            {"portraits", AddBuilder<datasets::PortraitsOptions>(
-                              command, "portraits", "Cartoon portraits of the faces of a database, with their truth",
-                              datasets::BuildPortraits)},
-            {"stats", AddStats(command)},
-            {"gallery", AddGallery(command)},
-            {"controls", AddControls(command)}};
-        return [&command, actions] {
-          for (const auto& [name, run] : actions) {
-            if (command.got_subcommand(name)) run();
-          }
-        };
-      }};
+  return {"dataset", "Build faces, sketches, surface points and portraits, look at them, count them",
+          [](CLI::App& command) {
+            command.require_subcommand(1);
+            const std::vector<std::pair<std::string, std::function<void()>>> actions = {
+                {"faces",
+                 AddBuilder<datasets::FacesOptions>(command, "faces", "A database of faces", datasets::BuildFaces)},
+                {"sketches", AddBuilder<datasets::SketchesOptions>(
+                                 command, "sketches", "A sketch of every face of a database", datasets::BuildSketches)},
+                {"points", AddBuilder<datasets::PointsOptions>(
+                               command, "points", "Points on the surface of every face of a database, and attributes",
+                               datasets::BuildPoints)},
+                {"portraits", AddPortraits(command)},
+                {"stats", AddStats(command)},
+                {"gallery", AddGallery(command)},
+                {"controls", AddControls(command)}};
+            return [&command, actions] {
+              for (const auto& [name, run] : actions) {
+                if (command.got_subcommand(name)) run();
+              }
+            };
+          }};
 }
 
 }  // namespace daumier::cli

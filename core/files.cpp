@@ -177,6 +177,14 @@ bool IsSystemFile(const std::filesystem::path& path_below_folder) {
   });
 }
 
+std::string WithoutFolder(std::string text, const fs::path& folder) {
+  if (folder.empty()) return text;
+  const std::string prefix = (folder / "").string();
+  for (size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+    text.erase(at, prefix.size());
+  return text;
+}
+
 void MakeDirectory(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);

@@ -40,6 +40,9 @@ class MappedFile {
 /// with a dot (macOS: .DS_Store, resource forks ._NAME) or lies in a folder of such a name or __MACOSX.
 bool IsSystemFile(const std::filesystem::path& path_below_folder);
 
+/// The text without the folder in front of paths in it, for files that hold no path of the machine.
+std::string WithoutFolder(std::string text, const std::filesystem::path& folder);
+
 /// Creates a folder and its parents. @throws Error naming the path and the cause.
 void MakeDirectory(const std::filesystem::path& path);
 

@@ -14,12 +14,18 @@ constexpr const char* kKind = "report";
 constexpr const char* kMetricsFile = "metrics.json";
 constexpr const char* kPredictionsFile = "predictions.safetensors";
 
-void WriteSheetReport(const fs::path& folder, const ReportData& report, const Evaluation::Sheet& sheet) {
-  render::WriteImage(folder / "sheet.png", sheet.image);
+void WriteSheetReport(const fs::path& folder, const Evaluation& evaluation) {
+  const ReportData& report = evaluation.report;
+  render::WriteImage(folder / "sheet.png", evaluation.sheet->image);
+  std::vector<HtmlFigure> figures = {{"Samples", "sheet.png", evaluation.sheet->caption}};
+  for (const Evaluation::Picture& picture : evaluation.pictures) {
+    render::WriteImage(folder / picture.file, picture.sheet.image);
+    figures.push_back({picture.title, picture.file, picture.sheet.caption});
+  }
   WriteFileAtomically(folder / "index.html", PageHtml({.title = report.title,
                                                        .summary = report.summary,
                                                        .tables = report.tables,
-                                                       .figures = {{"Samples", "sheet.png", sheet.caption}},
+                                                       .figures = figures,
                                                        .facts = report.facts}));
 }
 
@@ -35,7 +41,7 @@ void WriteEvaluation(const fs::path& out, const Evaluation& evaluation) {
   StagedDirectory staged(out, kKind);
   const fs::path& folder = staged.path();
   if (evaluation.sheet) {
-    WriteSheetReport(folder, evaluation.report, *evaluation.sheet);
+    WriteSheetReport(folder, evaluation);
   } else {
     WriteReport(folder, evaluation.report);
   }

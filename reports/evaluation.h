@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace daumier::reports {
 
@@ -22,12 +24,18 @@ struct Evaluation {
   std::optional<Sheet> sheet = {};
   Manifest manifest;                            ///< Of kind "report", without checksums.
   std::optional<Predictions> predictions = {};  ///< Of the result, of the faces of KeptFaces.
+  /// Further pictures of an evaluation with a sheet, JPEG.
+  struct Picture {
+    std::string title, file;  ///< "pictures.jpg"
+    Sheet sheet;
+  };
+  std::vector<Picture> pictures = {};
 };
 
 /// @throws UsageError as CheckReplacedFolder, as WriteEvaluation would.
 void CheckReportDirectory(const std::filesystem::path& out, const std::vector<std::filesystem::path>& inputs = {});
 
-/// Writes metrics.json, table.md, index.html, the pictures (sheet.png; unless the evaluation has a sheet also
+/// Writes metrics.json, table.md, index.html, the pictures (sheet.png; with a sheet of its own `pictures`, otherwise
 /// mean_error.png and errors.svg), predictions.safetensors where there are any, and manifest.json with their checksums.
 /// The folder is written whole or not at all; it replaces an earlier report. @throws Error as CheckReportDirectory and
 /// WriteReport.

@@ -175,6 +175,18 @@ std::vector<MetricRow> RowsFromJson(const Json& list, const std::vector<Metric>&
   return rows;
 }
 
+MetricTable TableFromMetrics(const Json& metrics, const std::vector<Metric>& columns, const std::string& run) {
+  try {
+    MetricTable table{.columns = columns, .rows = RowsFromJson(metrics.at("table"), columns)};
+    table.faces = metrics.value("faces", std::vector<int>());
+    table.groups = metrics.value("groups", std::vector<int>());
+    table.data_hash = metrics.at("data_hash");
+    return table;
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("the metrics of {} are malformed: {}", run, TextOf(error)));
+  }
+}
+
 ReportTable TextTable(const MetricTable& table, const std::string& title, const std::string& names) {
   const auto any = [&](const auto& has) { return std::any_of(table.rows.begin(), table.rows.end(), has); };
   ReportTable text{title, {names}, {}};

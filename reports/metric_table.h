@@ -87,6 +87,10 @@ Json TableJson(const MetricTable& table);
 /// value, apart from the first column's. @throws Error if the list is malformed.
 std::vector<MetricRow> RowsFromJson(const Json& list, const std::vector<Metric>& columns);
 
+/// The table that the metrics of a report hold: the entries table, faces, groups and data_hash. Of earlier versions faces
+/// and groups may be absent. @throws Error "the metrics of {run} are malformed: ...".
+MetricTable TableFromMetrics(const Json& metrics, const std::vector<Metric>& columns, const std::string& run);
+
 /// The table as text: the rows' names under `names`, the input if a row has one, then the columns. A dash marks an
 /// absent value.
 ReportTable TextTable(const MetricTable& table, const std::string& title = "Errors",

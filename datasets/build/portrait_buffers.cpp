@@ -10,38 +10,9 @@
 namespace daumier::datasets {
 namespace {
 
-using faces::MaskClass;
-using faces::PortraitPart;
-using render::PictureClass;
-using render::PicturePart;
-
-constexpr bool IsSame(MaskClass a, PictureClass b) {
-  return int(a) == int(b);
-}
-constexpr bool IsSame(PortraitPart a, PicturePart b) {
-  return int(a) == int(b);
-}
-
-// render/ does not see faces/ and has its own names of classes and parts: the numbers are the same.
-static_assert(IsSame(MaskClass::kBackground, PictureClass::kNothing) && IsSame(MaskClass::kSkin, PictureClass::kSkin) &&
-              IsSame(MaskClass::kBrows, PictureClass::kBrows) && IsSame(MaskClass::kEyes, PictureClass::kEyes) &&
-              IsSame(MaskClass::kLips, PictureClass::kLips) && IsSame(MaskClass::kMouth, PictureClass::kMouthInside) &&
-              IsSame(MaskClass::kEars, PictureClass::kEars) && IsSame(MaskClass::kHair, PictureClass::kHair) &&
-              faces::kNumMaskClasses == render::kNumPictureClasses);
-static_assert(IsSame(PortraitPart::kSkin, PicturePart::kSkin) &&
-              IsSame(PortraitPart::kEyeball, PicturePart::kEyeball) &&
-              IsSame(PortraitPart::kHighlight, PicturePart::kHighlight) &&
-              IsSame(PortraitPart::kLidRim, PicturePart::kLidRim) && IsSame(PortraitPart::kLash, PicturePart::kLash) &&
-              IsSame(PortraitPart::kBrow, PicturePart::kBrow) && IsSame(PortraitPart::kMouth, PicturePart::kMouth) &&
-              IsSame(PortraitPart::kTeeth, PicturePart::kTeeth) && IsSame(PortraitPart::kHair, PicturePart::kHair) &&
-              IsSame(PortraitPart::kBeard, PicturePart::kBeard) && IsSame(PortraitPart::kHat, PicturePart::kHat) &&
-              IsSame(PortraitPart::kGlasses, PicturePart::kGlasses) &&
-              IsSame(PortraitPart::kLens, PicturePart::kLens) &&
-              int(PortraitPart::kClothes) == render::kNumPictureParts);
-
 /// Cloth is cloth, on the head or below it.
-PicturePart PictureOf(PortraitPart part) {
-  return part == PortraitPart::kClothes ? PicturePart::kHat : PicturePart(part);
+PicturePart DrawnPart(PicturePart part) {
+  return part == PicturePart::kClothes ? PicturePart::kHat : part;
 }
 
 constexpr float kTurnedAway = -0.1f;  // z of normals that point away from the viewer.
@@ -110,9 +81,9 @@ std::vector<float> HomogeneousPixels(const render::Camera& camera, const geometr
 }
 
 /// Whether a part shows its outside alone: closed surfaces, and the face, whose openings have something behind them.
-bool IsSolid(PortraitPart part) {
-  return part == PortraitPart::kSkin || part == PortraitPart::kEyeball || part == PortraitPart::kTeeth ||
-         part == PortraitPart::kClothes;
+bool IsSolid(PicturePart part) {
+  return part == PicturePart::kSkin || part == PicturePart::kEyeball || part == PicturePart::kTeeth ||
+         part == PicturePart::kClothes;
 }
 
 /// Triangles that may be seen: all but those of solid parts that face away.
@@ -129,7 +100,7 @@ FacingTriangles FindFacing(const faces::PortraitHead& head, const std::vector<fl
   const auto y = [&](int v) { return positions[4 * size_t(v) + 1] / positions[4 * size_t(v) + 3]; };
   for (int t = 0; t < head.triangles.rows(); ++t) {
     const int* const corner = head.triangles.data() + 3 * size_t(t);
-    if (IsSolid(PortraitPart(head.parts[size_t(t)]))) {
+    if (IsSolid(PicturePart(head.parts[size_t(t)]))) {
       const float x0 = x(corner[0]), y0 = y(corner[0]);
       // With y downwards, a triangle that is counter-clockwise for the viewer has a negative area.
       if ((x(corner[1]) - x0) * (y(corner[2]) - y0) - (x(corner[2]) - x0) * (y(corner[1]) - y0) > 0) continue;
@@ -177,7 +148,7 @@ render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render
     buffers.shade[pixel] = std::max(0.0f, is_back ? mix(l0.back, l1.back, l2.back) : mix(l0.front, l1.front, l2.front));
     buffers.depth[pixel] = -1 / raster.depth[pixel];
     buffers.classes[pixel] = head.classes[size_t(triangle)];
-    buffers.parts[pixel] = static_cast<uint8_t>(PictureOf(PortraitPart(head.parts[size_t(triangle)])));
+    buffers.parts[pixel] = static_cast<uint8_t>(DrawnPart(PicturePart(head.parts[size_t(triangle)])));
   }
   return buffers;
 }
@@ -187,7 +158,7 @@ render::Image MaskOf(const render::PictureBuffers& buffers) {
   render::Image mask(height, width, 1, 0);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
-      std::array<int, faces::kNumMaskClasses> counts{};
+      std::array<int, kNumPictureClasses> counts{};
       for (int i = 0; i < factor; ++i) {
         const size_t begin = size_t(row * factor + i) * buffers.width + size_t(column) * factor;
         for (int j = 0; j < factor; ++j) ++counts[buffers.classes[begin + j]];

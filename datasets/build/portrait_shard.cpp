@@ -62,9 +62,11 @@ void AddVertices(SafetensorsWriter& writer, const std::vector<PortraitRecord>& r
 
 }  // namespace
 
-std::string WritePortraitShard(const std::filesystem::path& file, const std::vector<PortraitRecord>& records) {
+std::string WritePortraitShard(const std::filesystem::path& file, const std::vector<PortraitRecord>& records,
+                               const std::map<std::string, std::string>& metadata) {
   DAUMIER_CHECK(!records.empty(), "{}: a shard without portraits", file.string());
   SafetensorsWriter writer;
+  for (const auto& [key, value] : metadata) writer.SetMetadata(key, value);
   writer.SetMetadata("kind", "portraits");
   AddFiles(writer, records, &PortraitRecord::picture, "pictures", "picture_offsets");
   AddFiles(writer, records, &PortraitRecord::mask, "masks", "mask_offsets");

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct PortraitRecord {
   geometry::Points vertices{};  ///< V x 3, cm; empty: not stored.
 };
 
-/// Writes the records as a shard of a PortraitDatabase, atomically; equal records give equal bytes. Returns its
-/// checksum. @throws Error if only some have vertices, or a coordinate is beyond 32.767 cm.
-std::string WritePortraitShard(const std::filesystem::path& file, const std::vector<PortraitRecord>& records);
+/// Writes the records as a shard of a PortraitDatabase, atomically; equal records give equal bytes. `metadata`: entries of
+/// the file's metadata in addition to its kind. Returns its checksum. @throws Error if only some have vertices, or a
+/// coordinate is beyond 32.767 cm.
+std::string WritePortraitShard(const std::filesystem::path& file, const std::vector<PortraitRecord>& records,
+                               const std::map<std::string, std::string>& metadata = {});
 
 }  // namespace daumier::datasets

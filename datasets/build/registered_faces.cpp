@@ -170,12 +170,7 @@ std::string WithoutFolders(std::string cause, const MeshInputs& inputs) {
       fs::is_directory(inputs.landmarks) ? inputs.landmarks : inputs.landmarks.parent_path(),
       inputs.vertex_map.parent_path()};
   for (const fs::path& mesh : inputs.meshes) folders.push_back(mesh.parent_path());
-  for (const fs::path& folder : folders) {
-    const std::string prefix = (folder / "").string();
-    if (folder.empty()) continue;
-    for (size_t at = cause.find(prefix); at != std::string::npos; at = cause.find(prefix, at))
-      cause.erase(at, prefix.size());
-  }
+  for (const fs::path& folder : folders) cause = WithoutFolder(std::move(cause), folder);
   return cause;
 }
 

@@ -20,14 +20,14 @@ const std::vector<std::string> kPortraitPictures = {"portraits.jpg", "portrait_t
 constexpr int kNumShown = 64, kInARow = 8, kCellSize = 160;
 
 /// Of the classes of a mask.
-constexpr std::array<render::Rgb, faces::kNumMaskClasses> kClassColours = {{{30, 30, 34},
-                                                                            {236, 188, 150},
-                                                                            {110, 64, 26},
-                                                                            {255, 255, 255},
-                                                                            {214, 60, 84},
-                                                                            {120, 10, 20},
-                                                                            {250, 140, 20},
-                                                                            {60, 96, 200}}};
+constexpr std::array<render::Rgb, kNumPictureClasses> kClassColours = {{{30, 30, 34},
+                                                                        {236, 188, 150},
+                                                                        {110, 64, 26},
+                                                                        {255, 255, 255},
+                                                                        {214, 60, 84},
+                                                                        {120, 10, 20},
+                                                                        {250, 140, 20},
+                                                                        {60, 96, 200}}};
 constexpr render::Rgb kSeenColour = {40, 255, 60}, kHiddenColour = {150, 0, 0};
 
 template <class Draw>

@@ -70,13 +70,13 @@ std::string PortraitShardName(int shard) {
 PortraitDatabase::PortraitDatabase(const std::filesystem::path& directory, Checksums checksums)
     : directory_(directory), manifest_(ReadManifest(directory, "portraits")) {
   if (checksums == Checksums::kVerify) VerifyChecksums(directory, manifest_);
-  face_template_ = faces::ReadFaceTemplate(directory);
   const auto manifest_path = directory / "manifest.json";
   int num_images = 0, num_shards = 0;
   try {
     num_images = manifest_.counts.at("images").get<int>();
     num_shards = manifest_.counts.at("shards").get<int>();
     const Json& details = manifest_.details;
+    if (details.value("known_faces", true)) face_template_ = faces::ReadFaceTemplate(directory);
     image_size_ = details.at("size").get<int>();
     focal_ = details.at("focal").get<double>();
     distance_ = details.at("distance").get<double>();
@@ -93,6 +93,8 @@ PortraitDatabase::PortraitDatabase(const std::filesystem::path& directory, Check
                 "{}: {} images of {} pixels in {} shards, {} expressions, focal length {}, distance {}",
                 manifest_path.string(), num_images, image_size_, num_shards, expression_names_.size(), focal_,
                 distance_);
+  DAUMIER_CHECK(has_known_faces() || !has_vertices_, "{}: has vertices of faces that are not known",
+                manifest_path.string());
   const std::vector<RowArray> arrays = RowArrays(has_vertices_, face_template_.num_vertices());
   for (int s = 0; s < num_shards; ++s) {
     const auto path = directory / PortraitShardName(s);
@@ -155,7 +157,7 @@ render::Image PortraitDatabase::picture(int i) const {
 render::Image PortraitDatabase::mask(int i) const {
   render::Image mask = Decode(i, "masks", "mask_offsets", 1);
   const bool is_known =
-      std::all_of(mask.pixels.begin(), mask.pixels.end(), [](uint8_t value) { return value < faces::kNumMaskClasses; });
+      std::all_of(mask.pixels.begin(), mask.pixels.end(), [](uint8_t value) { return value < kNumPictureClasses; });
   DAUMIER_CHECK(is_known, "{}: the mask of portrait {} holds a class that is not there", directory_.string(), i);
   return mask;
 }

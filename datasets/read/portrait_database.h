@@ -1,7 +1,7 @@
 #pragma once
 #include "core/manifest.h"
+#include "core/picture_parts.h"
 #include "core/safetensors.h"
-#include "faces/appearance/portrait_parts.h"
 #include "faces/face_model.h"
 #include "render/image.h"
 
@@ -28,11 +28,13 @@ struct PortraitSizes {
 /// manifest.json (kind "portraits"), the template, shards/portraits-00000.safetensors of some images each. With n
 /// images, a shard has
 ///   pictures (bytes) uint8, picture_offsets (n + 1) int64: a PNG or JPEG file each, RGB, size x size pixels;
-///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of faces::MaskClass;
+///   masks (bytes) uint8, mask_offsets (n + 1) int64: a grey PNG file each, of PictureClass;
 ///   landmarks (n, 68, 2) float32 px, visibility (n, 68) uint8, states (n, 3) float32 mm,
 ///   expression (n, 64), albedo (n, 80), light (n, 9), pose (n, 6) float32,
 ///   faces, persons, styles, skin_tones (n) int32, bald (n) uint8, eye_sizes (n) float32,
 /// and where details.vertices is true vertices (n, V, 3, 2) uint8: int16, low byte first, in units of 0.001 cm.
+/// Where details.known_faces is false (pictures of other origin) there is no template; expression, albedo, light and pose
+/// are 0, and states say nothing.
 /// Images of a person are next to each other. A camera sees a vertex p of vertices(i) at
 ///   q = R p + t, R = Rz(roll) Ry(yaw) Rx(pitch),
 ///   x = size / 2 + focal q_x / (distance - q_z), y = size / 2 - focal q_y / (distance - q_z),
@@ -49,7 +51,7 @@ class PortraitDatabase {
   int size() const { return first_.back(); }
   /// RGB, image_size() square. @throws Error if its bytes are no such picture.
   render::Image picture(int i) const;
-  /// Grey, image_size() square: faces::MaskClass of each pixel. @throws Error if its bytes are no such picture.
+  /// Grey, image_size() square: PictureClass of each pixel. @throws Error if its bytes are no such picture.
   render::Image mask(int i) const;
   /// 68 x 2, pixels of the picture (x0 y0 x1 y1 ...); also of points that are hidden or outside of it.
   std::vector<float> landmarks(int i) const;
@@ -59,11 +61,14 @@ class PortraitDatabase {
   std::span<const float> albedo(int i) const;
   std::span<const float> light(int i) const;
   std::span<const float> pose(int i) const;
-  /// Of the FaceDatabase: the neutral face, and its person.
+  /// Of the FaceDatabase: the neutral face, and its person; where faces are not known, those that have one number are
+  /// taken for one person.
   int face(int i) const;
   int person(int i) const;
   /// Value of the control eye_size (faces/controls/), left and right, that enlarged the eyes of that neutral face; 0: none did.
   float eye_size(int i) const;
+  /// Whether coefficients, states and vertices are true, and there is a template.
+  bool has_known_faces() const { return face_template_.num_vertices() > 0; }
   /// Whether the vertices were stored.
   bool has_vertices() const { return has_vertices_; }
   /// V x 3, cm: the face with its expression, not posed, moved so that the mean of the template's neutral 68 landmarks
@@ -76,7 +81,7 @@ class PortraitDatabase {
   /// Gaps between the lids of the right eye (the face's own, landmarks 36 to 41), of the left eye, and between the
   /// lips, mm; 0 or less where closed.
   std::array<float, 3> states(int i) const;
-  /// From 0, the lightest, to 5.
+  /// From 0, the lightest, to 5; 0 where faces are not known.
   int skin_tone(int i) const;
 
   int image_size() const { return image_size_; }

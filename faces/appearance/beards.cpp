@@ -12,7 +12,7 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kBeardKind{MaskClass::kHair, PortraitPart::kBeard};
+constexpr SoupKind kBeardKind{PictureClass::kHair, PicturePart::kBeard};
 constexpr double kLeastBeardWeight = 0.2;
 
 Eigen::VectorXd BothSides(const SoftRegion& region, const FaceTemplate& face) {

@@ -14,8 +14,8 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kBrowKind{MaskClass::kBrows, PortraitPart::kBrow};
-constexpr SoupKind kLashKind{MaskClass::kSkin, PortraitPart::kLash};
+constexpr SoupKind kBrowKind{PictureClass::kBrows, PicturePart::kBrow};
+constexpr SoupKind kLashKind{PictureClass::kSkin, PicturePart::kLash};
 constexpr int kBrowSteps = 26, kBrowRows = 5, kLashSteps = 26;
 
 /// Of a brow's height from its inner end (0) to its outer one (1).

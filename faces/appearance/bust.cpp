@@ -10,8 +10,8 @@ namespace daumier::faces {
 namespace {
 
 constexpr int kBustSides = 48;
-constexpr SoupKind kNeckKind{MaskClass::kSkin, PortraitPart::kSkin};
-constexpr SoupKind kClothesKind{MaskClass::kBackground, PortraitPart::kClothes};
+constexpr SoupKind kNeckKind{PictureClass::kSkin, PicturePart::kSkin};
+constexpr SoupKind kClothesKind{PictureClass::kBackground, PicturePart::kClothes};
 
 /// A ring below the head: how far down along the neck, the neck's outline times `scale` plus `wider`, and how much of an
 /// ellipse of these half axes it is, cm for a usual head.

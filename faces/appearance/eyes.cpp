@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kEyeSides = 28;
 constexpr double kBulgeKept = 0.35;  // Of the cornea's bulge: less, since it may turn behind a lid.
-constexpr SoupKind kBallKind{MaskClass::kEyes, PortraitPart::kEyeball};
-constexpr SoupKind kHighlightKind{MaskClass::kEyes, PortraitPart::kHighlight};
+constexpr SoupKind kBallKind{PictureClass::kEyes, PicturePart::kEyeball};
+constexpr SoupKind kHighlightKind{PictureClass::kEyes, PicturePart::kHighlight};
 
 /// Places on the eyeball by the angle from its axis.
 class TurnedEye {

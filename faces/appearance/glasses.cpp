@@ -10,8 +10,8 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kFrameKind{MaskClass::kBackground, PortraitPart::kGlasses};
-constexpr SoupKind kLensKind{MaskClass::kBackground, PortraitPart::kLens};
+constexpr SoupKind kFrameKind{PictureClass::kBackground, PicturePart::kGlasses};
+constexpr SoupKind kLensKind{PictureClass::kBackground, PicturePart::kLens};
 constexpr int kRimPoints = 36;
 
 double PowerOf(double value, double exponent) {

@@ -13,7 +13,7 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kHairKind{MaskClass::kHair, PortraitPart::kHair};
+constexpr SoupKind kHairKind{PictureClass::kHair, PicturePart::kHair};
 constexpr int kHairRows = 26;       // Outside; the inside has half of them.
 constexpr double kHangFrom = 2.0;   // Elevation at which hanging hair leaves the skull.
 constexpr double kSkullLift = 0.3;  // cm
@@ -232,7 +232,7 @@ void AddTail(const SkullGrid& skull, const HairShape& shape, const Looks& looks,
     const double a = 2 * std::numbers::pi * k / 16;
     band.push_back(path[1] + 1.05 * radii[1] * (std::cos(a) * side + std::sin(a) * along.cross(side)));
   }
-  AddRing(band, 0.35 * shape.size, 6, looks.hat_band, {MaskClass::kHair, PortraitPart::kHair}, soup);
+  AddRing(band, 0.35 * shape.size, 6, looks.hat_band, {PictureClass::kHair, PicturePart::kHair}, soup);
 }
 
 }  // namespace

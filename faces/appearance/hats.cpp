@@ -7,7 +7,7 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kHatKind{MaskClass::kBackground, PortraitPart::kHat};
+constexpr SoupKind kHatKind{PictureClass::kBackground, PicturePart::kHat};
 constexpr int kHatRows = 18, kBrimRows = 5;
 constexpr double kUnderHat = 0.35;  // Room that a hat leaves for hair, cm.
 

@@ -7,8 +7,8 @@ namespace daumier::faces {
 
 /// What a triangle of a portrait is.
 struct SoupKind {
-  MaskClass mask;
-  PortraitPart part;
+  PictureClass mask;
+  PicturePart part;
 };
 
 /// Collects the vertices and triangles of a PortraitHead.

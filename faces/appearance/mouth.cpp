@@ -8,8 +8,8 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kTeethKind{MaskClass::kMouth, PortraitPart::kTeeth};
-constexpr SoupKind kTongueKind{MaskClass::kMouth, PortraitPart::kMouth};
+constexpr SoupKind kTeethKind{PictureClass::kMouth, PicturePart::kTeeth};
+constexpr SoupKind kTongueKind{PictureClass::kMouth, PicturePart::kMouth};
 constexpr int kTeethSteps = 20;
 
 /// The points of a contour at equal shares of the mouth's width.

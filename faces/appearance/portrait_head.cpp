@@ -48,10 +48,10 @@ struct HeadDresser::Parts {
       for (const int v : ears->second) is_ear[size_t(v)] = true;
     const int num_vertices = face.num_vertices();
     for (const auto& t : finished.skin().rowwise()) {
-      MaskClass mask = MaskClass::kSkin;
+      PictureClass mask = PictureClass::kSkin;
       if (t.maxCoeff() < num_vertices) {
-        if (lip[t[0]] > 0 && lip[t[1]] > 0 && lip[t[2]] > 0) mask = MaskClass::kLips;
-        if (is_ear[size_t(t[0])] && is_ear[size_t(t[1])] && is_ear[size_t(t[2])]) mask = MaskClass::kEars;
+        if (lip[t[0]] > 0 && lip[t[1]] > 0 && lip[t[2]] > 0) mask = PictureClass::kLips;
+        if (is_ear[size_t(t[0])] && is_ear[size_t(t[1])] && is_ear[size_t(t[2])]) mask = PictureClass::kEars;
       }
       skin_masks.push_back(mask);
     }
@@ -85,7 +85,7 @@ struct HeadDresser::Parts {
   BeardShells beards;
   GlassesFit glasses;
   LipContours lips;
-  std::vector<MaskClass> skin_masks;
+  std::vector<PictureClass> skin_masks;
   std::vector<int> lip_vertices, edge_vertices;
   struct Copy {
     int vertex;
@@ -134,7 +134,7 @@ PortraitHead HeadDresser::Dress(const geometry::Points& face, const Looks& looks
   HeadSoup soup(vertices, colours);
   for (Eigen::Index t = 0; t < parts.finished.skin().rows(); ++t) {
     const auto corners = parts.finished.skin().row(t);
-    soup.AddTriangle(corners[0], corners[1], corners[2], {parts.skin_masks[size_t(t)], PortraitPart::kSkin});
+    soup.AddTriangle(corners[0], corners[1], corners[2], {parts.skin_masks[size_t(t)], PicturePart::kSkin});
   }
   Eigen::Vector3f lip_colour = Eigen::Vector3f::Zero();
   for (const int v : parts.lip_vertices) lip_colour += skin.row(v).transpose() / float(parts.lip_vertices.size());
@@ -148,9 +148,9 @@ PortraitHead HeadDresser::Dress(const geometry::Points& face, const Looks& looks
   }
   for (size_t t = 0; t < parts.part_triangles.size(); ++t) {
     const Eigen::Vector3i corners = parts.part_triangles[t].array() + first;
-    SoupKind kind{MaskClass::kMouth, PortraitPart::kMouth};
-    if (parts.part_materials[t] == HeadMaterial::kInnerLip) kind.mask = MaskClass::kLips;
-    if (parts.part_materials[t] == HeadMaterial::kLidRim) kind = {MaskClass::kEyes, PortraitPart::kLidRim};
+    SoupKind kind{PictureClass::kMouth, PicturePart::kMouth};
+    if (parts.part_materials[t] == HeadMaterial::kInnerLip) kind.mask = PictureClass::kLips;
+    if (parts.part_materials[t] == HeadMaterial::kLidRim) kind = {PictureClass::kEyes, PicturePart::kLidRim};
     soup.AddTriangle(corners[0], corners[1], corners[2], kind);
   }
   for (const Eyeball& eyeball : parts.finished.Eyeballs(face)) AddEye(eyeball, looks, soup);

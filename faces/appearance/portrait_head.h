@@ -1,7 +1,7 @@
 #pragma once
+#include "core/picture_parts.h"
 #include "faces/appearance/albedo_basis.h"
 #include "faces/appearance/looks.h"
-#include "faces/appearance/portrait_parts.h"
 #include "faces/finished_head.h"
 #include "geometry/mesh.h"
 
@@ -19,8 +19,8 @@ struct PortraitHead {
   geometry::Points vertices;      ///< N x 3, cm; the first V are the face's, unchanged.
   geometry::Triangles triangles;  ///< T x 3, counter-clockwise seen from outside.
   Eigen::MatrixXf colours;        ///< N x 3, albedo, RGB in [0, 1].
-  std::vector<uint8_t> classes;   ///< T: MaskClass.
-  std::vector<uint8_t> parts;     ///< T: PortraitPart.
+  std::vector<uint8_t> classes;   ///< T: PictureClass.
+  std::vector<uint8_t> parts;     ///< T: PicturePart.
 };
 
 /// What dresses faces of one topology; made once. Const and thread-safe.

@@ -25,7 +25,7 @@ float StrengthBetween(PicturePart part, PicturePart other_part, PictureClass her
   if (here == other || part == kEyeball) return 0;
   const auto shows = [&](PictureClass wanted) { return here == wanted || other == wanted; };
   if (shows(PictureClass::kBrows) || shows(PictureClass::kEars)) return 0;
-  if (shows(PictureClass::kMouthInside)) return 0.7f;
+  if (shows(PictureClass::kMouth)) return 0.7f;
   if (shows(PictureClass::kLips)) return 0.3f;
   if (shows(PictureClass::kEyes)) return 0.7f;
   return 0.6f;

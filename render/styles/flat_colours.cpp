@@ -40,7 +40,7 @@ int FlatRegionOf(uint8_t picture_class, uint8_t part) {
       return kFlatBrows;
     case PictureClass::kLips:
       return kFlatLips;
-    case PictureClass::kMouthInside:
+    case PictureClass::kMouth:
       return kFlatMouth;
     case PictureClass::kHair:
       return kFlatHair;

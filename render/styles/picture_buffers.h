@@ -1,4 +1,5 @@
 #pragma once
+#include "core/picture_parts.h"
 #include "render/strokes.h"
 
 #include <cstddef>
@@ -26,30 +27,6 @@ struct PictureBuffers {
 
   static constexpr float kBackgroundDepth = 1e9f;  ///< Cm; from here on a pixel is background.
 };
-
-/// Classes of a portrait's parsing mask, with the values of faces::MaskClass. Hats and glasses have the class kNothing,
-/// as the background has.
-enum class PictureClass : uint8_t { kNothing, kSkin, kBrows, kEyes, kLips, kMouthInside, kEars, kHair };
-inline constexpr int kNumPictureClasses = 8;
-
-/// What a pixel is made of; the values are those of faces::PortraitPart. Styles read it for gloss and for borders
-/// between things. kHighlight: white spots on eyes, which light does not change.
-enum class PicturePart : uint8_t {
-  kSkin,
-  kEyeball,
-  kHighlight,
-  kLidRim,
-  kLash,
-  kBrow,
-  kMouth,
-  kTeeth,
-  kHair,
-  kBeard,
-  kHat,
-  kGlasses,
-  kLens
-};
-inline constexpr int kNumPictureParts = 13;
 
 /// Buffers of a size, all background: depth infinite, normals to the viewer, shade 1, the rest 0.
 /// @throws Error if a size is not positive, supersampling is not 1 to 3, or the sizes are no multiples of it.

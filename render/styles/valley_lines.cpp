@@ -18,7 +18,7 @@ bool HasValleys(const PictureLayers& layers, size_t pixel) {
     case PicturePart::kSkin:
     case PicturePart::kHair:
     case PicturePart::kHat:
-      return layers.classes[pixel] != static_cast<uint8_t>(PictureClass::kMouthInside);
+      return layers.classes[pixel] != static_cast<uint8_t>(PictureClass::kMouth);
     default:
       return false;
   }

@@ -106,15 +106,14 @@ std::vector<reports::Metric> DeformSummaryColumns() {
 
 reports::MetricTable ReadDeformMetrics(const Json& metrics) {
   try {
-    reports::MetricTable in_units{.columns = DeformColumns()};
-    in_units.rows = reports::RowsFromJson(metrics.at("table"), in_units.columns);
+    const reports::MetricTable in_units =
+        reports::TableFromMetrics(metrics, DeformColumns(), "a deformable model's run");
     const double mm = MmPerUnit(metrics, in_units);
-    reports::MetricTable table;
+    reports::MetricTable table = in_units;
+    table.columns.clear();
+    table.rows.clear();
     for (const Converted& column : ConvertedColumns()) table.columns.push_back(column.metric);
     for (const reports::MetricRow& row : in_units.rows) table.rows.push_back(InMm(in_units, row, mm));
-    table.faces = metrics.at("faces").get<std::vector<int>>();
-    table.groups = metrics.at("groups").get<std::vector<int>>();
-    table.data_hash = metrics.at("data_hash");
     FlagBaselines(table);
     return table;
   } catch (const Json::exception& error) {

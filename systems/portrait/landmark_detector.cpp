@@ -24,7 +24,7 @@ std::vector<float> Mirrored(std::span<const float> crop, int size) {
 /// Classes and states keep their places in a mirror, but the eyes' states change them.
 const std::vector<int>& UnchangedClasses() {
   static const std::vector<int> order = [] {
-    std::vector<int> identity(static_cast<size_t>(kNumFaceClasses));
+    std::vector<int> identity(static_cast<size_t>(kNumPictureClasses));
     std::iota(identity.begin(), identity.end(), 0);
     return identity;
   }();
@@ -52,10 +52,10 @@ const FloatArray& OutputOf(const NamedArrays& outputs, const char* name) {
 }  // namespace
 
 render::Image DetectedFace::Mask(int height, int width) const {
-  render::Image mask(height, width, 1, uint8_t(FaceClass::kBackground));
+  render::Image mask(height, width, 1, uint8_t(PictureClass::kBackground));
   const int side = LabelSide(frame.size);
   const double cell = double(frame.size) / side;
-  const render::ScoreGrid grid(labels, kNumFaceClasses, side, side);
+  const render::ScoreGrid grid(labels, kNumPictureClasses, side, side);
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
       const Eigen::Vector2d at = frame.ToCrop({column + 0.5, row + 0.5}) / cell;
@@ -206,6 +206,15 @@ DetectedFace LandmarkDetector::FindIn(const render::Image& picture, const Box& b
                                       std::vector<float>* unsnapped) const {
   DAUMIER_CHECK(box.area() > 0, "the box of a face is empty");
   return Refine(PicturePyramid(picture), {box, 1}, unsnapped);
+}
+
+DetectedFace LandmarkDetector::FindGiven(const render::Image& picture, std::span<const float> landmarks) const {
+  const Box box = BoxOf(landmarks);
+  DetectedFace face = FindIn(picture, box);
+  face.landmarks.assign(landmarks.begin(), landmarks.end());
+  face.landmark_confidences.assign(size_t(kNumLandmarks), 1.0f);
+  face.box = box;
+  return face;
 }
 
 }  // namespace daumier::portrait

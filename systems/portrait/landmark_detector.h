@@ -47,7 +47,7 @@ struct DetectedFace {
   std::vector<float> landmark_confidences;         ///< 68, 0..1; 1 for given ones.
   std::array<double, kNumFaceStates> states = {};  ///< Probabilities of FaceState.
   CropFrame frame;                                 ///< Of the last round: `labels` are scores of its cells.
-  std::vector<float> labels;                       ///< 8 x n x n scores of FaceClass, n = LabelSide(frame.size).
+  std::vector<float> labels;                       ///< 8 x n x n scores of PictureClass, n = LabelSide(frame.size).
 
   /// The class of every pixel of a picture of that size, grey; background outside of the crop.
   render::Image Mask(int height, int width) const;
@@ -68,6 +68,9 @@ class LandmarkDetector {
   DetectedFace FindOne(const render::Image& picture) const;
   /// The face in a box that is given; its confidence may be anything. unsnapped: if not null, the landmarks before SnapEyes.
   DetectedFace FindIn(const render::Image& picture, const Box& box, std::vector<float>* unsnapped = nullptr) const;
+
+  /// The face of landmarks that are given (68 x 2), of whatever confidence: they take the place of those that are found.
+  DetectedFace FindGiven(const render::Image& picture, std::span<const float> landmarks) const;
 
   const LandmarkDetectorOptions& options() const { return options_; }
 

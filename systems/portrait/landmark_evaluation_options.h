@@ -31,8 +31,8 @@ struct LandmarkEvalOptions {
     visit("data", data, Table{}, "The run's own data, found by their data hash.");
     visit("max_portraits", max_portraits, Range{1, 1e6}, "Largest number of measured portraits, evenly spaced.");
     visit("pictures", pictures, Text{},
-          "Folder of other pictures, each with its 68 landmarks in NAME.pts or NAME.txt, which are measured in "
-          "addition.");
+          "Folder of other pictures, each with its 68 landmarks in NAME.pts, NAME.txt or NAME.json (nan: not known), "
+          "which are measured in addition.");
     visit("rival", rival, Text{},
           "Folder of landmarks that another program found in these pictures, NAME.pts; pictures without one were not "
           "found.");

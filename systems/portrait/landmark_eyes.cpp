@@ -16,9 +16,9 @@ std::vector<float> SnapEyes(std::span<const float> landmarks, std::span<const fl
                 landmarks.size(), 2 * kNumLandmarks);
   const int side = LabelSide(frame.size);
   const double cell = double(frame.size) / side;
-  const render::ScoreGrid grid(labels, kNumFaceClasses, side, side);
+  const render::ScoreGrid grid(labels, kNumPictureClasses, side, side);
   const std::vector<render::BoundaryPiece> boundary =
-      render::ZeroBoundary(grid.Margin(int(FaceClass::kEye)), side, side);
+      render::ZeroBoundary(grid.Margin(int(PictureClass::kEyes)), side, side);
   std::vector<float> snapped(landmarks.begin(), landmarks.end());
   const auto in_cells = [&](int i) -> Eigen::Vector2d {
     return frame.ToCrop({landmarks[2 * size_t(i)], landmarks[2 * size_t(i) + 1]}) / cell;

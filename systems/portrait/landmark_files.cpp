@@ -1,9 +1,11 @@
 #include "systems/portrait/landmark_files.h"
 
 #include "core/error.h"
-#include "faces/marked_points.h"
+#include "faces/landmark_order.h"
+#include "systems/portrait/picture_files.h"
 
 #include <cmath>
+#include <limits>
 
 namespace daumier::portrait {
 namespace {
@@ -14,19 +16,29 @@ double Rounded(double value) {
 
 }  // namespace
 
-std::vector<float> ReadLandmarks(const std::filesystem::path& file) {
-  const faces::MarkedPoints marked = faces::ReadMarkedPoints(file);
-  DAUMIER_CHECK(marked.points.size() == size_t(kNumLandmarks) && marked.dimension >= 2,
-                "{}: has {} points of {} numbers, expected the {} landmarks of a face in a picture, x and y each",
-                file.string(), marked.points.size(), marked.dimension, kNumLandmarks);
+std::vector<float> ReadKnownLandmarks(const std::filesystem::path& file) {
+  const faces::OrderedLandmarks ordered = faces::OrderLandmarks(faces::ReadMarkedPoints(file));
+  DAUMIER_CHECK(ordered.dimension >= 2, "{}: points have one number each, expected x and y in pixels of the picture",
+                file.string());
   std::vector<float> landmarks;
-  for (size_t i = 0; i < marked.points.size(); ++i) {
-    DAUMIER_CHECK(marked.points[i].has_value(), "{}: landmark {} of {} is absent, expected all", file.string(), i + 1,
-                  kNumLandmarks);
-    landmarks.push_back(float(marked.points[i]->x()));
-    landmarks.push_back(float(marked.points[i]->y()));
+  for (const std::optional<geometry::Vector3>& point : ordered.points) {
+    landmarks.push_back(point ? float(point->x()) : std::numeric_limits<float>::quiet_NaN());
+    landmarks.push_back(point ? float(point->y()) : std::numeric_limits<float>::quiet_NaN());
   }
   return landmarks;
+}
+
+std::vector<float> ReadLandmarks(const std::filesystem::path& file) {
+  std::vector<float> landmarks = ReadKnownLandmarks(file);
+  for (size_t i = 0; i < size_t(kNumLandmarks); ++i)
+    DAUMIER_CHECK(std::isfinite(landmarks[2 * i]), "{}: landmark {} of {} is absent, expected all", file.string(),
+                  i + 1, kNumLandmarks);
+  return landmarks;
+}
+
+std::optional<std::vector<float>> LandmarksInFolder(const std::filesystem::path& folder, const std::string& name) {
+  const auto file = LandmarkFileIn(folder, name);
+  return file ? std::optional(ReadLandmarks(*file)) : std::nullopt;
 }
 
 std::string LandmarksAsPts(std::span<const float> landmarks) {
@@ -42,8 +54,8 @@ render::Image ReadMask(const std::filesystem::path& file, int height, int width)
                 "{}: is {} x {} with {} channels, expected a grey picture of {} x {} like the portrait", file.string(),
                 mask.height, mask.width, mask.channels, height, width);
   for (const uint8_t value : mask.pixels)
-    DAUMIER_CHECK(value < kNumFaceClasses, "{}: has a pixel of class {}, expected 0 to {}", file.string(), value,
-                  kNumFaceClasses - 1);
+    DAUMIER_CHECK(value < kNumPictureClasses, "{}: has a pixel of class {}, expected 0 to {}", file.string(), value,
+                  kNumPictureClasses - 1);
   return mask;
 }
 

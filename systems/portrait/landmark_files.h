@@ -4,20 +4,25 @@
 #include "systems/portrait/landmark_detector.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace daumier::portrait {
 
-/// 68 landmarks of a picture from a file of any form that faces::ReadMarkedPoints reads (.pts, .txt, .json among them), pixels,
-/// as stored: 68 x 2. @throws Error naming the file: as ReadMarkedPoints, another number of points, absent points.
+/// 68 landmarks of a picture from a file of any form that faces::OrderLandmarks orders, pixels: 68 x 2, NaN where the file
+/// has none. @throws Error naming the file: as OrderLandmarks, or if a point has one number.
+std::vector<float> ReadKnownLandmarks(const std::filesystem::path& file);
+/// The same of a file that has all of them. @throws Error naming the file and the first that is absent.
 std::vector<float> ReadLandmarks(const std::filesystem::path& file);
+/// ReadLandmarks of the file of a picture NAME in a folder (LandmarkFileIn); absent if there is no such file.
+std::optional<std::vector<float>> LandmarksInFolder(const std::filesystem::path& folder, const std::string& name);
 
 /// The text of an iBUG .pts file; three decimals.
 std::string LandmarksAsPts(std::span<const float> landmarks);
 
-/// Classes of pixels from a grey picture of values 0 to 7 (FaceClass), of height x width. @throws Error naming the file if
+/// Classes of pixels from a grey picture of values 0 to 7 (PictureClass), of height x width. @throws Error naming the file if
 /// it is no such picture.
 render::Image ReadMask(const std::filesystem::path& file, int height, int width);
 

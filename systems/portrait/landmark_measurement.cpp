@@ -7,44 +7,15 @@
 #include "systems/portrait/landmark_eyes.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_views.h"
+#include "systems/portrait/picture_files.h"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
+#include <cmath>
 
 namespace daumier::portrait {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool IsPictureFile(const fs::path& file) {
-  static const std::set<std::string> extensions = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff"};
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return extensions.contains(extension) && !file.filename().string().starts_with('.');
-}
-
-/// Pictures of a folder; shorter names first, so that numbers are in their order.
-std::vector<fs::path> PicturesIn(const fs::path& folder) {
-  DAUMIER_CHECK(fs::is_directory(folder), "{} is no folder of pictures", folder.string());
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && IsPictureFile(entry.path())) files.push_back(entry.path());
-  std::ranges::sort(files, {}, [](const fs::path& file) {
-    const std::string stem = file.stem().string();
-    return std::pair(stem.size(), stem);
-  });
-  return files;
-}
-
-/// Of NAME.pts and NAME.txt the one that is there.
-std::optional<fs::path> LandmarksOfPicture(const fs::path& picture) {
-  for (const char* extension : {".pts", ".txt"}) {
-    const fs::path file = fs::path(picture).replace_extension(extension);
-    if (fs::is_regular_file(file)) return file;
-  }
-  return {};
-}
 
 Box LargestSquare(const render::Image& picture) {
   const double side = std::min(picture.width, picture.height), x = 0.5 * picture.width, y = 0.5 * picture.height;
@@ -54,7 +25,7 @@ Box LargestSquare(const render::Image& picture) {
 /// The truth in the cells of a face's labels, against the class of the highest score.
 void CountLabels(const DetectedFace& face, const render::Image& mask, LabelCounts& counts) {
   const int side = LabelSide(face.frame.size);
-  const render::ScoreGrid grid(face.labels, kNumFaceClasses, side, side);
+  const render::ScoreGrid grid(face.labels, kNumPictureClasses, side, side);
   std::vector<int64_t> predicted;
   for (int row = 0; row < side; ++row)
     for (int column = 0; column < side; ++column) predicted.push_back(grid.ClassAt(column + 0.5, row + 0.5));
@@ -76,6 +47,14 @@ void CountStates(const DetectedFace& face, const std::array<float, 3>& gaps_mm, 
   count(FaceState::kMouthOpen, gaps_mm[2], kClosedMouthMm, kOpenMouthMm, true);
 }
 
+/// The points whose truth is known.
+std::vector<float> KnownAlone(std::span<const float> points, std::span<const float> truth) {
+  std::vector<float> known;
+  for (size_t i = 0; i + 1 < truth.size(); i += 2)
+    if (std::isfinite(truth[i])) known.insert(known.end(), {points[i], points[i + 1]});
+  return known;
+}
+
 /// The face of FindOne, or the best candidate.
 std::optional<DetectedFace> ChosenFace(const LandmarkDetector& detector, const render::Image& picture) {
   std::optional<DetectedFace> candidate;
@@ -87,9 +66,10 @@ std::optional<DetectedFace> ChosenFace(const LandmarkDetector& detector, const r
 }  // namespace
 
 LandmarkErrors LandmarkErrorsOf(std::span<const float> points, std::span<const float> truth) {
-  LandmarkErrors errors{.all = NormalisedError(points, truth)};
+  const auto of_landmarks = ErrorsOfLandmarks(points, truth);
+  LandmarkErrors errors{.all = MeanError(of_landmarks)};
   for (size_t i = 0; i < kLandmarkParts.size(); ++i)
-    errors.parts[i] = NormalisedError(points, truth, kLandmarkParts[i].begin, kLandmarkParts[i].end);
+    errors.parts[i] = MeanError(of_landmarks, kLandmarkParts[i].begin, kLandmarkParts[i].end);
   return errors;
 }
 
@@ -141,26 +121,30 @@ std::vector<PictureMeasurement> MeasurePictures(const LandmarkDetector& detector
                                                 const fs::path& rival, const Task& task) {
   std::vector<std::pair<fs::path, fs::path>> files;
   for (const fs::path& file : PicturesIn(folder))
-    if (const std::optional<fs::path> landmarks = LandmarksOfPicture(file)) files.emplace_back(file, *landmarks);
-  DAUMIER_CHECK(!files.empty(), "{} holds no picture with landmarks in NAME.pts or NAME.txt", folder.string());
+    if (const auto landmarks = LandmarkFileIn(folder, file.stem().string())) files.emplace_back(file, *landmarks);
+  DAUMIER_CHECK(!files.empty(), "{} holds no picture with landmarks in NAME.pts, NAME.txt or NAME.json",
+                folder.string());
   Progress progress(task.Stage("Pictures"), int64_t(files.size()), "pictures");
   std::vector<PictureMeasurement> results;
   for (const auto& [file, landmarks] : files) {
     task.ThrowIfCancelled("the evaluation was stopped; nothing was written");
-    PictureMeasurement result{.name = file.filename().string(), .truth = ReadLandmarks(landmarks)};
+    PictureMeasurement result{.name = file.filename().string(), .truth = ReadKnownLandmarks(landmarks)};
     const render::Image picture = render::ReadImage(file);
-    const Box box = BoxOf(result.truth);
+    const std::vector<float>& truth = result.truth;
+    const bool is_whole = std::ranges::all_of(truth, [](float value) { return std::isfinite(value); });
+    const Box box = BoxOf(KnownAlone(truth, truth));
     const Stopwatch stopwatch;
     result.face = ChosenFace(detector, picture);
     result.milliseconds = 1000 * stopwatch.seconds();
     result.found = result.face && result.face->confidence >= detector.options().least_confidence &&
-                   Overlap(result.face->box, box) > kFoundOverlap;
-    if (result.found) result.errors = LandmarkErrorsOf(result.face->landmarks, result.truth);
-    result.boxed = LandmarkErrorsOf(detector.FindIn(picture, box).landmarks, result.truth);
+                   Overlap(BoxOf(KnownAlone(result.face->landmarks, truth)), box) > kFoundOverlap;
+    if (result.found) result.errors = LandmarkErrorsOf(result.face->landmarks, truth);
+    if (is_whole) result.boxed = LandmarkErrorsOf(detector.FindIn(picture, box).landmarks, truth);
     const fs::path other = rival / (file.stem().string() + ".pts");
     if (!rival.empty() && fs::is_regular_file(other)) {
       const std::vector<float> points = ReadLandmarks(other);
-      if (Overlap(BoxOf(points), box) > kFoundOverlap) result.rival = LandmarkErrorsOf(points, result.truth);
+      if (Overlap(BoxOf(KnownAlone(points, truth)), box) > kFoundOverlap)
+        result.rival = LandmarkErrorsOf(points, truth);
     }
     results.push_back(std::move(result));
     progress.Step();

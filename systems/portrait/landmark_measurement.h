@@ -13,7 +13,7 @@
 /// Measurements of a detector on portraits and on pictures of other origin.
 namespace daumier::portrait {
 
-/// Normalised errors of one face (NormalisedError).
+/// Normalised errors of one face (NormalisedError), of landmarks whose truth is known; NaN of a part without one.
 struct LandmarkErrors {
   double all = 0;
   std::array<double, kLandmarkParts.size()> parts = {};
@@ -42,17 +42,17 @@ PortraitMeasurement MeasurePortrait(const LandmarkDetector& detector, const Land
 /// A picture with given landmarks.
 struct PictureMeasurement {
   std::string name;
-  std::vector<float> truth = {};              ///< 68 x 2
-  std::optional<DetectedFace> face = {};      ///< The chosen one (LandmarkDetector::FindOne), of whatever confidence.
-  bool found = false;                         ///< Confident enough, and overlaps the truth by more than kFoundOverlap.
+  std::vector<float> truth = {};          ///< 68 x 2, NaN where it is not known.
+  std::optional<DetectedFace> face = {};  ///< The chosen one (LandmarkDetector::FindOne), of whatever confidence.
+  bool found = false;  ///< Confident enough; its box of the known landmarks overlaps theirs by more than kFoundOverlap.
   std::optional<LandmarkErrors> errors = {};  ///< Of the face that was found.
-  std::optional<LandmarkErrors> boxed = {};   ///< With the true box given.
+  std::optional<LandmarkErrors> boxed = {};   ///< With the true box given; absent unless all of the truth is known.
   std::optional<LandmarkErrors> rival = {};   ///< Of another program, where it found the face.
   double milliseconds = 0;                    ///< Of FindOne, without reading the file.
 };
 
-/// Pictures of a folder that have landmarks in NAME.pts or NAME.txt, by name; numbers in names by value.
-/// rival: folder of NAME.pts, or empty. @throws Error if there is no such picture.
+/// Pictures of a folder that have landmarks, or some of them, in a file of their name (LandmarkFileIn), in the order of
+/// PicturesIn. rival: folder of NAME.pts, or empty. @throws Error if there is no such picture.
 std::vector<PictureMeasurement> MeasurePictures(const LandmarkDetector& detector, const std::filesystem::path& folder,
                                                 const std::filesystem::path& rival, const Task& task = {});
 

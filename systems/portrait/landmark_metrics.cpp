@@ -1,7 +1,5 @@
 #include "systems/portrait/landmark_metrics.h"
 
-#include "core/error.h"
-
 namespace daumier::portrait {
 namespace {
 
@@ -37,19 +35,6 @@ std::vector<reports::Metric> LandmarkSummaryColumns() {
   std::vector<reports::Metric> columns = {PercentColumn("p90", "p90"), PercentColumn("eyes", "eyes")};
   for (reports::Metric& column : columns) column.may_hide = true;
   return columns;
-}
-
-reports::MetricTable ReadLandmarkMetrics(const Json& metrics) {
-  try {
-    reports::MetricTable table{.columns = LandmarkColumns()};
-    table.rows = reports::RowsFromJson(metrics.at("table"), table.columns);
-    table.faces = metrics.at("faces").get<std::vector<int>>();
-    table.groups = metrics.at("groups").get<std::vector<int>>();
-    table.data_hash = metrics.at("data_hash");
-    return table;
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("the metrics of a landmark run are malformed: {}", TextOf(error)));
-  }
 }
 
 }  // namespace daumier::portrait

@@ -1,5 +1,4 @@
 #pragma once
-#include "core/json.h"
 #include "reports/metric_table.h"
 
 #include <vector>
@@ -11,8 +10,5 @@ namespace daumier::portrait {
 const std::vector<reports::Metric>& LandmarkColumns();
 /// Columns of a table of several runs, besides the error.
 std::vector<reports::Metric> LandmarkSummaryColumns();
-
-/// metrics.json of a report as a table. @throws Error if it is malformed.
-reports::MetricTable ReadLandmarkMetrics(const Json& metrics);
 
 }  // namespace daumier::portrait

@@ -54,6 +54,7 @@ void Blend(render::Image& image, int row, int column, const render::Rgb& colour,
 /// All pixels near a segment, by the share of the line that covers them.
 void DrawSegment(render::Image& image, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
                  const render::Rgb& colour) {
+  if (!(from + to).allFinite()) return;
   const double reach = 0.5 * width + 1;
   const auto bound = [](double value, int size) { return std::clamp(int(std::floor(value)), 0, size); };
   const int first_row = bound(std::min(from.y(), to.y()) - reach, image.height),

@@ -11,7 +11,8 @@ namespace daumier::portrait {
 render::Image Fitted(const render::Image& picture, int side);
 
 /// Draws the chains of 68 landmarks (jaw, brows, nose, eyes, lips) as antialiased lines with a dot a landmark, `scale`
-/// pixels of `image` to one of theirs. Parts have colours of their own; `width` of a line, pixels.
+/// pixels of `image` to one of theirs. Parts have colours of their own; `width` of a line, pixels. Landmarks that are not
+/// finite are left out, with the lines to them.
 void DrawLandmarks(render::Image& image, std::span<const float> landmarks, double scale, double width = 1.5);
 /// The same in one colour.
 void DrawLandmarks(render::Image& image, std::span<const float> landmarks, double scale, double width,
@@ -20,7 +21,7 @@ void DrawLandmarks(render::Image& image, std::span<const float> landmarks, doubl
 /// Draws the four sides of a box.
 void DrawBox(render::Image& image, const Box& box, double scale, const render::Rgb& colour);
 
-/// The picture tinted by classes (FaceClass) of a mask of its size; the background is unchanged.
+/// The picture tinted by classes (PictureClass) of a mask of its size; the background is unchanged.
 render::Image TintedByClasses(const render::Image& picture, const render::Image& mask);
 
 }  // namespace daumier::portrait

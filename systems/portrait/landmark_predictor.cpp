@@ -4,6 +4,7 @@
 #include "render/draw.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_overlay.h"
+#include "systems/predict_each.h"
 #include "systems/training_library.h"
 
 #include <algorithm>
@@ -29,11 +30,7 @@ std::vector<DetectedFace> LandmarkPredictor::Faces(const render::Image& picture)
     if (faces.empty()) faces.push_back(detector_.FindOne(picture));  // Throws, with the reason.
     return faces;
   }
-  DetectedFace face = detector_.FindIn(picture, BoxOf(given_landmarks_));
-  face.landmarks = given_landmarks_;
-  face.landmark_confidences.assign(size_t(kNumLandmarks), 1.0f);
-  face.box = BoxOf(face.landmarks);
-  return {std::move(face)};
+  return {detector_.FindGiven(picture, given_landmarks_)};
 }
 
 systems::FaceResult LandmarkPredictor::ResultOf(const render::Image& picture) const {
@@ -64,21 +61,8 @@ std::vector<systems::FaceResult> LandmarkPredictor::Predict(std::span<const syst
                                                             const Task& task) const {
   DAUMIER_CHECK(inputs.size() == 1 || (options_.landmarks.empty() && options_.mask.empty()),
                 "landmarks and mask are given for one picture, here are {}", inputs.size());
-  std::vector<systems::FaceResult> results;
-  for (size_t i = 0; i < inputs.size(); ++i) {
-    task.ThrowIfCancelled("stopped after {} of {} pictures", i, inputs.size());
-    const auto* const picture = std::get_if<render::Image>(&inputs[i]);
-    DAUMIER_CHECK(picture != nullptr, "input {} of {} is no picture (expected PNG, JPEG, WebP, BMP or TIFF)", i + 1,
-                  inputs.size());
-    try {
-      results.push_back(ResultOf(*picture));
-    } catch (const Error& error) {
-      if (inputs.size() == 1) throw;
-      throw Error(fmt::format("input {} of {}: {}", i + 1, inputs.size(), error.what()));
-    }
-    task.Report(int64_t(i + 1), int64_t(inputs.size()), "pictures");
-  }
-  return results;
+  return systems::PredictEach(inputs, task, "pictures",
+                              [&](const systems::Input& input) { return ResultOf(systems::PictureOf(input)); });
 }
 
 std::unique_ptr<systems::Predictor> OpenLandmarkPredictor(const std::filesystem::path& run, const Device& device,

@@ -4,6 +4,7 @@
 #include "core/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace daumier::portrait {
@@ -17,19 +18,22 @@ double MeanOf(const std::vector<double>& values) {
   return sum / double(values.size());
 }
 
-/// Null values where nothing was found.
+/// Null values where nothing was found, or where the truth of a part is not known.
 Json ErrorSummary(const ErrorList& errors) {
   if (errors.empty()) return {{"median", nullptr}, {"mean", nullptr}, {"p90", nullptr}, {"eyes_median", nullptr}};
   const auto values = [&](const std::function<double(const LandmarkErrors&)>& of) {
     std::vector<double> list;
-    for (const LandmarkErrors& error : errors) list.push_back(of(error));
+    for (const LandmarkErrors& error : errors)
+      if (std::isfinite(of(error))) list.push_back(of(error));
     return list;
   };
   const std::vector<double> all = values([](const LandmarkErrors& error) { return error.all; });
   Json summary = {{"median", Percentile(all, 50)}, {"mean", MeanOf(all)}, {"p90", Percentile(all, 90)}};
-  for (size_t part = 0; part < kLandmarkParts.size(); ++part)
+  for (size_t part = 0; part < kLandmarkParts.size(); ++part) {
+    const std::vector<double> of_part = values([part](const LandmarkErrors& error) { return error.parts[part]; });
     summary[std::string(kLandmarkParts[part].name) + "_median"] =
-        Percentile(values([part](const LandmarkErrors& error) { return error.parts[part]; }), 50);
+        of_part.empty() ? Json() : Json(Percentile(of_part, 50));
+  }
   return summary;
 }
 
@@ -38,8 +42,8 @@ std::string PercentText(const Json& summary, const char* key) {
   return value.is_null() ? "-" : fmt::format("{:.2f} %", 100 * value.get<double>());
 }
 
-constexpr std::array<const char*, kNumFaceClasses> kClassNames = {"background", "skin",  "brows", "eyes",
-                                                                  "lips",       "mouth", "ears",  "hair"};
+constexpr std::array<const char*, kNumPictureClasses> kClassNames = {"background", "skin",  "brows", "eyes",
+                                                                     "lips",       "mouth", "ears",  "hair"};
 constexpr std::array<const char*, kNumFaceStates> kStateNames = {"is_face", "right_eye_closed", "left_eye_closed",
                                                                  "mouth_open"};
 
@@ -60,12 +64,14 @@ Json PicturesToJson(std::span<const PictureMeasurement> pictures) {
                     {"found", picture.found},
                     {"confidence", picture.face ? picture.face->confidence : 0},
                     {"error", picture.errors ? Json(picture.errors->all) : Json()},
-                    {"eyes", picture.errors ? Json(picture.errors->parts[3]) : Json()}});
+                    {"eyes", picture.errors && std::isfinite(picture.errors->parts[3]) ? Json(picture.errors->parts[3])
+                                                                                       : Json()}});
   }
   Json json = ErrorSummary(found);
   json["num"] = pictures.size();
   json["found"] = found.size();
   json["box_given"] = ErrorSummary(boxed);
+  json["box_given"]["num"] = boxed.size();
   json["rival"] = Json();
   if (has_rival) {
     json["rival"] = ErrorSummary(rival);
@@ -102,7 +108,8 @@ reports::ReportTable PicturesTable(const Json& pictures) {
                           PercentText(summary, "eyes_median")});
   };
   add("network, face searched", pictures, pictures.at("found").get<size_t>());
-  add("network, box given", pictures.at("box_given"), pictures.at("num").get<size_t>());
+  if (!pictures.at("box_given").at("median").is_null())
+    add("network, box given", pictures.at("box_given"), pictures.at("box_given").at("num").get<size_t>());
   if (!pictures.at("rival").is_null())
     add("rival", pictures.at("rival"), pictures.at("rival").at("num_found").get<size_t>());
   return table;
@@ -121,7 +128,7 @@ Json TonesToJson(const std::map<int, std::vector<double>>& errors_of_tones) {
 
 Json LabelsToJson(const LabelCounts& counts) {
   Json json = {{"mean", counts.mean_iou()}};
-  for (size_t k = 0; k < kClassNames.size(); ++k) json[kClassNames[k]] = counts.iou(FaceClass(k));
+  for (size_t k = 0; k < kClassNames.size(); ++k) json[kClassNames[k]] = counts.iou(PictureClass(k));
   return json;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/picture_parts.h"
 #include "render/image.h"
 
 #include <array>
@@ -7,15 +8,12 @@
 
 namespace daumier::portrait {
 
-/// Classes of a pixel of a face, in the order of the network's labels and of masks in files.
-enum class FaceClass : uint8_t { kBackground, kSkin, kBrow, kEye, kLip, kMouth, kEar, kHair };
-inline constexpr int kNumFaceClasses = 8;
 inline constexpr int kNumLandmarks = 68;
 
 /// A picture of a face with what is true of it.
 struct LandmarkSample {
   render::Image picture;              ///< RGB
-  render::Image mask;                 ///< Grey, of the picture's size: FaceClass.
+  render::Image mask;                 ///< Grey, of the picture's size: PictureClass.
   std::vector<float> landmarks;       ///< 68 x 2, pixels (x0 y0 x1 y1 ...).
   std::vector<uint8_t> visibility;    ///< 68: 1 seen, 0 hidden or outside.
   std::array<float, 3> gaps_mm = {};  ///< Right eye, left eye, mouth.

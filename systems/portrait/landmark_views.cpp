@@ -125,7 +125,7 @@ TrainingView NegativeView(const LandmarkSample& sample, const ViewOptions& optio
     ShuffleBlocks(view.picture, size, rng);
   } else {
     DrawClutter(view.picture, size, rng);
-    std::ranges::fill(view.labels, int64_t(FaceClass::kBackground));
+    std::ranges::fill(view.labels, int64_t(PictureClass::kBackground));
   }
   return view;
 }
@@ -190,7 +190,7 @@ TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& o
       SampleLabels(sample.mask, frame, LabelSide(size), kUnknownLabel, FieldOf(bulges, size, LabelSide(size)));
   if (augmentation != nullptr && rng.Uniform() < augmentation->teeth * augmentation->strength) {
     std::vector<uint8_t> mouth;
-    for (const int64_t label : view.labels) mouth.push_back(label == int64_t(FaceClass::kMouth));
+    for (const int64_t label : view.labels) mouth.push_back(label == int64_t(PictureClass::kMouth));
     PaintTeeth(view.picture, size, mouth, LabelSide(size), rng);
   }
   view.states = StatesOf(sample, frame.mirrored);
@@ -200,7 +200,7 @@ TrainingView MakeTrainingView(const LandmarkSample& sample, const ViewOptions& o
   if (augmentation != nullptr && rng.Uniform() < augmentation->occluder * augmentation->strength) {
     DrawOccluders(view.picture, size, covered, LabelSide(size), rng);
     for (size_t i = 0; i < covered.size(); ++i)
-      if (covered[i] != 0 && view.labels[i] != kUnknownLabel) view.labels[i] = int64_t(FaceClass::kBackground);
+      if (covered[i] != 0 && view.labels[i] != kUnknownLabel) view.labels[i] = int64_t(PictureClass::kBackground);
   }
   if (augmentation != nullptr) ChangeColours(view.picture, size, *augmentation, rng);
   const int side = HeatMapSide(size), label_side = LabelSide(size);

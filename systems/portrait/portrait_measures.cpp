@@ -7,24 +7,6 @@
 
 namespace daumier::portrait {
 
-std::array<double, 68> ErrorsOfLandmarks(std::span<const float> predicted, std::span<const float> truth) {
-  constexpr size_t kRightCorner = 36, kLeftCorner = 45;
-  DAUMIER_CHECK(predicted.size() == 136 && truth.size() == 136, "{} and {} numbers of landmarks, expected 136",
-                predicted.size(), truth.size());
-  const auto at = [](std::span<const float> of, size_t n) { return Eigen::Vector2d(of[2 * n], of[2 * n + 1]); };
-  const double eyes = (at(truth, kRightCorner) - at(truth, kLeftCorner)).norm();
-  DAUMIER_CHECK(eyes > 0, "the outer corners of the eyes are in one point");
-  std::array<double, 68> errors{};
-  for (size_t n = 0; n < 68; ++n) errors[n] = (at(predicted, n) - at(truth, n)).norm() / eyes;
-  return errors;
-}
-
-double LandmarkError(std::span<const float> predicted, std::span<const float> truth) {
-  double sum = 0;
-  for (const double error : ErrorsOfLandmarks(predicted, truth)) sum += error;
-  return sum / 68;
-}
-
 ShapeMeasure::ShapeMeasure(const faces::FaceTemplate& face_template)
     : mm_per_cm_(faces::MillimetresPerCm(face_template)),
       weights_(Eigen::VectorXd::Zero(face_template.num_vertices())),

@@ -6,15 +6,8 @@
 
 #include <array>
 #include <optional>
-#include <span>
 
 namespace daumier::portrait {
-
-/// Mean distance of landmarks (68 x 2 each) over the distance between the outer corners of the true eyes (36 and 45), as
-/// a share: "normalised mean error". @throws Error if the true corners are in one point.
-double LandmarkError(std::span<const float> predicted, std::span<const float> truth);
-/// The same of each landmark, 68.
-std::array<double, 68> ErrorsOfLandmarks(std::span<const float> predicted, std::span<const float> truth);
 
 /// What is counted of a predicted shape.
 class ShapeMeasure {

@@ -1,7 +1,5 @@
 #include "systems/portrait/portrait_metrics.h"
 
-#include "core/error.h"
-
 namespace daumier::portrait {
 
 const std::vector<reports::Metric>& PortraitColumns() {
@@ -27,19 +25,6 @@ std::vector<reports::Metric> PortraitSummaryColumns() {
   std::vector<reports::Metric> columns(PortraitColumns().begin() + 1, PortraitColumns().end() - 1);
   for (reports::Metric& column : columns) column.may_hide = true;
   return columns;
-}
-
-reports::MetricTable ReadPortraitMetrics(const Json& metrics) {
-  try {
-    reports::MetricTable table{.columns = PortraitColumns()};
-    table.rows = reports::RowsFromJson(metrics.at("table"), table.columns);
-    table.faces = metrics.at("faces").get<std::vector<int>>();
-    table.groups = metrics.at("groups").get<std::vector<int>>();
-    table.data_hash = metrics.at("data_hash");
-    return table;
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("the metrics of a portrait run are malformed: {}", TextOf(error)));
-  }
 }
 
 }  // namespace daumier::portrait

@@ -7,6 +7,7 @@ namespace daumier::portrait {
 
 /// Names of rows of an evaluation.
 inline constexpr const char* kPortraitNetworkRow = "network";
+inline constexpr const char* kRefinedRow = "network, refined";
 inline constexpr const char* kMeanFaceRow = "mean face, pose fitted";
 inline constexpr const char* kLandmarkFitRow = "landmark fit";
 
@@ -16,8 +17,5 @@ inline constexpr const char* kLandmarkFitRow = "landmark fit";
 const std::vector<reports::Metric>& PortraitColumns();
 /// Columns of a table of several runs, besides the error.
 std::vector<reports::Metric> PortraitSummaryColumns();
-
-/// metrics.json of a report as a table. @throws Error if it is malformed.
-reports::MetricTable ReadPortraitMetrics(const Json& metrics);
 
 }  // namespace daumier::portrait

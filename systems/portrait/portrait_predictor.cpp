@@ -4,6 +4,7 @@
 #include "render/draw.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_overlay.h"
+#include "systems/predict_each.h"
 #include "systems/training_library.h"
 
 #include <utility>
@@ -117,21 +118,8 @@ std::vector<systems::FaceResult> PortraitPredictor::Predict(std::span<const syst
                                                             const Task& task) const {
   DAUMIER_CHECK(inputs.size() == 1 || options_.landmarks.empty(), "landmarks are given for one picture, here are {}",
                 inputs.size());
-  std::vector<systems::FaceResult> results;
-  for (size_t i = 0; i < inputs.size(); ++i) {
-    task.ThrowIfCancelled("stopped after {} of {} pictures", i, inputs.size());
-    const auto* const picture = std::get_if<render::Image>(&inputs[i]);
-    DAUMIER_CHECK(picture != nullptr, "input {} of {} is no picture (expected PNG, JPEG, WebP, BMP or TIFF)", i + 1,
-                  inputs.size());
-    try {
-      results.push_back(PredictOne(*picture));
-    } catch (const Error& error) {
-      if (inputs.size() == 1) throw;
-      throw Error(fmt::format("input {} of {}: {}", i + 1, inputs.size(), error.what()));
-    }
-    task.Report(int64_t(i + 1), int64_t(inputs.size()), "pictures");
-  }
-  return results;
+  return systems::PredictEach(inputs, task, "pictures",
+                              [&](const systems::Input& input) { return PredictOne(systems::PictureOf(input)); });
 }
 
 std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem::path& run, const Device& device,

@@ -1,6 +1,7 @@
 #include "systems/portrait/portrait_system.h"
 
 #include "core/training.h"
+#include "systems/portrait/picture_files.h"
 #include "systems/portrait/portrait_evaluation_options.h"
 #include "systems/portrait/portrait_metrics.h"
 #include "systems/portrait/portrait_options.h"
@@ -22,16 +23,16 @@ systems::System PortraitSystem() {
           [](const Json& options, const std::string& where) {
             return ToJson(ParseOptions<PortraitEvalOptions>(options, where));
           },
-      .read_metrics = ReadPortraitMetrics,
+      .read_metrics =
+          [](const Json& metrics) { return reports::TableFromMetrics(metrics, PortraitColumns(), "a portrait run"); },
       .summary_columns = PortraitSummaryColumns,
       .resolve_prediction =
           [](const Json& options, const std::string& where) {
             return ToJson(ParseOptions<PortraitPredictOptions>(options, where));
           },
       .open = OpenPortraitPredictor,
-      .read_inputs =
-          [](const std::filesystem::path& file) { return std::vector<systems::Input>{render::ReadImage(file)}; },
-      .input_extensions = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff"},
+      .read_inputs = ReadPicture,
+      .input_extensions = PictureExtensions(),
   };
 }
 

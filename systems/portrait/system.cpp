@@ -5,19 +5,10 @@
 #include "systems/portrait/landmark_metrics.h"
 #include "systems/portrait/landmark_options.h"
 #include "systems/portrait/landmark_predictor.h"
+#include "systems/portrait/picture_files.h"
 #include "systems/portrait/portrait_system.h"
 
 namespace daumier::portrait {
-namespace {
-
-std::vector<systems::Input> ReadPicture(const std::filesystem::path& file) {
-  std::vector<systems::Input> inputs;
-  inputs.emplace_back(render::ReadImage(file));
-  return inputs;
-}
-
-}  // namespace
-
 systems::System LandmarkSystem() {
   return {
       .name = kLandmarkSystem,
@@ -35,7 +26,8 @@ systems::System LandmarkSystem() {
               throw UsageError(fmt::format("{}: rival needs pictures, the folder of what it was found in", where));
             return ToJson(parsed);
           },
-      .read_metrics = ReadLandmarkMetrics,
+      .read_metrics =
+          [](const Json& metrics) { return reports::TableFromMetrics(metrics, LandmarkColumns(), "a landmark run"); },
       .summary_columns = LandmarkSummaryColumns,
       .resolve_prediction =
           [](const Json& options, const std::string& where) {
@@ -43,7 +35,7 @@ systems::System LandmarkSystem() {
           },
       .open = OpenLandmarkPredictor,
       .read_inputs = ReadPicture,
-      .input_extensions = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff"},
+      .input_extensions = PictureExtensions(),
       .result_files = {".png", ".pts", ".json", "_mask.png"},
   };
 }

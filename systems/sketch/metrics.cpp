@@ -34,11 +34,7 @@ std::vector<reports::Metric> SketchSummaryColumns() {
 
 reports::MetricTable ReadSketchMetrics(const Json& metrics) {
   try {
-    reports::MetricTable table{.columns = SketchColumns()};
-    table.rows = reports::RowsFromJson(metrics.at("table"), table.columns);
-    table.faces = metrics.value("faces", std::vector<int>());
-    table.groups = metrics.value("groups", std::vector<int>());
-    table.data_hash = metrics.at("data_hash");
+    reports::MetricTable table = reports::TableFromMetrics(metrics, SketchColumns(), "a sketch run");
     FlagBaselines(table);
     const std::string input = metrics.at("shape_input").get<std::string>();
     const auto result = std::find_if(table.rows.begin(), table.rows.end(), [&](const reports::MetricRow& row) {

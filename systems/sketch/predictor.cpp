@@ -6,6 +6,7 @@
 #include "render/faces_on_sheet.h"
 #include "render/line_drawing.h"
 #include "render/sparse_strokes.h"
+#include "systems/predict_each.h"
 #include "systems/training_library.h"
 
 #include <algorithm>
@@ -116,20 +117,8 @@ std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) cons
 
 std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const systems::Input> inputs,
                                                           const Task& task) const {
-  std::vector<systems::FaceResult> results;
-  for (size_t i = 0; i < inputs.size(); ++i) {
-    task.ThrowIfCancelled("stopped after {} of {} drawings", i, inputs.size());
-    try {
-      results.push_back(PredictOne(DrawingOf(inputs[i]), task));
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Error& error) {
-      if (inputs.size() == 1) throw;
-      throw Error(fmt::format("input {} of {}: {}", i + 1, inputs.size(), error.what()));
-    }
-    task.Report(int64_t(i + 1), int64_t(inputs.size()), "drawings");
-  }
-  return results;
+  return systems::PredictEach(inputs, task, "drawings",
+                              [&](const systems::Input& input) { return PredictOne(DrawingOf(input), task); });
 }
 
 systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, const Task& task) const {

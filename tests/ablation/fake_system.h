@@ -193,12 +193,7 @@ class FakeSystem {
     return table;
   }
   static reports::MetricTable ReadMetrics(const Json& metrics) {
-    reports::MetricTable table = EmptyTable();
-    table.rows = reports::RowsFromJson(metrics.at("table"), table.columns);
-    table.faces = metrics.at("faces").get<std::vector<int>>();
-    table.groups = metrics.at("groups").get<std::vector<int>>();
-    table.data_hash = metrics.at("data_hash");
-    return table;
+    return reports::TableFromMetrics(metrics, EmptyTable().columns, "a run");
   }
 
   static std::string Lines(double error) {

@@ -181,5 +181,12 @@ TEST(IsSystemFile, IsWhatMacOsAddsToFolders) {
     EXPECT_FALSE(IsSystemFile(path)) << path;
 }
 
+TEST(WithoutFolder, LeavesNamesRelativeToIt) {
+  EXPECT_EQ(WithoutFolder("/a/b/c.png: bad, as /a/b/d/e.png", "/a/b"), "c.png: bad, as d/e.png");
+  EXPECT_EQ(WithoutFolder("/a/b/c.png: bad", "/a/b/"), "c.png: bad");
+  EXPECT_EQ(WithoutFolder("/a/bc.png: bad", "/a/b"), "/a/bc.png: bad");
+  EXPECT_EQ(WithoutFolder("c.png: bad", ""), "c.png: bad");
+}
+
 }  // namespace
 }  // namespace daumier

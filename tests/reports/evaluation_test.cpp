@@ -73,6 +73,20 @@ TEST(Evaluation, WithASheetOfItsOwnHasNoOtherPicture) {
   EXPECT_FALSE(fs::exists(folder / "report/mean_error.png"));
 }
 
+TEST(Evaluation, FurtherPicturesAreOnThePageAndInTheManifest) {
+  const testing::TempDir folder;
+  Evaluation evaluation = MakeEvaluation();
+  evaluation.predictions.reset();
+  evaluation.sheet = Evaluation::Sheet{render::Image(8, 8, 3), "Each row: a drawing."};
+  evaluation.pictures = {{"Portraits", "portraits.jpg", {render::Image(16, 24, 3, 80), "A portrait a row."}}};
+  WriteEvaluation(folder / "report", evaluation);
+  const std::string page = ReadFile(folder / "report/index.html");
+  for (const char* text : {"sheet.png", "portraits.jpg", "A portrait a row."})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_EQ(render::ReadImage(folder / "report/portraits.jpg").width, 24);
+  EXPECT_EQ(ReadManifest(folder / "report", "report").checksums.count("portraits.jpg"), 1u);
+}
+
 TEST(Evaluation, RefusesAManifestOfAnotherKindAndDamagedMetrics) {
   const testing::TempDir folder;
   Evaluation evaluation = MakeEvaluation();

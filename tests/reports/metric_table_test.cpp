@@ -118,6 +118,33 @@ TEST(MetricTable, RowsOfEarlierReportsMayLackEntriesButNotTheError) {
   ExpectError([&] { RowsFromJson(Json::parse(R"([{"name": "a", "error": "two"}])"), columns); }, "malformed");
 }
 
+TEST(MetricTable, MetricsOfAReportAreReadAsTheirTable) {
+  MetricTable table = TwoRows();
+  table.faces = {3, 4, 6, 7};
+  table.data_hash = {{"faces", "f"}};
+  const Json metrics = {
+      {"table", TableJson(table)}, {"faces", table.faces}, {"groups", table.groups}, {"data_hash", table.data_hash}};
+  const MetricTable read = TableFromMetrics(Json::parse(metrics.dump()), table.columns, "a run");
+  EXPECT_EQ(TableJson(read), TableJson(table));
+  EXPECT_EQ(read.faces, table.faces);
+  EXPECT_EQ(read.groups, table.groups);
+  EXPECT_EQ(read.data_hash, table.data_hash);
+}
+
+TEST(MetricTable, MetricsMayLackFacesAndGroupsButNothingElse) {
+  const std::vector<Metric> columns = TwoRows().columns;
+  const Json metrics = {{"table", TableJson(TwoRows())}, {"data_hash", "f"}};
+  EXPECT_TRUE(TableFromMetrics(metrics, columns, "a run").faces.empty());
+  for (const char* key : {"table", "data_hash"}) {
+    Json less = metrics;
+    less.erase(key);
+    ExpectError([&] { TableFromMetrics(less, columns, "a run"); }, "the metrics of a run are malformed");
+  }
+  Json other = metrics;
+  other["faces"] = "none";
+  ExpectError([&] { TableFromMetrics(other, columns, "a run"); }, "the metrics of a run are malformed");
+}
+
 TEST(MetricTable, TextHasAColumnAMetricAndItsInterval) {
   const ReportTable text = TextTable(TwoRows());
   EXPECT_EQ(text.header, (std::vector<std::string>{"predictor", "shape input", "mm", "95 % interval", "p90", "share"}));

@@ -53,7 +53,6 @@ inline bool InEllipse(const Point& p, double u, double v, double a, double b) {
 
 inline portrait::LandmarkSample DrawnPortraits::Get(int i) const {
   using drawn::Point;
-  using portrait::FaceClass;
   Rng rng = Stream(7, "drawn portraits", uint64_t(i));
   constexpr int kSide = 224;
   constexpr double kEyeX = 0.42, kEyeY = -0.15, kEyeWidth = 0.2, kMouthY = 0.62, kMouthWidth = 0.34;
@@ -70,20 +69,22 @@ inline portrait::LandmarkSample DrawnPortraits::Get(int i) const {
     for (int column = 0; column < kSide; ++column) {
       const Point p = face.Inverse({column + 0.5, row + 0.5});
       drawn::Colour at = ground;
-      FaceClass of = FaceClass::kBackground;
-      const auto set = [&](const drawn::Colour& value, FaceClass face_class) { at = value, of = face_class; };
-      if (drawn::InEllipse(p, 0, -0.2, 1.15, 1.3)) set(hair, FaceClass::kHair);
-      if (std::abs(std::abs(p.x()) - 1) < 0.12 && std::abs(p.y()) < 0.2) set(skin, FaceClass::kEar);
-      if (drawn::InEllipse(p, 0, 0, 1, 1.2)) set(skin, FaceClass::kSkin);
+      PictureClass of = PictureClass::kBackground;
+      const auto set = [&](const drawn::Colour& value, PictureClass face_class) { at = value, of = face_class; };
+      if (drawn::InEllipse(p, 0, -0.2, 1.15, 1.3)) set(hair, PictureClass::kHair);
+      if (std::abs(std::abs(p.x()) - 1) < 0.12 && std::abs(p.y()) < 0.2) set(skin, PictureClass::kEars);
+      if (drawn::InEllipse(p, 0, 0, 1, 1.2)) set(skin, PictureClass::kSkin);
       for (const double side : {-1.0, 1.0}) {
-        if (std::abs(p.x() - side * kEyeX) < 0.26 && std::abs(p.y() + 0.45) < 0.05) set(hair, FaceClass::kBrow);
+        if (std::abs(p.x() - side * kEyeX) < 0.26 && std::abs(p.y() + 0.45) < 0.05) set(hair, PictureClass::kBrows);
         const double open = side < 0 ? right : left;
-        if (drawn::InEllipse(p, side * kEyeX, kEyeY, kEyeWidth, open)) set({1, 1, 1}, FaceClass::kEye);
-        if (open > 0.05 && drawn::InEllipse(p, side * kEyeX, kEyeY, 0.06, 0.06)) set({0.1, 0.2, 0.3}, FaceClass::kEye);
+        if (drawn::InEllipse(p, side * kEyeX, kEyeY, kEyeWidth, open)) set({1, 1, 1}, PictureClass::kEyes);
+        if (open > 0.05 && drawn::InEllipse(p, side * kEyeX, kEyeY, 0.06, 0.06))
+          set({0.1, 0.2, 0.3}, PictureClass::kEyes);
       }
-      if (std::abs(p.x()) < 0.14 && std::abs(p.y() - 0.3) < 0.03) set({0.4, 0.25, 0.2}, FaceClass::kSkin);
-      if (drawn::InEllipse(p, 0, kMouthY, kMouthWidth, lip + mouth)) set(lips, FaceClass::kLip);
-      if (mouth > 0 && drawn::InEllipse(p, 0, kMouthY, 0.8 * kMouthWidth, mouth)) set({0.15, 0, 0}, FaceClass::kMouth);
+      if (std::abs(p.x()) < 0.14 && std::abs(p.y() - 0.3) < 0.03) set({0.4, 0.25, 0.2}, PictureClass::kSkin);
+      if (drawn::InEllipse(p, 0, kMouthY, kMouthWidth, lip + mouth)) set(lips, PictureClass::kLips);
+      if (mouth > 0 && drawn::InEllipse(p, 0, kMouthY, 0.8 * kMouthWidth, mouth))
+        set({0.15, 0, 0}, PictureClass::kMouth);
       for (int k = 0; k < 3; ++k) sample.picture.at(row, column, k) = uint8_t(255 * at[size_t(k)]);
       sample.mask.at(row, column) = uint8_t(of);
     }

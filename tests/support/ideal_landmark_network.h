@@ -138,11 +138,11 @@ inline NamedArrays IdealLandmarkNetwork::Run(const NamedArrays& inputs) const {
           const Eigen::Vector2d d = p - box.centre();
           eye = std::max(eye, 4 * (1 - std::hypot(d.x() / (0.5 * box.width()), d.y() / (0.5 * box.height()))));
         }
-        labels.row(b)[(size_t(portrait::FaceClass::kEye) * size_t(label_side) + size_t(row)) * size_t(label_side) +
-                      size_t(column)] = float(eye);
-        for (const auto other :
-             {portrait::FaceClass::kBrow, portrait::FaceClass::kLip, portrait::FaceClass::kMouth,
-              portrait::FaceClass::kEar, portrait::FaceClass::kHair, portrait::FaceClass::kBackground})
+        labels.row(
+            b)[(size_t(PictureClass::kEyes) * size_t(label_side) + size_t(row)) * size_t(label_side) + size_t(column)] =
+            float(eye);
+        for (const auto other : {PictureClass::kBrows, PictureClass::kLips, PictureClass::kMouth, PictureClass::kEars,
+                                 PictureClass::kHair, PictureClass::kBackground})
           labels.row(b)[(size_t(other) * size_t(label_side) + size_t(row)) * size_t(label_side) + size_t(column)] = -20;
       }
   }

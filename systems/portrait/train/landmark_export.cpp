@@ -40,8 +40,8 @@ std::string LandmarkInputsAndOutputs(int resolution) {
       "sigmoid is the confidence), centre's offset from the cell's centre and logarithms of width and height, in cells "
       "of 8 pixels |\n\n"
       "{0} is any batch size. All scores are without softmax or sigmoid.\n\n",
-      exporting::kBatchDimension, resolution, kCropSide, kNumLandmarks, resolution / 4, kNumFaceClasses, resolution / 2,
-      2 * kNumFaceStates, resolution / 8);
+      exporting::kBatchDimension, resolution, kCropSide, kNumLandmarks, resolution / 4, kNumPictureClasses,
+      resolution / 2, 2 * kNumFaceStates, resolution / 8);
 }
 
 }  // namespace

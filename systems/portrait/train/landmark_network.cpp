@@ -12,7 +12,7 @@ models::HeatMapUnet MakeLandmarkNetwork(const LandmarkNetworkOptions& options) {
                                                         .width = options.width,
                                                         .point_width = options.point_width,
                                                         .num_points = kNumLandmarks,
-                                                        .num_classes = kNumFaceClasses,
+                                                        .num_classes = kNumPictureClasses,
                                                         .states = std::vector<int>(size_t(kNumFaceStates), 2),
                                                         .finds_boxes = true});
 }

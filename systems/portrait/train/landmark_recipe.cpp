@@ -74,10 +74,10 @@ class ViewArrays {
 };
 
 torch::Tensor ClassWeights(const LandmarkLossOptions& options) {
-  std::vector<float> weights(size_t(kNumFaceClasses), 1);
-  weights[size_t(FaceClass::kBackground)] = float(options.background_class_weight);
-  weights[size_t(FaceClass::kEye)] = float(options.eye_class_weight);
-  for (const FaceClass part : {FaceClass::kBrow, FaceClass::kLip, FaceClass::kMouth, FaceClass::kEar})
+  std::vector<float> weights(size_t(kNumPictureClasses), 1);
+  weights[size_t(PictureClass::kBackground)] = float(options.background_class_weight);
+  weights[size_t(PictureClass::kEyes)] = float(options.eye_class_weight);
+  for (const PictureClass part : {PictureClass::kBrows, PictureClass::kLips, PictureClass::kMouth, PictureClass::kEars})
     weights[size_t(part)] = float(options.part_class_weight);
   return torch::tensor(weights);
 }

@@ -4,14 +4,16 @@
 #include "core/statistics.h"
 #include "render/draw.h"
 #include "render/sheet.h"
-#include "systems/portrait/portrait_measures.h"
+#include "reports/chosen_faces.h"
+#include "systems/portrait/landmark_errors.h"
+#include "systems/portrait/landmark_files.h"
+#include "systems/portrait/picture_files.h"
 #include "systems/portrait/portrait_metrics.h"
 #include "systems/portrait/portrait_picture.h"
 #include "systems/portrait/train/portrait_baselines.h"
 #include "systems/portrait/train/portrait_prediction.h"
 
-#include <algorithm>
-#include <map>
+#include <array>
 
 namespace daumier::portrait {
 namespace {
@@ -25,17 +27,8 @@ struct LandmarkedPicture {
 };
 
 std::vector<LandmarkedPicture> ReadPictures(const fs::path& folder) {
-  std::map<std::string, fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".jpg" || extension == ".jpeg" || extension == ".png") {
-      // Numbers in their order: 2 before 10.
-      const std::string stem = entry.path().stem().string();
-      files[std::string(stem.size() < 8 ? 8 - stem.size() : 0, ' ') + stem] = entry.path();
-    }
-  }
   std::vector<LandmarkedPicture> pictures;
-  for (const auto& [key, file] : files) {
+  for (const fs::path& file : PicturesIn(folder)) {
     const std::string name = file.stem().string();
     if (auto landmarks = LandmarksInFolder(folder, name))
       pictures.push_back({name, render::ReadImage(file), std::move(*landmarks)});
@@ -49,10 +42,30 @@ struct PictureRow {
   std::vector<std::pair<std::string, std::array<double, 68>>> errors;  ///< Of each picture.
 };
 
-double MeanOf(const std::array<double, 68>& errors, size_t first, size_t last) {
-  double sum = 0;
-  for (size_t n = first; n < last; ++n) sum += errors[n];
-  return sum / double(last - first);
+/// What a sheet shows of a picture: the crop, landmarks (given and predicted), the face over it.
+using CellsOfPicture = std::array<render::SheetCell, 3>;
+
+/// The pictures of ChooseFaces by their errors, one a row.
+render::Image SheetOfChosen(const std::vector<CellsOfPicture>& cells, const PictureRow& row) {
+  std::vector<int> numbers;
+  std::vector<double> means;
+  for (size_t i = 0; i < row.errors.size(); ++i) {
+    numbers.push_back(int(i));
+    means.push_back(MeanError(row.errors[i].second));
+  }
+  std::vector<render::SheetCell> chosen;
+  for (const reports::ChosenFace& face : reports::ChooseFaces(numbers, means)) {
+    CellsOfPicture of_picture = cells[size_t(face.face)];
+    of_picture[0].caption = fmt::format("{}: {}", face.title, of_picture[0].caption);
+    chosen.insert(chosen.end(), of_picture.begin(), of_picture.end());
+  }
+  return render::MakeSheet(chosen, 3);
+}
+
+render::Image SheetOfAll(const std::vector<CellsOfPicture>& cells) {
+  std::vector<render::SheetCell> all;
+  for (const CellsOfPicture& of_picture : cells) all.insert(all.end(), of_picture.begin(), of_picture.end());
+  return render::MakeSheet(all, 6);
 }
 
 }  // namespace
@@ -66,7 +79,7 @@ PictureEvaluation EvaluatePictures(const fs::path& folder, const fs::path& detec
   PictureRow by_given{kPortraitNetworkRow, {}}, by_detected{"network, detected landmarks", {}},
       fit{std::string(kLandmarkFitRow) + " to the given landmarks", {}},
       mean{std::string(kMeanFaceRow) + " to the given landmarks", {}};
-  std::vector<render::SheetCell> cells;
+  std::vector<CellsOfPicture> cells;
   const auto predict = [&](const render::Image& crop) {
     const std::vector<float> planes = NetworkPicture(crop, resolution);
     const torch::Tensor input = torch::tensor(planes).view({1, 3, resolution, resolution});
@@ -87,10 +100,10 @@ PictureEvaluation EvaluatePictures(const fs::path& folder, const fs::path& detec
     const FacePicture face = measure(by_given, map, predict(crop));
     measure(fit, map, FitCoefficients(landmark_model, given, fitting::PortraitFreedom::kPoseAndFace));
     measure(mean, map, FitCoefficients(landmark_model, given, fitting::PortraitFreedom::kPose));
-    cells.push_back({crop, picture.name});
-    cells.push_back({DotsOver(DotsOver(crop, given, {40, 220, 80}), face.landmarks, {255, 60, 60}),
-                     fmt::format("{:.1f} %", 100 * LandmarkError(face.landmarks, given))});
-    cells.push_back({OverlayFace(crop, face)});
+    cells.push_back({{{crop, picture.name},
+                      {DotsOver(DotsOver(crop, given, {40, 220, 80}), face.landmarks, {255, 60, 60}),
+                       fmt::format("{:.1f} %", 100 * NormalisedError(face.landmarks, given))},
+                      {OverlayFace(crop, face)}}});
     if (detected.empty()) continue;
     const auto found = LandmarksInFolder(detected, picture.name);
     const PictureMap found_map = found ? CropOfLandmarks(*found, run.options.pictures.size)
@@ -98,7 +111,8 @@ PictureEvaluation EvaluatePictures(const fs::path& folder, const fs::path& detec
     measure(by_detected, found_map, predict(render::ToRgb(WarpPicture(picture.picture, found_map))));
   }
   PictureEvaluation evaluation;
-  evaluation.sheet = render::MakeSheet(cells, 6);
+  evaluation.chosen = SheetOfChosen(cells, by_given);
+  evaluation.all = SheetOfAll(cells);
   evaluation.table = {"Pictures without known faces",
                       {"predictor", "landmarks, mean %", "median %", "eyes, median %", "jaw, median %", "pictures"},
                       {}};
@@ -108,9 +122,9 @@ PictureEvaluation EvaluatePictures(const fs::path& folder, const fs::path& detec
     std::vector<double> all, eyes, jaw;
     double sum = 0;
     for (const auto& [name, errors] : row->errors) {
-      all.push_back(MeanOf(errors, 0, 68));
-      eyes.push_back(MeanOf(errors, 36, 48));
-      jaw.push_back(MeanOf(errors, 0, 17));
+      all.push_back(MeanError(errors));
+      eyes.push_back(MeanError(errors, 36, 48));
+      jaw.push_back(MeanError(errors, 0, 17));
       sum += all.back();
       evaluation.metrics["pictures"][name][row->name] = all.back();
     }

@@ -2,27 +2,8 @@
 
 #include "core/error.h"
 #include "core/stopwatch.h"
-#include "faces/landmark_order.h"
 
 namespace daumier::portrait {
-
-std::optional<std::vector<float>> LandmarksInFolder(const std::filesystem::path& folder, const std::string& name) {
-  for (const char* extension : {".txt", ".pts", ".json"}) {
-    const std::filesystem::path file = folder / (name + extension);
-    if (!std::filesystem::exists(file)) continue;
-    const faces::OrderedLandmarks ordered = faces::OrderLandmarks(faces::ReadMarkedPoints(file));
-    DAUMIER_CHECK(ordered.dimension == 2, "{}: landmarks have {} numbers each, expected 2: pixels", file.string(),
-                  ordered.dimension);
-    std::vector<float> landmarks;
-    for (size_t n = 0; n < ordered.points.size(); ++n) {
-      DAUMIER_CHECK(ordered.points[n].has_value(), "{}: landmark {} is absent", file.string(), n);
-      landmarks.push_back(float(ordered.points[n]->x()));
-      landmarks.push_back(float(ordered.points[n]->y()));
-    }
-    return landmarks;
-  }
-  return std::nullopt;
-}
 
 std::vector<float> FitCoefficients(const fitting::LandmarkModel& model, std::span<const float> landmarks,
                                    fitting::PortraitFreedom freedom) {

@@ -2,17 +2,10 @@
 #include "fitting/portrait_fit.h"
 #include "systems/portrait/train/portrait_measurement.h"
 
-#include <filesystem>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace daumier::portrait {
-
-/// Landmarks (68 x 2) of a picture NAME that a detector or a person wrote into a folder: NAME.txt, NAME.pts or NAME.json.
-/// Absent if there is no such file. @throws Error as faces::OrderLandmarks.
-std::optional<std::vector<float>> LandmarksInFolder(const std::filesystem::path& folder, const std::string& name);
 
 /// The fit of a 3DMM to landmarks (68 x 2, pixels of a crop) as coefficients (239), with light and colours of the mean.
 std::vector<float> FitCoefficients(const fitting::LandmarkModel& model, std::span<const float> landmarks,

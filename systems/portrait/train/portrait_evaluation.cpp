@@ -8,6 +8,8 @@
 #include "core/stopwatch.h"
 #include "datasets/read/run_data.h"
 #include "render/sheet.h"
+#include "systems/portrait/landmark_errors.h"
+#include "systems/portrait/landmark_files.h"
 #include "systems/portrait/portrait_metrics.h"
 #include "systems/portrait/train/picture_evaluation.h"
 #include "systems/portrait/train/portrait_baselines.h"
@@ -48,7 +50,7 @@ class PortraitEvaluation {
     const Stopwatch stopwatch;
     const PortraitGuesses guesses = Guess(*measurement_);
     measurement_->AddRow(kPortraitNetworkRow, guesses);
-    if (options_.refined_images > 0) measurement_->AddRow("network, refined", Refined(*measurement_, guesses, {}));
+    if (options_.refined_images > 0) measurement_->AddRow(kRefinedRow, Refined(*measurement_, guesses, {}));
     if (options_.baselines) {
       std::vector<std::vector<float>> landmarks;
       for (const MeasuredPortrait& portrait : measurement_->portraits()) landmarks.push_back(portrait.landmarks);
@@ -128,12 +130,20 @@ class PortraitEvaluation {
       const render::Rgb predicted{255, 60, 60}, truth{40, 220, 80};
       cells.push_back({portrait.crop, fmt::format("{}: {:.2f} mm", title, errors[i])});
       cells.push_back({DotsOver(DotsOver(portrait.crop, portrait.landmarks, truth), face.landmarks, predicted),
-                       fmt::format("landmarks {:.1f} %", 100 * LandmarkError(face.landmarks, portrait.landmarks))});
+                       fmt::format("landmarks {:.1f} %", 100 * NormalisedError(face.landmarks, portrait.landmarks))});
       cells.push_back({OverlayFace(portrait.crop, face), "overlay"});
       cells.push_back({OverlayFace(portrait.crop, face, 0.5), "half"});
     }
     return {render::MakeSheet(cells, 4),
             "Crops, landmarks (true green, predicted red), the predicted face over the crop, and half transparent."};
+  }
+
+  std::vector<reports::Evaluation::Picture> Pictures() const {
+    if (!pictures_) return {};
+    const std::string shows = "Crop, landmarks (given green, predicted red) and the predicted face over the crop of ";
+    return {
+        {"Pictures without known faces", "pictures.jpg", {pictures_->chosen, shows + "chosen pictures, one a row."}},
+        {"All pictures without known faces", "all_pictures.jpg", {pictures_->all, shows + "each, two a row."}}};
   }
 
   Manifest ReportManifest() const {
@@ -282,7 +292,8 @@ reports::Evaluation EvaluatePortraitRun(const fs::path& run_directory, const Por
           .metrics = evaluation.Metrics(),
           .report = evaluation.Report(),
           .sheet = evaluation.Sheet(),
-          .manifest = evaluation.ReportManifest()};
+          .manifest = evaluation.ReportManifest(),
+          .pictures = evaluation.Pictures()};
 }
 
 }  // namespace daumier::portrait

@@ -1,6 +1,7 @@
 #include "systems/portrait/train/portrait_measurement.h"
 
 #include "core/error.h"
+#include "systems/portrait/landmark_errors.h"
 #include "systems/portrait/portrait_angles.h"
 #include "systems/portrait/portrait_metrics.h"
 
@@ -64,7 +65,7 @@ void CropMeasurement::AddRow(const std::string& name, const PortraitGuesses& gue
     const faces::ColouredFace face = faces::Reconstruct(painter_.model(), x);
     const FacePicture picture = painter_.Paint(face, x);
     values["error"].push_back(measure_.SimilarityErrorMm(face.vertices, portrait.vertices));
-    values["landmark_error"].push_back(LandmarkError(picture.landmarks, portrait.landmarks));
+    values["landmark_error"].push_back(NormalisedError(picture.landmarks, portrait.landmarks));
     values["angle_error"].push_back(
         fitting::AngleBetween(OnlyAngles(x.data() + faces::kPoseSlot.first), OnlyAngles(portrait.angles.data())));
     const double colours = PhotometricError(picture, portrait.crop, portrait.shown);

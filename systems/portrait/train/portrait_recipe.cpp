@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/evenly_spaced.h"
 #include "fitting/portrait_fit.h"
+#include "systems/portrait/landmark_errors.h"
 #include "systems/portrait/train/portrait_prediction.h"
 #include "tensor/torch_version.h"
 
@@ -74,7 +75,7 @@ std::map<std::string, double> PortraitRecipe::Validate() {
     const torch::Tensor vertices = loss_.renderer().layer().Vertices(x);
     vertex_error += measure_.SimilarityErrorMm(VerticesOf(vertices, 0), VerticesOf(truth, i));
     const torch::Tensor p = predicted.landmarks[i].contiguous(), q = landmarks[i].contiguous();
-    landmark_error += LandmarkError({p.data_ptr<float>(), 136}, {q.data_ptr<float>(), 136});
+    landmark_error += NormalisedError({p.data_ptr<float>(), 136}, {q.data_ptr<float>(), 136});
     fitting::PortraitPose pose = fitting::PortraitPose::Zero(), true_pose = pose;
     for (int64_t k = 0; k < 3; ++k) {
       pose[k] = x[0][faces::kPoseSlot.first + k].item<double>();

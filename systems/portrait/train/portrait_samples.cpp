@@ -4,6 +4,8 @@
 #include "losses/landmark_loss.h"
 #include "systems/portrait/portrait_angles.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <set>
 
@@ -21,7 +23,7 @@ void Copy(const std::vector<float>& from, FloatArray& to, int64_t b) {
 }
 
 /// Brightness and contrast of all channels, and a little of each.
-void ChangeColours(std::vector<float>& planes, double amount, Rng& rng) {
+void ChangeTones(std::vector<float>& planes, double amount, Rng& rng) {
   const size_t plane = planes.size() / 3;
   const double contrast = 1 + amount * rng.Uniform(-1, 1), brightness = amount * rng.Uniform(-1, 1);
   for (size_t c = 0; c < 3; ++c) {
@@ -39,9 +41,8 @@ PictureMap PlainCrop(const datasets::PortraitDatabase& database, int image, cons
 }
 
 std::vector<float> FaceMask(const render::Image& classes) {
-  using faces::MaskClass;
   std::array<float, 256> shows{};
-  for (const MaskClass c : {MaskClass::kSkin, MaskClass::kBrows, MaskClass::kLips, MaskClass::kEars})
+  for (const PictureClass c : {PictureClass::kSkin, PictureClass::kBrows, PictureClass::kLips, PictureClass::kEars})
     shows[size_t(c)] = 1;
   std::vector<float> mask(classes.pixels.size());
   std::transform(classes.pixels.begin(), classes.pixels.end(), mask.begin(), [&](uint8_t c) { return shows[c]; });
@@ -50,12 +51,17 @@ std::vector<float> FaceMask(const render::Image& classes) {
 
 std::vector<int> ImagesOfPersons(const datasets::PortraitDatabase& portraits, const std::vector<int>& persons,
                                  const std::vector<std::string>& leave_out) {
+  for (const std::string& style : leave_out) {
+    if (style == kBaldStyle || std::ranges::count(portraits.style_names(), style) > 0) continue;
+    throw UsageError(fmt::format("pictures.leave_out: the portraits have no style '{}' (expected {} or {})", style,
+                                 kBaldStyle, fmt::join(portraits.style_names(), ", ")));
+  }
   const std::set<int> wanted(persons.begin(), persons.end());
   const std::set<std::string> unwanted(leave_out.begin(), leave_out.end());
   std::vector<int> images;
   for (int i = 0; i < portraits.size(); ++i) {
     if (!wanted.contains(portraits.person(i)) || unwanted.contains(portraits.style(i))) continue;
-    if (portraits.is_bald(i) && unwanted.contains("bald")) continue;
+    if (portraits.is_bald(i) && unwanted.contains(kBaldStyle)) continue;
     images.push_back(i);
   }
   return images;
@@ -122,7 +128,7 @@ void CropSamples::Fill(SampleBatch& batch, int64_t b, int sample, int64_t epoch)
 
   const auto array = [&](const char* name) -> FloatArray& { return batch.arrays.at(name); };
   std::vector<float> input = NetworkPicture(crop, options_.network.resolution);
-  if (jitter_ == Jitter::kRandom) ChangeColours(input, options_.pictures.colour, rng);
+  if (jitter_ == Jitter::kRandom) ChangeTones(input, options_.pictures.colour, rng);
   Copy(input, array("input"), b);
   const std::vector<float> in_picture = database.landmarks(row.image), landmarks = MapLandmarks(in_picture, map);
   Copy(landmarks, array("landmarks"), b);

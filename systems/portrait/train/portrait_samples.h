@@ -62,7 +62,11 @@ PictureMap PlainCrop(const datasets::PortraitDatabase& database, int image, cons
 /// 1 x H x W: whether a class is skin, brow, lip or ear, of which the model has a surface.
 std::vector<float> FaceMask(const render::Image& classes);
 
+/// Of `leave_out`: heads of clay without hair, in addition to the styles of a database.
+inline constexpr const char* kBaldStyle = "bald";
+
 /// Images of the persons whose neutral faces these are (of a split), but those of styles that are left out.
+/// @throws UsageError naming a style that the database does not have, and those that it has.
 std::vector<int> ImagesOfPersons(const datasets::PortraitDatabase& portraits, const std::vector<int>& persons,
                                  const std::vector<std::string>& leave_out = {});
 

@@ -15,6 +15,8 @@
 
 #include <torch/utils.h>
 
+#include <algorithm>
+
 namespace daumier::portrait {
 namespace {
 
@@ -31,6 +33,11 @@ Json WithoutPaths(const PortraitTrainingOptions& options) {
 
 void CheckSameFaces(const faces::FaceDatabase& faces, const datasets::PortraitDatabase& portraits,
                     const PortraitDataOptions& data) {
+  DAUMIER_CHECK(
+      portraits.has_known_faces(),
+      "{} holds pictures without known faces, as data.portraits are expected to have them. Name the folder in "
+      "real, and portraits of {} in data.portraits",
+      data.portraits, data.faces);
   const Json& details = portraits.manifest().details;
   DAUMIER_CHECK(!details.contains("faces_data_hash") || details.at("faces_data_hash") == DataHash(data.faces),
                 "{} shows other faces than those of {} (data hash {}). Set data.faces to the folder it was made of",
@@ -61,7 +68,8 @@ TrainingSummary TrainPortrait(const Json& config, const systems::RunPlace& place
   manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"portraits", DataHash(options.data.portraits)}};
   if (sets.real != nullptr) {
     manifest.details["data"]["real"] = DataHash(options.real);
-    for (const Json& source : sets.real->manifest().sources) manifest.sources.push_back(source);
+    for (const Json& source : sets.real->manifest().sources)
+      if (std::ranges::count(manifest.sources, source) == 0) manifest.sources.push_back(source);
   }
 
   PortraitTrainingOptions of_defaults;

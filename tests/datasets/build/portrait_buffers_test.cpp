@@ -7,16 +7,13 @@
 namespace daumier::datasets {
 namespace {
 
-using faces::MaskClass;
-using faces::PortraitPart;
-
 const std::vector<float> kStraight(6, 0.0f);
 
 /// Squares that face the viewer, `half` cm from the axis to their sides.
 struct Square {
   double half, z, shift_x;
-  MaskClass mask_class;
-  PortraitPart part;
+  PictureClass mask_class;
+  PicturePart part;
 };
 
 faces::PortraitHead HeadOf(const std::vector<Square>& squares) {
@@ -42,7 +39,7 @@ faces::PortraitHead HeadOf(const std::vector<Square>& squares) {
 
 TEST(PortraitBuffers, TheNearerSurfaceIsSeenWithItsColourNormalAndDepth) {
   const auto head =
-      HeadOf({{8, 0, 0, MaskClass::kSkin, PortraitPart::kSkin}, {2, 5, 0, MaskClass::kHair, PortraitPart::kHair}});
+      HeadOf({{8, 0, 0, PictureClass::kSkin, PicturePart::kSkin}, {2, 5, 0, PictureClass::kHair, PicturePart::kHair}});
   const SphericalLight light = ProjectLight(0.4, {{Eigen::Vector3d::UnitZ(), 0.5}});
   const auto buffers = DrawBuffers(head, PortraitCamera({}, kStraight), light, 2);
   ASSERT_EQ(buffers.height, 448);
@@ -54,18 +51,18 @@ TEST(PortraitBuffers, TheNearerSurfaceIsSeenWithItsColourNormalAndDepth) {
   EXPECT_NEAR(buffers.albedo[3 * skin + 2], 0.25f, 1e-5);
   EXPECT_NEAR(buffers.normal[3 * middle + 2], 1, 1e-5);
   EXPECT_NEAR(buffers.shade[middle], LightOn(light, Eigen::Vector3f::UnitZ()), 1e-5);
-  EXPECT_EQ(buffers.classes[middle], uint8_t(MaskClass::kHair));
-  EXPECT_EQ(buffers.parts[skin], uint8_t(render::PicturePart::kSkin));
+  EXPECT_EQ(buffers.classes[middle], uint8_t(PictureClass::kHair));
+  EXPECT_EQ(buffers.parts[skin], uint8_t(PicturePart::kSkin));
 }
 
 TEST(PortraitBuffers, ASurfaceOfTwoSidesIsLitFromTheSideThatIsSeen) {
-  auto head = HeadOf({{8, 0, 0, MaskClass::kHair, PortraitPart::kHair}});
+  auto head = HeadOf({{8, 0, 0, PictureClass::kHair, PicturePart::kHair}});
   const SphericalLight light = ProjectLight(0.2, {{Eigen::Vector3d::UnitZ(), 0.7}});
   const render::Camera camera = PortraitCamera({}, kStraight);
   const float front = DrawBuffers(head, camera, light, 1).shade[112 * 224 + 112];
   head.triangles.col(1).swap(head.triangles.col(2));
   EXPECT_FLOAT_EQ(DrawBuffers(head, camera, light, 1).shade[112 * 224 + 112], front);
-  std::fill(head.parts.begin(), head.parts.end(), uint8_t(PortraitPart::kSkin));
+  std::fill(head.parts.begin(), head.parts.end(), uint8_t(PicturePart::kSkin));
   EXPECT_FALSE(DrawBuffers(head, camera, light, 1).is_covered(112 * 224 + 112)) << "skin has one side";
 }
 
@@ -80,8 +77,8 @@ TEST(PortraitMask, HasTheClassOfMostSamples) {
 }
 
 TEST(SeenPoints, AnOccluderHidesWhatIsBehindIt) {
-  const auto head = HeadOf(
-      {{8, 0, 0, MaskClass::kSkin, PortraitPart::kSkin}, {2, 5, 0, MaskClass::kBackground, PortraitPart::kGlasses}});
+  const auto head = HeadOf({{8, 0, 0, PictureClass::kSkin, PicturePart::kSkin},
+                            {2, 5, 0, PictureClass::kBackground, PicturePart::kGlasses}});
   const render::Camera camera = PortraitCamera({}, kStraight);
   const auto buffers = DrawBuffers(head, camera, {}, 2);
   geometry::Points points(5, 3);

@@ -14,8 +14,6 @@
 namespace daumier::datasets {
 namespace {
 
-using faces::MaskClass;
-
 constexpr int kNumMade = 16;
 
 PictureOptions OfOneStyle(double render::StyleOptions::*style) {
@@ -92,7 +90,7 @@ TEST(PortraitMaker, MasksAgreeWithLandmarks) {
     const render::Image mask = render::DecodeImage(record.mask, "mask");
     ASSERT_EQ(mask.height, 224);
     ASSERT_EQ(mask.channels, 1);
-    const auto is_near = [&](float x, float y, MaskClass wanted) {
+    const auto is_near = [&](float x, float y, PictureClass wanted) {
       for (int row = int(y) - 2; row <= int(y) + 2; ++row)
         for (int column = int(x) - 2; column <= int(x) + 2; ++column)
           if (row >= 0 && column >= 0 && row < mask.height && column < mask.width &&
@@ -110,12 +108,12 @@ TEST(PortraitMaker, MasksAgreeWithLandmarks) {
       }
       if (!is_open || !all_seen) continue;
       ++num_lids;
-      num_around_eyes += is_near(x, y, MaskClass::kEyes);
+      num_around_eyes += is_near(x, y, PictureClass::kEyes);
     }
     for (size_t l = 48; l < 60; ++l) {
       if (!record.visibility[l]) continue;
       ++num_lips;
-      num_around_lips += is_near(record.landmarks[2 * l], record.landmarks[2 * l + 1], MaskClass::kLips);
+      num_around_lips += is_near(record.landmarks[2 * l], record.landmarks[2 * l + 1], PictureClass::kLips);
     }
   }
   EXPECT_GT(num_lids, 5);
@@ -224,7 +222,7 @@ TEST(PortraitMaker, HeadsOfClayWithoutHairAreBald) {
     const PortraitRecord record = maker.Make(Made().shown[0], rng);
     EXPECT_EQ(record.is_bald, share == 1);
     const std::vector<uint8_t> pixels = render::DecodeImage(record.mask, "mask").pixels;
-    EXPECT_EQ(std::ranges::count(pixels, uint8_t(MaskClass::kHair)) == 0, share == 1);
+    EXPECT_EQ(std::ranges::count(pixels, uint8_t(PictureClass::kHair)) == 0, share == 1);
   }
 }
 

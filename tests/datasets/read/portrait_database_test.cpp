@@ -120,7 +120,23 @@ TEST_F(PortraitDatabaseTest, VerticesAreOptional) {
   Write();
   const PortraitDatabase database(directory_.path());
   EXPECT_FALSE(database.has_vertices());
+  EXPECT_TRUE(database.has_known_faces());
   ExpectError([&] { database.vertices(0); }, "build it with vertices=true");
+}
+
+TEST_F(PortraitDatabaseTest, FacesMayBeUnknown) {
+  manifest_.details["known_faces"] = false;
+  ExpectRefused("has vertices of faces that are not known");
+  manifest_.details["vertices"] = false;
+  for (PortraitRecord& record : records_) record.vertices.resize(0, 3);
+  for (const char* file : {"template.json", "template.safetensors"}) {
+    std::filesystem::remove(directory_ / file);
+    manifest_.checksums.erase(file);
+  }
+  Write();
+  const PortraitDatabase database(directory_.path());
+  EXPECT_FALSE(database.has_known_faces());
+  EXPECT_EQ(database.landmarks(1)[3], 3.5f);
 }
 
 TEST_F(PortraitDatabaseTest, ValuesOutOfRangeAreRefused) {

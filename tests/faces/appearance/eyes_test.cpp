@@ -59,7 +59,7 @@ TEST(Eyes, HaveHighlightsByTheirNumber) {
     HeadSoup soup = testing::EmptySoup();
     AddEye(UsualEye(), looks, soup);
     const PortraitHead head = soup.Take();
-    const int found = int(std::count(head.parts.begin(), head.parts.end(), uint8_t(PortraitPart::kHighlight)));
+    const int found = int(std::count(head.parts.begin(), head.parts.end(), uint8_t(PicturePart::kHighlight)));
     EXPECT_EQ(found, 10 * count);
     EXPECT_GE(found, before);
     before = found;

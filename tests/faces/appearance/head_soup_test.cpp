@@ -9,7 +9,7 @@
 namespace daumier::faces {
 namespace {
 
-constexpr SoupKind kKind{MaskClass::kHair, PortraitPart::kHair};
+constexpr SoupKind kKind{PictureClass::kHair, PicturePart::kHair};
 
 TEST(HeadSoup, TubesRingsAndEllipsoidsAreClosedAndWoundOutwards) {
   const Eigen::Vector3f red(1, 0, 0);
@@ -47,7 +47,7 @@ TEST(HeadSoup, KeepsWhatItBeginsWithAndClampsColours) {
   EXPECT_EQ(head.colours.row(0).maxCoeff(), 1);
   EXPECT_EQ(head.colours.row(2), Eigen::RowVector3f(0, 0.5f, 1));
   EXPECT_EQ(head.triangles.rows(), 2);
-  EXPECT_EQ(head.classes, std::vector<uint8_t>(2, uint8_t(MaskClass::kHair)));
+  EXPECT_EQ(head.classes, std::vector<uint8_t>(2, uint8_t(PictureClass::kHair)));
 }
 
 }  // namespace

@@ -63,9 +63,9 @@ PartEdges EdgesBetweenPlaces(const PortraitHead& head) {
   }
   PartEdges edges;
   for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
-    const auto part = static_cast<PortraitPart>(head.parts[size_t(t)]);
-    if (part == PortraitPart::kSkin || part == PortraitPart::kMouth || part == PortraitPart::kLidRim ||
-        part == PortraitPart::kHighlight)
+    const auto part = static_cast<PicturePart>(head.parts[size_t(t)]);
+    if (part == PicturePart::kSkin || part == PicturePart::kMouth || part == PicturePart::kLidRim ||
+        part == PicturePart::kHighlight)
       continue;
     std::array<int, 3> corners;
     for (int k = 0; k < 3; ++k) corners[size_t(k)] = place_of[size_t(head.triangles(t, k))];
@@ -94,19 +94,19 @@ void ExpectSoundHead(const HeadDresser& dresser, const geometry::Points& face, c
     }
   }
   for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
-    const auto part = static_cast<PortraitPart>(head.parts[size_t(t)]);
-    const auto mask = static_cast<MaskClass>(head.classes[size_t(t)]);
-    const bool hides = part == PortraitPart::kHat || part == PortraitPart::kGlasses || part == PortraitPart::kLens ||
-                       part == PortraitPart::kClothes;
-    ASSERT_EQ(hides, mask == MaskClass::kBackground);
-    const bool is_hair = part == PortraitPart::kHair || part == PortraitPart::kBeard;
-    ASSERT_EQ(is_hair, mask == MaskClass::kHair);
-    ASSERT_EQ(part == PortraitPart::kBrow, mask == MaskClass::kBrows);
+    const auto part = static_cast<PicturePart>(head.parts[size_t(t)]);
+    const auto mask = static_cast<PictureClass>(head.classes[size_t(t)]);
+    const bool hides = part == PicturePart::kHat || part == PicturePart::kGlasses || part == PicturePart::kLens ||
+                       part == PicturePart::kClothes;
+    ASSERT_EQ(hides, mask == PictureClass::kBackground);
+    const bool is_hair = part == PicturePart::kHair || part == PicturePart::kBeard;
+    ASSERT_EQ(is_hair, mask == PictureClass::kHair);
+    ASSERT_EQ(part == PicturePart::kBrow, mask == PictureClass::kBrows);
   }
 }
 
 /// The greatest z of triangles of a part over a place of the frontal plane.
-std::optional<double> FrontOf(const PortraitHead& head, PortraitPart part, double x, double y) {
+std::optional<double> FrontOf(const PortraitHead& head, PicturePart part, double x, double y) {
   std::optional<double> front;
   for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
     if (head.parts[size_t(t)] != uint8_t(part)) continue;
@@ -140,7 +140,7 @@ void ExpectHairLeavesTheFaceFree(const HeadDresser& dresser, const geometry::Poi
     const PortraitHead head = DressHead(dresser, face, looks);
     for (size_t l = 27; l < 68; ++l) {
       const Eigen::RowVector3d p = face.row(dresser.face_template().annotation.landmarks[l]);
-      const auto front = FrontOf(head, PortraitPart::kHair, p.x(), p.y());
+      const auto front = FrontOf(head, PicturePart::kHair, p.x(), p.y());
       EXPECT_FALSE(front && *front > p.z()) << kHairStyleNames[style] << " covers landmark " << l;
     }
   }
@@ -173,8 +173,8 @@ void ExpectGlassesOutside(const HeadDresser& dresser, const geometry::Points& fa
     const PortraitHead head = DressHead(dresser, face, looks);
     std::set<int> vertices;
     for (Eigen::Index t = 0; t < head.triangles.rows(); ++t) {
-      const auto part = static_cast<PortraitPart>(head.parts[size_t(t)]);
-      if (part != PortraitPart::kGlasses && part != PortraitPart::kLens) continue;
+      const auto part = static_cast<PicturePart>(head.parts[size_t(t)]);
+      if (part != PicturePart::kGlasses && part != PicturePart::kLens) continue;
       for (int k = 0; k < 3; ++k) vertices.insert(head.triangles(t, k));
     }
     ASSERT_FALSE(vertices.empty());
@@ -257,9 +257,9 @@ TEST(PortraitHead, LipsAndSkinAreByTheAnnotation) {
   for (Eigen::Index t = 0; t < head.triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k) classes_at[head.triangles(t, k)].insert(head.classes[size_t(t)]);
   const auto& landmarks = face.annotation.landmarks;
-  EXPECT_EQ(classes_at[landmarks[30]], std::set<int>{int(MaskClass::kSkin)});
-  EXPECT_TRUE(classes_at[landmarks[62]].count(int(MaskClass::kLips)));
-  EXPECT_FALSE(classes_at[landmarks[62]].count(int(MaskClass::kSkin)));
+  EXPECT_EQ(classes_at[landmarks[30]], std::set<int>{int(PictureClass::kSkin)});
+  EXPECT_TRUE(classes_at[landmarks[62]].count(int(PictureClass::kLips)));
+  EXPECT_FALSE(classes_at[landmarks[62]].count(int(PictureClass::kSkin)));
 }
 
 TEST(PortraitHead, WrongSizesAreErrors) {

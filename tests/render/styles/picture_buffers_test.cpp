@@ -27,7 +27,7 @@ TEST(CheckPictureBuffers, RefusesWhatDoesNotFit) {
   refused([](PictureBuffers& b) { b.classes.pop_back(); }, "classes");
   refused([](PictureBuffers& b) { b.parts.pop_back(); }, "parts");
   refused([](PictureBuffers& b) { b.classes[0] = 8; }, "classes");
-  refused([](PictureBuffers& b) { b.parts[0] = 13; }, "parts");
+  refused([](PictureBuffers& b) { b.parts[0] = kNumPictureParts; }, "parts");
   refused([](PictureBuffers& b) { b.supersampling = 4; }, "supersampling");
   refused([](PictureBuffers& b) { b.supersampling = 3; }, "multiples");
   refused([](PictureBuffers& b) { b.pixels_per_cm = 0; }, "pixels_per_cm");

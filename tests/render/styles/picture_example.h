@@ -59,7 +59,7 @@ inline render::PictureBuffers ShadeRamp(int width) {
   render::PictureBuffers buffers = render::EmptyPictureBuffers(16, width);
   for (size_t i = 0; i < buffers.size(); ++i) {
     buffers.depth[i] = 100;
-    buffers.classes[i] = static_cast<uint8_t>(render::PictureClass::kSkin);
+    buffers.classes[i] = static_cast<uint8_t>(PictureClass::kSkin);
     buffers.shade[i] = static_cast<float>(i % width) / static_cast<float>(width - 1);
     for (int channel = 0; channel < 3; ++channel) buffers.albedo[3 * i + channel] = 0.5f;
   }

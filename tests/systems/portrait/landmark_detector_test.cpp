@@ -112,9 +112,9 @@ TEST(DetectedFace, MaskIsBackgroundOutsideOfTheCropAndEyeInTheEyes) {
   const std::vector<float> truth = testing::PlausibleLandmarks(60, 60, 80);
   const DetectedFace face = LandmarkDetector(kNetwork, NetworkOf({truth})).FindOne(Picture());
   const render::Image mask = face.Mask(200, 200);
-  EXPECT_EQ(mask.at(2, 2), uint8_t(FaceClass::kBackground));
-  EXPECT_EQ(mask.at(int(60 + 0.25 * 80), int(60 + 0.3 * 80)), uint8_t(FaceClass::kEye));
-  EXPECT_EQ(mask.at(int(60 + 0.5 * 80), int(60 + 0.5 * 80)), uint8_t(FaceClass::kSkin));
+  EXPECT_EQ(mask.at(2, 2), uint8_t(PictureClass::kBackground));
+  EXPECT_EQ(mask.at(int(60 + 0.25 * 80), int(60 + 0.3 * 80)), uint8_t(PictureClass::kEyes));
+  EXPECT_EQ(mask.at(int(60 + 0.5 * 80), int(60 + 0.5 * 80)), uint8_t(PictureClass::kSkin));
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace daumier::portrait {
 namespace {
 
@@ -21,8 +24,27 @@ TEST(LandmarkFiles, ReadPtsUndoesWritingAndTextMayBeginWithTheCount) {
     const std::vector<float> read = ReadLandmarks(folder / name);
     for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(read[i], truth[i], 6e-4);
   }
+  EXPECT_EQ(LandmarksInFolder(folder.path(), "a"), ReadLandmarks(folder / "a.pts"));
+  EXPECT_FALSE(LandmarksInFolder(folder.path(), "c"));
   WriteFileAtomically(folder / "c.txt", "1 2\n3 4\n");
-  testing::ExpectError([&] { ReadLandmarks(folder / "c.txt"); }, "has 2 points");
+  testing::ExpectError([&] { ReadLandmarks(folder / "c.txt"); }, "c.txt: 2 points");
+}
+
+TEST(LandmarkFiles, LandmarksThatAreAbsentAreNan) {
+  const testing::TempDir folder;
+  std::string text;
+  for (int i = 0; i < kNumLandmarks; ++i) text += i == 36 ? "10 20.5\n" : i == 45 ? "90 20\n" : "nan nan\n";
+  WriteFileAtomically(folder / "rows.txt", text);
+  WriteFileAtomically(folder / "names.txt", "LM45 90 20\nLM36 10 20.5\nLM0 nan nan\n");
+  for (const char* name : {"rows.txt", "names.txt"}) {
+    const std::vector<float> known = ReadKnownLandmarks(folder / name);
+    ASSERT_EQ(known.size(), 136u);
+    EXPECT_EQ(known[72], 10);
+    EXPECT_EQ(known[73], 20.5f);
+    EXPECT_EQ(known[90], 90);
+    EXPECT_EQ(std::ranges::count_if(known, [](float value) { return std::isfinite(value); }), 4);
+    testing::ExpectError([&] { ReadLandmarks(folder / name); }, "landmark 1 of 68 is absent");
+  }
 }
 
 TEST(LandmarkFiles, AMaskHasThePicturesSizeAndClasses) {

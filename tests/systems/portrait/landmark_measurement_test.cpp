@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 namespace daumier::portrait {
@@ -70,6 +71,27 @@ TEST(MeasurePictures, FindsFacesOfAFolderWithTheirErrorsAndThoseOfARival) {
   EXPECT_FALSE(pictures[1].rival.has_value());
   testing::ExpectError([&] { MeasurePictures(DetectorOf({}), folder / "rival", ""); },
                        "holds no picture with landmarks");
+}
+
+TEST(MeasurePictures, MeasuresTheLandmarksThatAreKnown) {
+  const testing::TempDir folder;
+  const std::vector<float> truth = testing::PlausibleLandmarks(50, 40, 90);
+  std::string text;
+  for (size_t i = 0; i < 68; ++i) {
+    const bool is_known = i >= 36 && i < 60;  // Eyes, and the outer lips, of which the mean error is that of a shift.
+    text += is_known ? fmt::format("{} {}\n", truth[2 * i] + (i < 48 ? 0 : 3), truth[2 * i + 1]) : "nan nan\n";
+  }
+  WriteFileAtomically(folder / "a.txt", text);
+  render::WriteImage(folder / "a.png", testing::PictureOfPlaces(200, 200));
+  const auto pictures = MeasurePictures(DetectorOf({truth}), folder.path(), "");
+  ASSERT_TRUE(pictures.at(0).found);
+  EXPECT_FALSE(pictures[0].boxed.has_value());
+  const LandmarkErrors& errors = *pictures[0].errors;
+  EXPECT_LT(errors.parts[3], 0.01);
+  EXPECT_NEAR(errors.parts[4], 3 / InterocularDistance(truth), 0.01);
+  EXPECT_NEAR(errors.all, 0.5 * (errors.parts[3] + errors.parts[4]), 1e-9);
+  EXPECT_TRUE(std::isnan(errors.parts[0]));
+  EXPECT_FALSE(MeasurePictures(DetectorOf({testing::PlausibleLandmarks(5, 5, 40)}), folder.path(), "").at(0).found);
 }
 
 TEST(MeasureNegatives, ReturnsTheConfidenceOfTheBestCandidate) {

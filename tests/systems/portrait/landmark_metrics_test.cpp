@@ -1,5 +1,6 @@
 #include "systems/portrait/landmark_metrics.h"
 
+#include "systems/portrait/system.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +18,9 @@ TEST(LandmarkMetrics, ATableSurvivesJson) {
                         {"faces", table.faces},
                         {"groups", table.groups},
                         {"data_hash", table.data_hash}};
-  const reports::MetricTable read = ReadLandmarkMetrics(metrics);
+  const reports::MetricTable read = LandmarkSystem().read_metrics(metrics);
   EXPECT_NEAR(read.rows[0].error().mean, 0.03, 1e-12);
-  testing::ExpectError([] { ReadLandmarkMetrics(Json::object()); }, "malformed");
+  testing::ExpectError([] { LandmarkSystem().read_metrics(Json::object()); }, "malformed");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace daumier::portrait {
 namespace {
 
@@ -17,6 +19,26 @@ TEST(LandmarkReport, CountsFalseFacesAtTheThreshold) {
   EXPECT_EQ(json["false_faces"], 1);
   EXPECT_EQ(json["by_threshold"]["0.40"], 2);
   EXPECT_EQ(json["pictures"].size(), 2u);
+}
+
+TEST(LandmarkReport, PartsWhoseTruthIsNotKnownAreNull) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<PictureMeasurement> pictures = {{.name = "a", .found = true}, {.name = "b", .found = true}};
+  pictures[0].errors = LandmarkErrors{0.02, {unknown, 0.01, unknown, 0.03, unknown}};
+  pictures[1].errors = LandmarkErrors{0.04, {unknown, 0.03, unknown, unknown, unknown}};
+  pictures[1].boxed = LandmarkErrors{0.06, {0.06, 0.06, 0.06, 0.06, 0.06}};
+  const Json json = PicturesToJson(pictures);
+  EXPECT_NEAR(json["mean"].get<double>(), 0.03, 1e-12);
+  EXPECT_NEAR(json["brows_median"].get<double>(), 0.02, 1e-12);
+  EXPECT_NEAR(json["eyes_median"].get<double>(), 0.03, 1e-12);
+  EXPECT_TRUE(json["jaw_median"].is_null());
+  EXPECT_TRUE(json["pictures"][1]["eyes"].is_null());
+  EXPECT_EQ(json["box_given"]["num"], 1);
+  const reports::ReportTable table = PicturesTable(json);
+  EXPECT_EQ(table.rows[0][1], "2 of 2");
+  EXPECT_EQ(table.rows[1][1], "1 of 2");
+  pictures[1].boxed.reset();
+  EXPECT_EQ(PicturesTable(PicturesToJson(pictures)).rows.size(), 1u);
 }
 
 }  // namespace

@@ -12,22 +12,6 @@
 namespace daumier::portrait {
 namespace {
 
-std::vector<float> Landmarks() {
-  std::vector<float> landmarks;
-  for (int n = 0; n < 68; ++n) landmarks.insert(landmarks.end(), {float(n), float(n * n % 17)});
-  return landmarks;
-}
-
-TEST(LandmarkError, IsTheMeanDistanceOverThatOfTheOuterCornersOfTheEyes) {
-  const std::vector<float> truth = Landmarks();
-  std::vector<float> predicted = truth;
-  for (size_t n = 0; n < 68; ++n) predicted[2 * n] += 3;
-  const double eyes = std::hypot(45.0 - 36, 45 * 45 % 17 - 36 * 36 % 17);
-  EXPECT_NEAR(LandmarkError(predicted, truth), 3 / eyes, 1e-6);
-  EXPECT_EQ(LandmarkError(truth, truth), 0);
-  testing::ExpectError([] { LandmarkError(std::vector<float>(136), std::vector<float>(136)); }, "in one point");
-}
-
 TEST(ShapeMeasure, OfSimilarShapesIsZero) {
   const faces::FaceTemplate face_template = testing::SyntheticFace();
   const ShapeMeasure measure(face_template);

@@ -1,5 +1,6 @@
 #include "systems/portrait/portrait_metrics.h"
 
+#include "systems/portrait/portrait_system.h"
 #include "tests/support/expect_error.h"
 
 namespace daumier::portrait {
@@ -15,7 +16,7 @@ TEST(PortraitMetrics, ATableSurvivesJson) {
                         {"faces", table.faces},
                         {"groups", table.groups},
                         {"data_hash", table.data_hash}};
-  const reports::MetricTable read = ReadPortraitMetrics(metrics);
+  const reports::MetricTable read = PortraitSystem().read_metrics(metrics);
   ASSERT_EQ(read.rows.size(), 2U);
   EXPECT_NEAR(read.rows[0].error().mean, 2, 1e-12);
   EXPECT_EQ(read.rows[0].face_errors, (std::vector<double>{1.5, 2.5}));
@@ -27,8 +28,12 @@ TEST(PortraitMetrics, ATableSurvivesJson) {
 }
 
 TEST(PortraitMetrics, WhatIsMalformedIsRefused) {
-  testing::ExpectError([] { ReadPortraitMetrics(Json::object()); }, "malformed");
-  testing::ExpectError([] { ReadPortraitMetrics({{"table", Json::array()}, {"faces", "none"}}); }, "malformed");
+  testing::ExpectError([] { PortraitSystem().read_metrics(Json::object()); }, "malformed");
+  testing::ExpectError(
+      [] {
+        PortraitSystem().read_metrics({{"table", Json::array()}, {"faces", "none"}});
+      },
+      "malformed");
 }
 
 TEST(PortraitMetrics, SummariesHaveAllColumnsBesidesTheErrorAndTheCount) {

@@ -103,7 +103,7 @@ TEST(PortraitPredictor, TakesPicturesOfAnySizeAndKind) {
 TEST(PortraitPredictor, RefusesWhatIsNoPicture) {
   const PredictorProblem problem = MakePredictorProblem();
   const std::vector<systems::Input> inputs = {problem.picture, geometry::PolygonMesh{}};
-  testing::ExpectError([&] { MakePredictor(problem).Predict(inputs); }, "input 2 of 2 is no picture");
+  testing::ExpectError([&] { MakePredictor(problem).Predict(inputs); }, "input 2 of 2: this is no picture");
 }
 
 }  // namespace

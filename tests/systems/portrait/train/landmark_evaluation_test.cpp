@@ -1,7 +1,7 @@
 #include "systems/portrait/train/landmark_evaluation.h"
 
 #include "core/files.h"
-#include "systems/portrait/landmark_metrics.h"
+#include "systems/portrait/system.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/landmark_run.h"
 
@@ -28,7 +28,7 @@ TEST_F(LandmarkEvaluationTest, EvaluationMeasuresTheTestSideAndGivenPictures) {
   EXPECT_EQ(evaluation.metrics.at("pictures").at("num"), 1);
   EXPECT_EQ(evaluation.metrics.at("negatives").at("num"), 1);
   EXPECT_TRUE(evaluation.sheet.has_value());
-  EXPECT_EQ(ReadLandmarkMetrics(evaluation.metrics).rows.size(), 4u);
+  EXPECT_EQ(LandmarkSystem().read_metrics(evaluation.metrics).rows.size(), 4u);
   reports::WriteEvaluation(folder() / "report", evaluation);
   testing::ExpectError([&] { EvaluateLandmarks(folder() / "run", {.data = {"/nowhere"}}, databases, {}); }, "nowhere");
 }

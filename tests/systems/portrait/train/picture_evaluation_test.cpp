@@ -44,7 +44,10 @@ TEST(PictureEvaluation, MeasuresFacesByLandmarksOfPictures) {
   const std::string suffix = " to the given landmarks";
   EXPECT_LT(pictures.at("5").at(kLandmarkFitRow + suffix).get<double>(),
             0.5 * pictures.at("5").at(kMeanFaceRow + suffix).get<double>());
-  EXPECT_GT(evaluation.sheet.width, 6 * 200) << "two pictures a row";
+  EXPECT_GT(evaluation.all.width, 6 * 200) << "two pictures a row";
+  EXPECT_LT(evaluation.all.height, 2 * 200);
+  EXPECT_LT(evaluation.chosen.width, 4 * 224) << "one picture a row";
+  EXPECT_GT(evaluation.chosen.height, 4 * 224) << "of median, 95th percentile, largest error, first";
 }
 
 TEST(PictureEvaluation, RefusesAFolderWithoutLandmarks) {

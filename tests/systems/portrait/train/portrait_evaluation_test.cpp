@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "systems/portrait/portrait_metrics.h"
+#include "systems/portrait/portrait_system.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/warnings.h"
 #include "tests/systems/portrait/train/small_portrait_runs.h"
@@ -22,7 +23,11 @@ TEST(PortraitEvaluation, MeasuresUnseenPersonsByEveryRow) {
   const std::vector<float> landmarks = portraits.landmarks(first.table.faces[0]);
   for (size_t n = 0; n < 68; ++n) text += fmt::format("{} {}\n", landmarks[2 * n], landmarks[2 * n + 1]);
   WriteFileAtomically(folder / fmt::format("detected/{}.txt", first.table.faces[0]), text);
+  MakeDirectory(folder / "pictures");
+  render::WriteImage(folder / "pictures/1.png", portraits.picture(first.table.faces[0]));
+  WriteFileAtomically(folder / "pictures/1.txt", text);
   options.detected = (folder / "detected").string();
+  options.pictures = (folder / "pictures").string();
   options.refined_images = 0;
   const reports::Evaluation evaluation = EvaluatePortraitRun(testing::SmallPortraitRun(), options, databases);
   std::vector<std::string> names;
@@ -41,10 +46,15 @@ TEST(PortraitEvaluation, MeasuresUnseenPersonsByEveryRow) {
   EXPECT_LT(*reports::ValueOf(evaluation.table, evaluation.table.rows[2], "landmark_error"),
             *reports::ValueOf(evaluation.table, evaluation.table.rows[1], "landmark_error"));
   reports::WriteEvaluation(folder / "report", evaluation);
-  const reports::MetricTable read = ReadPortraitMetrics(reports::ReadMetrics(folder / "report"));
+  const reports::MetricTable read = PortraitSystem().read_metrics(reports::ReadMetrics(folder / "report"));
   EXPECT_EQ(read.rows.size(), names.size());
   EXPECT_DOUBLE_EQ(read.rows[0].error().mean, evaluation.table.rows[0].error().mean);
-  EXPECT_TRUE(std::filesystem::exists(folder / "report" / "sheet.png"));
+  const Manifest manifest = ReadManifest(folder / "report", "report");
+  for (const char* name : {"sheet.png", "pictures.jpg", "all_pictures.jpg"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "report" / name)) << name;
+    EXPECT_EQ(manifest.checksums.count(name), 1U) << name;
+  }
+  EXPECT_TRUE(first.pictures.empty());
 }
 
 TEST(PortraitEvaluation, RefusesOtherData) {

@@ -1,7 +1,10 @@
 #include "systems/portrait/train/portrait_samples.h"
 
 #include "tests/support/expect_error.h"
+#include "tests/support/given_pictures.h"
 #include "tests/systems/portrait/train/small_portrait_runs.h"
+
+#include <numeric>
 
 namespace daumier::portrait {
 namespace {
@@ -49,6 +52,24 @@ TEST(CropSamples, HaveTheArraysThatAreAskedForAndPicturesWithoutTruthLast) {
   testing::ExpectError([&] { samples.Get(beyond, 0); }, "portrait sample 9 of 9");
 }
 
+TEST(CropSamples, MixGivenPicturesInWithoutTheirFaces) {
+  const testing::TempDir folder;
+  testing::WriteGivenPictures(folder / "in");
+  BuildGivenPortraits(testing::GivenDetector(), {}, folder / "in", {}, folder / "given");
+  const datasets::PortraitDatabase portraits(testing::SmallPortraitFolder() / "portraits"), given(folder / "given");
+  const CropSamples samples(portraits, {6}, &given, testing::SmallPortraitOptions(), Jitter::kNone, {true, true});
+  ASSERT_EQ(samples.size(), 1 + 3);
+  const std::vector<int> both = {0, 2};
+  const SampleBatch batch = samples.Get(both, 0);
+  EXPECT_EQ(batch.arrays.at("known").values, (std::vector<float>{1, 0}));
+  const FloatArray &vertices = batch.arrays.at("vertices"), &landmarks = batch.arrays.at("landmarks");
+  EXPECT_EQ(std::vector<float>(vertices.row(1), vertices.row(1) + vertices.row_size()),
+            std::vector<float>(size_t(vertices.row_size())));
+  EXPECT_NEAR(landmarks.row(1)[60], given.landmarks(1)[60], 1e-3);
+  const FloatArray& skin = batch.arrays.at("skin");
+  EXPECT_GT(std::accumulate(skin.row(1), skin.row(1) + skin.row_size(), 0.0), 1000);
+}
+
 TEST(CropSamples, MoveLandmarksAndFaceTogether) {
   const datasets::PortraitDatabase portraits(testing::SmallPortraitFolder() / "portraits");
   PortraitTrainingOptions options = testing::SmallPortraitOptions();
@@ -87,8 +108,8 @@ TEST(PlainCrop, IsThePictureOrTheBoxOfItsLandmarks) {
 }
 
 TEST(FaceMask, IsSkinBrowsLipsAndEars) {
-  render::Image classes(1, faces::kNumMaskClasses, 1);
-  for (int c = 0; c < faces::kNumMaskClasses; ++c) classes.at(0, c) = uint8_t(c);
+  render::Image classes(1, kNumPictureClasses, 1);
+  for (int c = 0; c < kNumPictureClasses; ++c) classes.at(0, c) = uint8_t(c);
   EXPECT_EQ(FaceMask(classes), (std::vector<float>{0, 1, 1, 0, 1, 0, 1, 0}));
 }
 
@@ -97,7 +118,8 @@ TEST(ImagesOfPersons, AreThoseOfTheWantedPersonsAndStyles) {
   EXPECT_EQ(ImagesOfPersons(portraits, {3, 1}), (std::vector<int>{2, 3, 6, 7}));
   EXPECT_TRUE(ImagesOfPersons(portraits, {}).empty());
   EXPECT_TRUE(ImagesOfPersons(portraits, {0, 1}, {"plain"}).empty());
-  EXPECT_EQ(ImagesOfPersons(portraits, {0}, {"oil"}), (std::vector<int>{0, 1}));
+  EXPECT_EQ(ImagesOfPersons(portraits, {0}, {"bald"}), (std::vector<int>{0, 1}));
+  testing::ExpectError([&] { ImagesOfPersons(portraits, {0}, {"oil"}); }, "no style 'oil' (expected bald or plain)");
 }
 
 }  // namespace

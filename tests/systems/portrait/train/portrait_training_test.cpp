@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "core/run_manifest.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/given_pictures.h"
 #include "tests/systems/portrait/train/small_portrait_runs.h"
 
 namespace daumier::portrait {
@@ -34,6 +35,15 @@ TEST(TrainPortrait, RefusesPortraitsOfOtherFaces) {
   testing::ExpectError([&] { TrainPortrait(config, {folder / "run"}, databases, {}); },
                        "shows other faces than those of");
   EXPECT_FALSE(std::filesystem::exists(folder / "run" / "manifest.json"));
+}
+
+TEST(TrainPortrait, RefusesPicturesWithoutKnownFacesAsItsPortraits) {
+  const testing::TempDir folder;
+  testing::WriteGivenPictures(folder / "in");
+  BuildGivenPortraits(testing::GivenDetector(), {}, folder / "in", {}, folder / "given");
+  const Json config = testing::SmallPortraitConfig(testing::SmallPortraitFolder() / "faces", folder / "given");
+  FolderCache databases;
+  testing::ExpectError([&] { TrainPortrait(config, {folder / "run"}, databases, {}); }, "Name the folder in real");
 }
 
 }  // namespace
