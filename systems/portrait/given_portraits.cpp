@@ -32,7 +32,7 @@ constexpr const char* kPictures = "pictures";
 constexpr int kPicturesPerShard = 16;
 
 /// Neither closed nor open.
-constexpr float kUnknownGapMm = 1.75f;
+constexpr float kUnknownGapMm = 2.25f;
 static_assert(kUnknownGapMm > kClosedEyeMm && kUnknownGapMm < kOpenEyeMm && kUnknownGapMm > kClosedMouthMm &&
               kUnknownGapMm < kOpenMouthMm);
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "render/heat_map_decoding.h"
 #include "systems/portrait/landmark_eyes.h"
+#include "systems/portrait/landmark_jaw.h"
 #include "systems/portrait/landmark_views.h"
 
 #include <algorithm>
@@ -159,6 +160,7 @@ DetectedFace LandmarkDetector::Refine(const PicturePyramid& picture, const Found
   const double of_landmarks =
       std::accumulate(face.landmark_confidences.begin(), face.landmark_confidences.end(), 0.0) / kNumLandmarks;
   face.confidence = least_state * std::sqrt(std::min(1.0, of_landmarks));
+  if (options_.even_jaw) face.landmarks = EvenJaw(face.landmarks);
   if (unsnapped != nullptr) *unsnapped = face.landmarks;
   if (options_.snap_eyes) face.landmarks = SnapEyes(face.landmarks, face.labels, face.frame);
   face.box = BoxOf(face.landmarks);

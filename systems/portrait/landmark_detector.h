@@ -17,13 +17,14 @@
 namespace daumier::portrait {
 
 struct LandmarkDetectorOptions {
-  double least_confidence = 0.5;
+  double least_confidence = 0.8;
   double least_score = 0.15;
   int most_faces = 8;
   int search_levels = 2;
   int rounds = 2;
   bool mirror = true;
-  bool snap_eyes = true;
+  bool even_jaw = true;
+  bool snap_eyes = false;
 
   template <class V>
   void Visit(V&& visit) {
@@ -35,6 +36,7 @@ struct LandmarkDetectorOptions {
     visit("rounds", rounds, Range{1, 4},
           "How often landmarks are found, each time in the upright frame of the last ones.");
     visit("mirror", mirror, Flag{}, "Average the last round with that of the mirrored crop.");
+    visit("even_jaw", even_jaw, Flag{}, "Move landmarks of each half of the jaw along it to equal distances.");
     visit("snap_eyes", snap_eyes, Flag{}, "Move landmarks of eyes to the boundary of the parsed eyes.");
   }
 };

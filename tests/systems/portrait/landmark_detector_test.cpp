@@ -40,7 +40,7 @@ std::vector<float> Turned(std::vector<float> points, double degrees) {
 
 TEST(LandmarkDetector, FindsLandmarksWithinAQuarterOfAPixel) {
   const std::vector<float> truth = Turned(testing::PlausibleLandmarks(55, 40, 90), 12);
-  const LandmarkDetector detector(kNetwork, NetworkOf({truth}), {.snap_eyes = false});
+  const LandmarkDetector detector(kNetwork, NetworkOf({truth}), {.even_jaw = false});
   const DetectedFace face = detector.FindOne(Picture());
   for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(face.landmarks[i], truth[i], 0.25);
   EXPECT_GT(face.confidence, 0.9);
@@ -53,9 +53,9 @@ TEST(LandmarkDetector, TheMirroredRoundAgreesWithThePlainOne) {
   auto network = NetworkOf({truth});
   network->right_eye_closed = true;
   const DetectedFace plain =
-                         LandmarkDetector(kNetwork, network, {.mirror = false, .snap_eyes = false}).FindOne(Picture()),
+                         LandmarkDetector(kNetwork, network, {.mirror = false, .even_jaw = false}).FindOne(Picture()),
                      both =
-                         LandmarkDetector(kNetwork, network, {.mirror = true, .snap_eyes = false}).FindOne(Picture());
+                         LandmarkDetector(kNetwork, network, {.mirror = true, .even_jaw = false}).FindOne(Picture());
   for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(plain.landmarks[i], both.landmarks[i], 0.1);
   EXPECT_GT(both.states[size_t(FaceState::kRightEyeClosed)], 0.9);
   EXPECT_LT(both.states[size_t(FaceState::kLeftEyeClosed)], 0.1);
@@ -74,7 +74,7 @@ TEST(LandmarkDetector, FindsSeveralFacesEachOnce) {
 
 TEST(LandmarkDetector, RefusesAPictureWithoutAFaceWithTheConfidence) {
   testing::ExpectError([] { LandmarkDetector(kNetwork, NetworkOf({})).FindOne(Picture()); },
-                       "no face found in the picture of 200 x 200 (the search has no candidate; a face needs 0.50)");
+                       "no face found in the picture of 200 x 200 (the search has no candidate; a face needs 0.80)");
   auto doubtful = NetworkOf({testing::PlausibleLandmarks(50, 50, 100)});
   doubtful->is_face = -0.5;
   testing::ExpectError([&] { LandmarkDetector(kNetwork, doubtful).FindOne(Picture()); },
@@ -97,7 +97,7 @@ TEST(LandmarkDetector, AcceptsTinyLongAndGreyPictures) {
 TEST(LandmarkDetector, FindsAFaceInAPictureOfFewPixels) {
   const std::vector<float> truth = testing::PlausibleLandmarks(6, 5, 28);
   const DetectedFace face =
-      LandmarkDetector(kNetwork, NetworkOf({truth}), {.snap_eyes = false}).FindOne(testing::PictureOfPlaces(40, 40));
+      LandmarkDetector(kNetwork, NetworkOf({truth}), {.even_jaw = false}).FindOne(testing::PictureOfPlaces(40, 40));
   for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(face.landmarks[i], truth[i], 0.25);
 }
 

@@ -16,7 +16,7 @@ TEST(SnapEyes, MovesLandmarksOfEyesOntoTheBoundaryAndNoOthers) {
   const std::vector<float> truth = testing::PlausibleLandmarks(50, 50, 100);
   auto network = std::make_shared<testing::IdealLandmarkNetwork>();
   network->faces = {truth};
-  const LandmarkDetector detector({}, network, {.snap_eyes = false});
+  const LandmarkDetector detector({}, network, {.even_jaw = false});
   const DetectedFace face = detector.FindOne(testing::PictureOfPlaces(200, 200));
   std::vector<float> moved = face.landmarks;
   for (size_t i = 72; i < 96; i += 2) moved[i] += 1.5f;

@@ -18,7 +18,7 @@ namespace {
 LandmarkDetector DetectorOf(std::vector<std::vector<float>> faces) {
   auto network = std::make_shared<testing::IdealLandmarkNetwork>();
   network->faces = std::move(faces);
-  return {{}, network, {.snap_eyes = false}};
+  return {{}, network, {.even_jaw = false}};
 }
 
 TEST(MeanShapeInBox, OfOneSampleIsThatSample) {
