@@ -139,7 +139,8 @@ Json GivenBuild::AddPortraits(const GivenPicture& given, std::vector<datasets::P
     records.insert(records.end(), std::make_move_iterator(portraits.begin()), std::make_move_iterator(portraits.end()));
     row["confidences"] = confidences;
   } catch (const std::exception& error) {
-    row["dropped"] = WithoutFolder(error.what(), folder);
+    const std::string cause = WithoutFolder(error.what(), folder), name = given.file.string() + ": ";
+    row["dropped"] = cause.starts_with(name) ? cause.substr(name.size()) : cause;
   }
   return row;
 }

@@ -14,7 +14,7 @@ struct GivenPortraitsOptions {
   std::string landmark_run = {};
   std::string licence = "unknown";
   double size = 0.5;
-  double seen = 0.3;
+  double seen = 0.8;
   int quality = 95;
   LandmarkDetectorOptions detector{.least_confidence = 0.9};
 

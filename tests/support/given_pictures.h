@@ -15,12 +15,14 @@ class MarkedPictureNetwork : public runtime::NetworkRunner {
  public:
   static constexpr uint8_t kDoubtful = 100, kEmpty = 200;
   std::vector<std::vector<float>> faces;
+  double deviation = 1;  ///< Of heat maps: the larger, the less confident it is of landmarks.
 
   NamedArrays Run(const NamedArrays& inputs) const override {
     const FloatArray& pictures = inputs.at("pictures");
     const float blue = 255 * pictures.row(0)[size_t(pictures.row_size()) * 5 / 6];  // In the middle of the third plane.
     IdealLandmarkNetwork network;
     network.faces = faces;
+    network.deviation = deviation;
     if (blue > kDoubtful - 10) network.is_face = 0.3;
     if (blue > kEmpty - 10) network.faces.clear();
     return network.Run(inputs);

@@ -75,7 +75,7 @@ TEST(GivenPortraits, WhatIsNotKeptIsListedWithItsCause) {
   ASSERT_EQ(made.dropped.size(), 4u);
   const std::vector<std::pair<std::string, std::string>> expected = {{"b.png", "a face of confidence 0.6"},
                                                                      {"c.png", "no face"},
-                                                                     {"d.jpg", "d.jpg: "},
+                                                                     {"d.jpg", "not a readable picture"},
                                                                      {"more/e.png", "more/e.pts: "}};
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(made.dropped[i].file, expected[i].first);
@@ -112,6 +112,27 @@ TEST(GivenPortraits, FilesNextToAPictureTakeThePlaceOfTheNetworks) {
                            landmarks = database.landmarks(0);
   for (size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(landmarks[i], expected[i], 0.01);
   EXPECT_EQ(database.mask(0), render::Image(kPortraitSide, kPortraitSide, 1, 6));
+}
+
+TEST(GivenPortraits, LandmarksAreSeenWhereTheyAreConfidentAndInThePortrait) {
+  const testing::TempDir folder;
+  testing::WriteGivenPictures(folder / "in");
+  Build(folder / "in", folder / "large",
+        {.size = 1});  // The box is as high as the portrait, and a little below its middle.
+  const std::vector<uint8_t> in_portrait = datasets::PortraitDatabase(folder / "large").visibility(0);
+  EXPECT_EQ(in_portrait[8], 0);   // The chin.
+  EXPECT_EQ(in_portrait[30], 1);  // The tip of the nose.
+  auto network = std::make_shared<MarkedPictureNetwork>();
+  network->faces = {testing::GivenFace()};
+  network->deviation = 4;
+  GivenPortraitsOptions options;
+  options.detector.least_confidence = 0;
+  const LandmarkDetector vague({}, network, options.detector);
+  BuildGivenPortraits(vague, kNetwork, folder / "in", options, folder / "vague");
+  EXPECT_EQ(datasets::PortraitDatabase(folder / "vague").visibility(0), std::vector<uint8_t>(68, 0));
+  options.seen = 0;
+  BuildGivenPortraits(vague, kNetwork, folder / "in", options, folder / "all");
+  EXPECT_EQ(datasets::PortraitDatabase(folder / "all").visibility(0), std::vector<uint8_t>(68, 1));
 }
 
 TEST(GivenPortraits, LandmarksOutsideOfThePictureAreACause) {
