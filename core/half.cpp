@@ -16,8 +16,8 @@ Half HalfFromFloat(float value) {
   const uint32_t bits = std::bit_cast<uint32_t>(value), magnitude = bits & 0x7fff'ffff;
   const auto sign = static_cast<uint16_t>((bits >> 16) & kHalfSign);
   const auto signed_half = [&](uint32_t half) { return Half{static_cast<uint16_t>(sign | half)}; };
-  constexpr uint32_t kTooLarge = (kExponentDifference + 31) << kFloatMantissaBits;     // 65536
-  constexpr uint32_t kLeastNormal = (kExponentDifference + 1) << kFloatMantissaBits;   // 2^-14
+  constexpr uint32_t kTooLarge = (kExponentDifference + 31) << kFloatMantissaBits;    // 65536
+  constexpr uint32_t kLeastNormal = (kExponentDifference + 1) << kFloatMantissaBits;  // 2^-14
   if (magnitude >= kTooLarge) return signed_half(magnitude > kFloatInfinity ? kHalfNan : kHalfInfinity);
   if (magnitude < kLeastNormal) {
     // The last bit of floats in [0.5, 1) is that of subnormal halves: the addition rounds.

@@ -13,12 +13,21 @@ namespace {
 constexpr const char* kRestore =
     "Restore the folder from the release that it comes from, or make it again (tools/make_weights.sh)";
 
-fs::path Normal(const fs::path& directory) {
-  fs::path path = fs::absolute(directory).lexically_normal();
-  return path.has_filename() ? path : path.parent_path();  // Without a slash at the end.
+/// Absolute, without a slash at the end.
+fs::path PlainPath(const fs::path& directory) {
+  const fs::path path = fs::absolute(directory).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
 }
 
 }  // namespace
+
+std::string WeightsName(const fs::path& directory) {
+  return PlainPath(directory).filename().string();
+}
+
+fs::path WeightsNextTo(const fs::path& directory, const std::string& name) {
+  return PlainPath(directory).parent_path() / name;
+}
 
 bool IsWeightsFolder(const fs::path& directory) {
   std::error_code ignored;
@@ -59,7 +68,7 @@ fs::path NeededWeights(const fs::path& directory, const Manifest& manifest, cons
   const Json needs = manifest.details.value("needs", Json::object());
   DAUMIER_CHECK(needs.is_object() && needs.contains(name) && needs.at(name).is_string(),
                 "{} does not list '{}' in details.needs. {}", (directory / "manifest.json").string(), name, kRestore);
-  const fs::path needed = Normal(directory).parent_path() / name;
+  const fs::path needed = WeightsNextTo(directory, name);
   DAUMIER_CHECK(IsWeightsFolder(needed), "{} needs the weights {}, which are missing. Put them there from the release",
                 directory.string(), needed.string());
   const auto expected = needs.at(name).get<std::string>();

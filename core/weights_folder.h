@@ -2,6 +2,7 @@
 #include "core/manifest.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,12 @@ inline constexpr const char* kWeightsNetwork = "network.safetensors";
 /// `details.system` of weights that are a face model and no network.
 inline constexpr const char* kFaceModelSystem = "face model";
 
+/// What a system adds to the weights of its network.
+struct WeightsParts {
+  std::map<std::string, std::string> checksums = {};  ///< Of further files, by name.
+  Json details = Json::object();                      ///< Of the manifest: `needs` and what its predictor reads.
+};
+
 /// Whether the folder has a manifest.json of weights.
 bool IsWeightsFolder(const std::filesystem::path& directory);
 
@@ -32,7 +39,13 @@ bool IsWeightsFolder(const std::filesystem::path& directory);
 Manifest ReadWeights(const std::filesystem::path& directory, const std::string& system = "",
                      const std::vector<std::string>& files = {});
 
-/// The folder of the weights `name` that the weights in `directory` need: next to it.
+/// The name of weights: that of their folder.
+std::string WeightsName(const std::filesystem::path& directory);
+
+/// The folder `name` next to that of weights, whether it is there or not.
+std::filesystem::path WeightsNextTo(const std::filesystem::path& directory, const std::string& name);
+
+/// WeightsNextTo of weights that those in `directory` need.
 /// @throws Error naming the folder and the repair if it is missing or has another data hash.
 std::filesystem::path NeededWeights(const std::filesystem::path& directory, const Manifest& manifest,
                                     const std::string& name);
