@@ -6,6 +6,7 @@
 #include "core/options.h"
 #include "core/output_place.h"
 #include "core/process_task.h"
+#include "core/weights_folder.h"
 #include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
 #include "datasets/build/level_measures.h"
@@ -19,6 +20,7 @@
 #include "datasets/gallery/face_gallery.h"
 #include "datasets/gallery/portrait_gallery.h"
 #include "faces/controls/given_controls.h"
+#include "faces/face_model_weights.h"
 #include "systems/portrait/given_portraits.h"
 
 #include <fmt/core.h>
@@ -276,6 +278,32 @@ std::function<void()> AddControls(CLI::App& parent) {
   };
 }
 
+struct ModelOptions {
+  faces::SourceOptions source{.name = "ict"};
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("source", source, Table{}, "The face source; it has to give a model, not faces.");
+  }
+};
+
+std::function<void()> AddModel(CLI::App& parent) {
+  auto arguments = std::make_shared<BuildArguments>();
+  CLI::App* command = parent.add_subcommand("model", "The face model of a source as weights, of a few megabytes");
+  AddConfigArguments(*command, arguments->config);
+  command->add_option("-o,--out", arguments->out, "Folder to write, such as weights/face-ict")->required();
+  command->footer("Options:\n" + HelpText<ModelOptions>());
+  return [arguments] {
+    const faces::SourceOptions source =
+        ParseOptions<ModelOptions>(arguments->config.Load(), arguments->config.Where()).source;
+    CheckReplacedFolder(arguments->out, kWeightsKind, {source.path, source.annotation, source.template_mesh});
+    const Json details = faces::WriteFaceModelWeights(arguments->out, faces::LoadFaceModel(source));
+    const Json& error_mm = details.at("largest_error_mm");
+    fmt::print("weights: {} (largest error: identity {:.4f} mm, expression {:.4f} mm)\n", arguments->out.string(),
+               error_mm.at("identity").get<double>(), error_mm.at("expression").get<double>());
+  };
+}
+
 }  // namespace
 
 Verb DatasetVerb() {
@@ -291,6 +319,7 @@ Verb DatasetVerb() {
                                command, "points", "Points on the surface of every face of a database, and attributes",
                                datasets::BuildPoints)},
                 {"portraits", AddPortraits(command)},
+                {"model", AddModel(command)},
                 {"stats", AddStats(command)},
                 {"gallery", AddGallery(command)},
                 {"controls", AddControls(command)}};

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/run_manifest.h"
 #include "core/training.h"
+#include "core/weights_folder.h"
 #include "systems/deform/system.h"
 #include "systems/portrait/system.h"
 #include "systems/sketch/system.h"
@@ -34,13 +35,24 @@ const systems::System& SystemOfConfig(const Json& config) {
   return SystemNamed(daumier::SystemOfConfig(config, "the config"));
 }
 
-const systems::System& SystemOfRun(const std::filesystem::path& run) {
-  const std::string name = SystemOf(ReadFinishedRun(run));
+namespace {
+
+const systems::System& SystemIn(const std::filesystem::path& folder, const std::string& name) {
   try {
     return SystemNamed(name);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}: {}", run.string(), error.what()));
+    throw UsageError(fmt::format("{}: {}", folder.string(), error.what()));
   }
+}
+
+}  // namespace
+
+const systems::System& SystemOfRun(const std::filesystem::path& run) {
+  return SystemIn(run, SystemOf(ReadFinishedRun(run)));
+}
+
+const systems::System& SystemOfRunOrWeights(const std::filesystem::path& folder) {
+  return IsWeightsFolder(folder) ? SystemIn(folder, SystemOf(ReadWeights(folder))) : SystemOfRun(folder);
 }
 
 }  // namespace daumier::cli

@@ -16,5 +16,7 @@ const systems::System& SystemNamed(std::string_view name);
 const systems::System& SystemOfConfig(const Json& config);
 /// The task of the run folder. @throws Error if there is no run.
 const systems::System& SystemOfRun(const std::filesystem::path& run);
+/// The task of the run folder, or of shipped weights. @throws Error as SystemOfRun and ReadWeights.
+const systems::System& SystemOfRunOrWeights(const std::filesystem::path& folder);
 
 }  // namespace daumier::cli

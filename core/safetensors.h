@@ -1,6 +1,7 @@
 #pragma once
 #include "core/error.h"
 #include "core/files.h"
+#include "core/half.h"
 #include "core/json.h"
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace daumier {
 
-enum class Dtype { kU8, kI32, kI64, kF32, kF64 };
+enum class Dtype { kU8, kI32, kI64, kF32, kF64, kI8, kI16, kF16 };
 
 size_t ItemSize(Dtype dtype);
 template <class T>
@@ -36,6 +37,18 @@ constexpr Dtype DtypeOf<float>() {
 template <>
 constexpr Dtype DtypeOf<double>() {
   return Dtype::kF64;
+}
+template <>
+constexpr Dtype DtypeOf<int8_t>() {
+  return Dtype::kI8;
+}
+template <>
+constexpr Dtype DtypeOf<int16_t>() {
+  return Dtype::kI16;
+}
+template <>
+constexpr Dtype DtypeOf<Half>() {
+  return Dtype::kF16;
 }
 
 /// An array inside a mapped file, row-major. Valid as long as its SafetensorsFile (or a copy of it) lives.

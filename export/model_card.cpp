@@ -14,28 +14,6 @@ std::string Field(const Json& entry, const char* name) {
   return entry.contains(name) ? Text(entry[name]) : "unknown";
 }
 
-std::string TrainingData(const Manifest& manifest) {
-  std::string text = "## Training data and licences\n\n| source | version | licence | checksum |\n|---|---|---|---|\n";
-  for (const Json& source : manifest.sources) {
-    text += fmt::format("| {} | {} | {} | {} |\n", Field(source, "name"), Field(source, "version"),
-                        Field(source, "licence"), Field(source, "checksum"));
-  }
-  text += "\nThe weights are made from these sources alone. Whoever passes the model on keeps to their licences.\n\n";
-  for (const auto& [name, count] : manifest.counts.items()) text += fmt::format("- {}: {}\n", name, Text(count));
-  return text + fmt::format("- seed: {}\n\n", manifest.seed);
-}
-
-std::string Errors(const std::optional<Json>& metrics) {
-  if (!metrics.has_value()) {
-    return "## Errors\n\nNot measured: `daumier eval` has not been run on this run before its export.\n\n";
-  }
-  std::string text = "## Errors\n\nFrom the run's `report/metrics.json`.\n\n| metric | value |\n|---|---|\n";
-  for (const auto& [name, value] : metrics->items()) {
-    if (value.is_primitive()) text += fmt::format("| {} | {} |\n", name, Text(value));
-  }
-  return text + "\n";
-}
-
 std::string OtherRuntimes(const ParityReport& parity) {
   std::string text;
   for (const OtherRuntime& other : parity.others) {
@@ -65,13 +43,43 @@ std::string Exactness(const ParityReport& parity) {
 
 }  // namespace
 
+std::string CardTrainingData(const Manifest& manifest) {
+  std::string text = "## Training data and licences\n\n| source | version | licence | checksum |\n|---|---|---|---|\n";
+  for (const Json& source : manifest.sources) {
+    text += fmt::format("| {} | {} | {} | {} |\n", Field(source, "name"), Field(source, "version"),
+                        Field(source, "licence"), Field(source, "checksum"));
+  }
+  text += "\nThe weights are made from these sources alone. Whoever passes the model on keeps to their licences.\n\n";
+  for (const auto& [name, count] : manifest.counts.items()) text += fmt::format("- {}: {}\n", name, Text(count));
+  return text + fmt::format("- seed: {}\n\n", manifest.seed);
+}
+
+std::string CardErrors(const std::optional<Json>& metrics) {
+  if (!metrics.has_value()) {
+    return "## Errors\n\nNot measured: `daumier eval` has not been run on this run before its export.\n\n";
+  }
+  std::string text = "## Errors\n\nFrom the run's `report/metrics.json`.\n\n| metric | value |\n|---|---|\n";
+  const auto add = [&](const std::string& name, const Json& value) {
+    if (value.is_primitive() && !value.is_null()) text += fmt::format("| {} | {} |\n", name, Text(value));
+  };
+  for (const auto& [name, value] : metrics->items()) {
+    add(name, value);
+    if (!value.is_object()) continue;
+    for (const auto& [part, of_part] : value.items()) add(name + "." + part, of_part);
+  }
+  return text + "\n";
+}
+
+std::string CardLimits(const CardText& text) {
+  std::string limits = "## Limits\n\n";
+  for (const std::string& limit : text.limits) limits += fmt::format("- {}\n", limit);
+  return limits;
+}
+
 std::string ModelCard(const CardText& text, const Manifest& run, const ParityReport& parity,
                       const std::optional<Json>& metrics) {
-  std::string card =
-      fmt::format("# {}\n\n{}\n\n## Input and outputs\n\n{}", text.title, text.summary, text.inputs_and_outputs) +
-      TrainingData(run) + Errors(metrics) + Exactness(parity) + "## Limits\n\n";
-  for (const std::string& limit : text.limits) card += fmt::format("- {}\n", limit);
-  return card;
+  return fmt::format("# {}\n\n{}\n\n## Input and outputs\n\n{}", text.title, text.summary, text.inputs_and_outputs) +
+         CardTrainingData(run) + CardErrors(metrics) + Exactness(parity) + CardLimits(text);
 }
 
 }  // namespace daumier::exporting

@@ -16,6 +16,12 @@ struct CardText {
   std::vector<std::string> limits;  ///< One sentence or more an entry.
 };
 
+/// Parts of a card, in Markdown: sources with licences and checksums, counts and seed; errors, `PART.KEY` for those of a
+/// part of the report; limits.
+std::string CardTrainingData(const Manifest& manifest);
+std::string CardErrors(const std::optional<Json>& metrics);
+std::string CardLimits(const CardText& text);
+
 /// The model card of an exported run: the text of its system, what it was trained on with the licence of every source
 /// in the run's manifest, its errors if `metrics` (report/metrics.json) is given, how exact the export is, limits.
 std::string ModelCard(const CardText& text, const Manifest& run, const ParityReport& parity,

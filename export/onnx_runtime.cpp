@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/json.h"
+#include "core/program_folder.h"
 #include "export/child_process.h"
 #include "export/onnx_runtime_native.h"
 
@@ -23,13 +24,9 @@ std::optional<fs::path> NpmFolder() {
   if (const char* folder = std::getenv("DAUMIER_NPM"); folder != nullptr) {
     return is_installed(folder) ? std::optional<fs::path>(folder) : std::nullopt;
   }
-  std::error_code error;
-  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  while (!folder.empty() && folder != folder.root_path()) {
-    if (is_installed(folder / "tools/npm")) return folder / "tools/npm";
-    folder = folder.parent_path();
-  }
-  return std::nullopt;
+  const auto root =
+      NearestAbove(ProgramFolder(), [&](const fs::path& here) { return is_installed(here / "tools/npm"); });
+  return root ? std::optional<fs::path>(*root / "tools/npm") : std::nullopt;
 }
 
 void WriteRaw(const fs::path& file, const torch::Tensor& tensor) {

@@ -72,6 +72,7 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
                          const std::filesystem::path& scratch) {
   at::NoGradGuard no_grad;
   ParityReport report{std::nullopt, {1, 2, 5}, function.output_names, {}, {CompareWithOpenCv(model, function, seed)}};
+  for (const ExportedInput& input : function.inputs) report.sample_texts[input.name] = input.sample_text;
   const std::vector<tensor::NamedTensors> runs = SampleInputs(function, report.batch_sizes, seed);
   const auto exported = RunInOnnxRuntime(model, runs, function.output_names, scratch);
   if (!exported.has_value()) {
@@ -141,6 +142,7 @@ Json ParityToJson(const ParityReport& report) {
           {"max_abs_diff", report.runtime.has_value() ? Json(report.max_abs_diff()) : Json()},
           {"tolerance", kParityTolerance},
           {"batch_sizes", report.batch_sizes},
+          {"inputs", report.sample_texts},
           {"outputs", outputs},
           {"other_runtimes", others}};
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct ParityReport {
   std::vector<std::string> output_names;
   std::vector<double> max_abs_diffs;  ///< One an output, over all batch sizes; empty without a runtime.
   std::vector<OtherRuntime> others = {};
+  std::map<std::string, std::string> sample_texts = {};  ///< By input: on what outputs were compared.
 
   double max_abs_diff() const;
 };
@@ -48,7 +50,7 @@ ParityReport CheckParity(const std::filesystem::path& model, const ExportedFunct
 OtherRuntime CompareWithOpenCv(const std::filesystem::path& model, const ExportedFunction& function, uint64_t seed);
 
 /// parity.json: format_version, runtime (text or null), opset, max_abs_diff (number or null), tolerance, batch_sizes,
-/// outputs, other_runtimes (runtime, batch_sizes, max_relative_diff, refusal, tolerance).
+/// inputs (name: what the samples are), outputs, other_runtimes (runtime, batch_sizes, max_relative_diff, refusal, tolerance).
 Json ParityToJson(const ParityReport& report);
 
 }  // namespace daumier::exporting

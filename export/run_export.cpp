@@ -9,11 +9,9 @@
 #include "export/onnx_graph.h"
 
 namespace daumier::exporting {
-namespace {
-
 namespace fs = std::filesystem;
 
-std::optional<Json> ReadMetrics(const fs::path& run_directory) {
+std::optional<Json> ReadRunMetrics(const fs::path& run_directory) {
   const fs::path file = ReportMetrics(run_directory);
   if (!fs::exists(file)) return std::nullopt;
   std::optional<Json> metrics = TryParseJson(ReadFile(file));
@@ -21,10 +19,14 @@ std::optional<Json> ReadMetrics(const fs::path& run_directory) {
   return metrics;
 }
 
-}  // namespace
+ExportedFunction FunctionWithSamples(const RunExport& run) {
+  ExportedFunction function = run.function;
+  if (run.find_samples) run.find_samples(function);
+  return function;
+}
 
 Json WriteExport(const RunExport& run, const fs::path& out_directory) {
-  const auto metrics = ReadMetrics(run.run_directory);
+  const auto metrics = ReadRunMetrics(run.run_directory);
   StagedDirectory staged(out_directory, "export");
 
   Manifest manifest;
@@ -45,7 +47,8 @@ Json WriteExport(const RunExport& run, const fs::path& out_directory) {
 
   const fs::path scratch = staged.path() / "scratch";
   MakeDirectory(scratch);
-  const auto parity = CheckParity(staged.path() / "model.onnx", run.function, run.run_manifest.seed, scratch);
+  const auto parity =
+      CheckParity(staged.path() / "model.onnx", FunctionWithSamples(run), run.run_manifest.seed, scratch);
   fs::remove_all(scratch);
   if (!parity.runtime.has_value()) {
     log::Warn(

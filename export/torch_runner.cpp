@@ -26,20 +26,20 @@ torch::Tensor InputOf(const ExportedInput& input, const NamedArrays& inputs) {
 
 }  // namespace
 
-TorchRunner::TorchRunner(const RunExport& run, const torch::Device& device)
-    : module_(run.module), function_(run.function), device_(device) {
-  module_->eval();
-  module_->to(device_);
+TorchRunner::TorchRunner(NetworkFunction network, const torch::Device& device)
+    : network_(std::move(network)), device_(device) {
+  network_.module->eval();
+  network_.module->to(device_);
 }
 
 NamedArrays TorchRunner::Run(const NamedArrays& inputs) const {
   const at::NoGradGuard no_grad;
   std::vector<torch::Tensor> tensors;
-  for (const ExportedInput& input : function_.inputs) tensors.push_back(InputOf(input, inputs).to(device_));
-  const std::vector<torch::Tensor> outputs = function_.forward(tensors);
+  for (const ExportedInput& input : network_.function.inputs) tensors.push_back(InputOf(input, inputs).to(device_));
+  const std::vector<torch::Tensor> outputs = network_.function.forward(tensors);
   NamedArrays arrays;
   for (size_t i = 0; i < outputs.size(); ++i)
-    arrays[function_.output_names[i]] = tensor::CopyToArray<float>(outputs[i]);
+    arrays[network_.function.output_names[i]] = tensor::CopyToArray<float>(outputs[i]);
   return arrays;
 }
 

@@ -1,6 +1,7 @@
 #include "faces/makehuman.h"
 
 #include "core/error.h"
+#include "core/program_folder.h"
 #include "faces/annotate.h"
 #include "faces/makehuman_files.h"
 #include "faces/model_shapes.h"
@@ -228,10 +229,8 @@ void MoveToBridge(const AnnotationFile& annotation, geometry::Points& points) {
 std::filesystem::path DefaultMakeHumanFolder() {
   const char* const chosen = std::getenv("DAUMIER_MAKEHUMAN");
   if (chosen != nullptr) return std::filesystem::absolute(chosen);
-  std::error_code ignored;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
   std::vector<std::filesystem::path> roots{std::filesystem::current_path()};
-  if (!program.empty()) roots.push_back(program.parent_path() / "../../..");
+  if (const std::filesystem::path folder = ProgramFolder(); !folder.empty()) roots.push_back(folder / "../../..");
   return MakeHumanFolderBelow(roots);
 }
 

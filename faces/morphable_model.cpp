@@ -89,7 +89,6 @@ MorphableModel ModelOfShapes(const FaceModel& source, const AlbedoModes& albedo)
 
 MorphableModel ModelOfFaces(const FaceModel& source, const AlbedoModes& albedo, int num_faces,
                             const std::function<std::span<const float>(int)>& face) {
-  MorphableModel model = WithoutIdentity(source, albedo);
   DAUMIER_CHECK(num_faces >= 2, "{} faces have no principal components; expected two or more", num_faces);
   const int num_coordinates = 3 * source.face_template.num_vertices();
   const SnapshotComponents components = FindComponents(GramMatrix(num_faces, num_coordinates, face, Centring::kMean),
@@ -108,13 +107,34 @@ MorphableModel ModelOfFaces(const FaceModel& source, const AlbedoModes& albedo, 
     modes.col(k) *= float(std::sqrt(components.variances[k] / num_faces));
     FixSign(modes.col(k));
   }
-  model.identity = std::move(modes);
   mean /= num_faces;
   const Eigen::VectorXf mean_coordinates = mean.cast<float>();
-  model.face_template.neutral = geometry::PointsFrom({mean_coordinates.data(), size_t(num_coordinates)});
-  model.face_template.neutral.rowwise() -= model.centre.transpose();
-  model.identity_source = "components";
+  return ModelOfModes(source, albedo, geometry::PointsFrom({mean_coordinates.data(), size_t(num_coordinates)}),
+                      std::move(modes), "components");
+}
+
+MorphableModel ModelOfModes(const FaceModel& source, const AlbedoModes& albedo, const geometry::Points& mean,
+                            Eigen::MatrixXf modes, const std::string& identity_source) {
+  MorphableModel model = WithoutIdentity(source, albedo);
+  DAUMIER_CHECK(mean.rows() == source.face_template.neutral.rows() && modes.rows() == mean.size() &&
+                    modes.cols() <= kIdentitySlot.count,
+                "a mean shape of {} vertices and modes {} x {}, expected {} and {} x at most {}", mean.rows(),
+                modes.rows(), modes.cols(), source.face_template.neutral.rows(), source.face_template.neutral.size(),
+                kIdentitySlot.count);
+  model.identity = std::move(modes);
+  model.face_template.neutral = mean.rowwise() - model.centre.transpose();
+  model.identity_source = identity_source;
   return model;
+}
+
+std::string NameOf(ExpressionWeights weights) {
+  return weights == ExpressionWeights::kUnit ? "unit" : "standard normal";
+}
+
+ExpressionWeights ExpressionWeightsNamed(const std::string& name) {
+  for (const ExpressionWeights weights : {ExpressionWeights::kUnit, ExpressionWeights::kStandardNormal})
+    if (NameOf(weights) == name) return weights;
+  throw Error(fmt::format("expression_weights is '{}', expected 'unit' or 'standard normal'", name));
 }
 
 std::vector<int> NeutralFaces(const FaceDatabase& database, const std::vector<int>& persons) {
@@ -158,8 +178,7 @@ std::map<std::string, std::string> WriteMorphableFiles(const fs::path& directory
   writer.Add<double>("centre", {3}, {model.centre.data(), 3});
   writer.SetMetadata("kind", "morphable model");
   writer.SetMetadata("expression_names", Json(model.expression_names).dump());
-  writer.SetMetadata("expression_weights",
-                     model.expression_weights == ExpressionWeights::kUnit ? "unit" : "standard normal");
+  writer.SetMetadata("expression_weights", NameOf(model.expression_weights));
   writer.SetMetadata("identity_source", model.identity_source);
   checksums[kMorphableFile] = writer.Write(directory / kMorphableFile);
   return checksums;
@@ -199,9 +218,11 @@ MorphableModel ReadMorphableModel(const fs::path& directory) {
     throw Error(fmt::format("{}: 'expression_names' is malformed: {}", file.string(), TextOf(error)));
   }
   const std::string weights = text("expression_weights");
-  DAUMIER_CHECK(weights == "unit" || weights == "standard normal",
-                "{}: expression_weights is '{}', expected 'unit' or 'standard normal'", file.string(), weights);
-  model.expression_weights = weights == "unit" ? ExpressionWeights::kUnit : ExpressionWeights::kStandardNormal;
+  try {
+    model.expression_weights = ExpressionWeightsNamed(weights);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
+  }
   model.identity_source = text("identity_source");
   const Eigen::Index coordinates = 3 * Eigen::Index(model.face_template.num_vertices());
   DAUMIER_CHECK(model.identity.rows() == coordinates && model.expression.rows() == coordinates &&

@@ -50,6 +50,15 @@ MorphableModel ModelOfShapes(const FaceModel& source, const AlbedoModes& albedo)
 MorphableModel ModelOfFaces(const FaceModel& source, const AlbedoModes& albedo, int num_faces,
                             const std::function<std::span<const float>(int)>& face);
 
+/// The model with given identity modes (3V x S, one standard deviation each, cm) about a mean shape (V x 3, cm, in the
+/// source's frame). @throws Error as ModelOfShapes, and if there are more than 80 modes or other vertices.
+MorphableModel ModelOfModes(const FaceModel& source, const AlbedoModes& albedo, const geometry::Points& mean,
+                            Eigen::MatrixXf modes, const std::string& identity_source);
+
+/// "unit" and "standard normal": of files and manifests. @throws Error for another word.
+std::string NameOf(ExpressionWeights weights);
+ExpressionWeights ExpressionWeightsNamed(const std::string& name);
+
 /// The neutral faces (expression 0) of these persons, all levels: indices of the database.
 std::vector<int> NeutralFaces(const FaceDatabase& database, const std::vector<int>& persons);
 

@@ -1,6 +1,8 @@
 #include "faces/source.h"
 
 #include "core/files.h"
+#include "core/weights_folder.h"
+#include "faces/face_model_file.h"
 #include "faces/ict.h"
 #include "faces/import/bfm.h"
 #include "faces/import/facescape.h"
@@ -26,11 +28,13 @@ AnnotationFile ReadAnnotation(const SourceOptions& options) {
 }  // namespace
 
 std::variant<FaceModel, GivenFaces> LoadSource(const SourceOptions& options) {
+  if (!options.path.empty() && IsWeightsFolder(options.path)) return ReadFaceModelWeights(options.path, options.name);
   if (options.name == "makehuman")
     return LoadMakeHuman(options.path.empty() ? DefaultMakeHumanFolder() : std::filesystem::path(options.path));
   if (options.path.empty()) {
-    const char* const hint = options.name == "ict" ? "a checkout of ICT-FaceKit or its tar archive"
-                                                   : "your own copy of it (docs/importers.md)";
+    const char* const hint = options.name == "ict"
+                                 ? "a checkout of ICT-FaceKit, its tar archive, or the shipped weights/face-ict"
+                                 : "your own copy of it (docs/importers.md)";
     throw UsageError(fmt::format("source {} needs source.path: {}", options.name, hint));
   }
   if (options.name == "ict") return LoadIct(options.path);

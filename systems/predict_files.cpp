@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/manifest.h"
+#include "core/weights_folder.h"
 #include "render/camera.h"
 #include "render/shading.h"
 #include "render/sheet.h"
@@ -100,12 +101,14 @@ Json EarlierRecords(const Manifest& earlier, const Manifest& manifest) {
 /// A manifest without results of its own. Of an earlier prediction in the folder it keeps the records, the files that
 /// are unchanged, and those that it had not finished.
 Manifest BeginManifest(const System& system, const fs::path& run, const fs::path& folder, const Json& options) {
-  const Manifest of_run = ReadManifest(run, "run");
+  const bool is_shipped = IsWeightsFolder(run);
+  const Manifest of_run = ReadManifest(run, is_shipped ? kWeightsKind : "run");
   Manifest manifest{.kind = kKind, .verb = "predict"};
   manifest.config = options;
   manifest.seed = of_run.seed;
   manifest.sources = of_run.sources;
   manifest.details = {{"system", system.name}, {"run_data_hash", DataHash(run)}, {"drawings", Json::object()}};
+  if (is_shipped) manifest.details["weights"] = WeightsName(run);
   if (!fs::exists(folder / "manifest.json")) return manifest;
   const Manifest earlier = ReadManifest(folder, kKind);
   for (const auto& [file, checksum] : earlier.checksums)

@@ -30,15 +30,11 @@ std::string FreeName(const std::string& stem, std::set<std::string>& taken) {
   return name;
 }
 
-bool IsInput(const System& system, const fs::path& file) {
-  return std::ranges::count(system.input_extensions, LowerCase(file.extension().string())) > 0;
-}
-
 std::vector<fs::path> InputsIn(const System& system, const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path& file = entry.path();
-    if (IsInput(system, file) && !file.filename().string().starts_with('.') && !entry.is_directory())
+    if (IsInputFile(system, file) && !file.filename().string().starts_with('.') && !entry.is_directory())
       files.push_back(file);
   }
   std::ranges::sort(files);
@@ -48,6 +44,10 @@ std::vector<fs::path> InputsIn(const System& system, const fs::path& folder) {
 }
 
 }  // namespace
+
+bool IsInputFile(const System& system, const fs::path& file) {
+  return std::ranges::count(system.input_extensions, LowerCase(file.extension().string())) > 0;
+}
 
 std::vector<fs::path> ExpandInputFolders(const System& system, const std::vector<fs::path>& files) {
   std::vector<fs::path> all;
@@ -69,7 +69,7 @@ std::string SkippedFilesText(const System& system, const fs::path& folder) {
   int num_skipped = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path name = entry.path().filename();
-    if (entry.is_directory() || IsInput(system, name) || IsSystemFile(name) || name == "manifest.json") continue;
+    if (entry.is_directory() || IsInputFile(system, name) || IsSystemFile(name) || name == "manifest.json") continue;
     ++kinds[name.has_extension() ? LowerCase(name.extension().string()) : "without an extension"];
     ++num_skipped;
   }

@@ -30,6 +30,9 @@ struct PredictionInputs {
   std::vector<PredictionFailure> failures;
 };
 
+/// Whether System::input_extensions lists the extension of a file, which need not exist.
+bool IsInputFile(const System& system, const std::filesystem::path& file);
+
 /// `files`, where a folder is replaced by the files in it, not in its subfolders, whose extension System::input_extensions
 /// lists, by name. Hidden files and the `._` files of macOS are skipped, and others with a line in the log.
 /// @throws Error naming a folder without such a file.

@@ -14,7 +14,8 @@
 
 namespace daumier::exporting {
 struct RunExport;  // export/run_export.h, of the training library.
-}
+struct NetworkFunction;
+}  // namespace daumier::exporting
 
 /// The one interface of a trainable task. `train`, `eval`, `ablate`, `predict` and `export` access a system through its
 /// row in a table; no verb compares names.
@@ -48,13 +49,16 @@ struct System {
   std::vector<std::string> run_options = {};
   /// Options of a prediction, every one present; null if the task has no predictor, as the two below.
   Json (*resolve_prediction)(const Json& options, const std::string& where) = nullptr;
-  /// A finished run, ready to predict. @throws Error as ReadFinishedRun and LoadTrainingLibrary.
+  /// A finished run or shipped weights, ready to predict. @throws Error as ReadFinishedRun, ReadWeights and
+  /// LoadTrainingLibrary.
   std::unique_ptr<Predictor> (*open)(const std::filesystem::path& run, const Device& device,
                                      const Json& options) = nullptr;
   /// The inputs of a file, in order. @throws Error naming it.
   std::vector<Input> (*read_inputs)(const std::filesystem::path& file) = nullptr;
   /// Of the files of a folder that is given as input: ".svg", in lower case.
   std::vector<std::string> input_extensions = {};
+  /// Where no run is named, of the shipped weights that read the inputs those of the task of the largest rank are used.
+  int shipped_rank = 0;
   /// What a result NAME may consist of: NAME.obj and so on.
   std::vector<std::string> result_files = {".obj", ".mtl", ".png", ".svg"};
 };
@@ -74,6 +78,8 @@ struct SystemTraining {
   double (*infer_ms)(const std::filesystem::path& run);
   std::string_view validation_metric;     ///< The validation error in metrics.jsonl, mm.
   std::string_view training_metric = "";  ///< An error of training samples there; empty: none.
+  /// The network of shipped weights, with any numbers in it, from `network` of their details; null: there are none.
+  exporting::NetworkFunction (*make_network)(const Json& network) = nullptr;
 };
 
 }  // namespace daumier::systems

@@ -19,6 +19,13 @@ struct AblationRequest {
   bool dry_run = false;
 };
 
+/// Shipped weights to be made of a finished run.
+struct WeightsOrder {
+  std::filesystem::path run, out;
+  std::filesystem::path recipe;  ///< JSON list of {command, seconds} of which the run is the result; may be empty.
+  std::filesystem::path notes;   ///< Markdown for the card; may be empty.
+};
+
 /// The folder of an ablation. Those of earlier versions have no manifest, but a table.
 inline OutputKind AblationOutput() {
   return {"ablation", {"table.json", "table.md"}};
@@ -31,10 +38,14 @@ struct TrainingLibrary {
   void (*set_up)(int threads);
   /// {libtorch, device, threads, sgemm_gflops}
   Json (*describe)();
-  /// The network of a finished run of any system. @throws Error as SystemTraining::describe_export.
-  std::unique_ptr<runtime::NetworkRunner> (*open_network)(const std::filesystem::path& run, const Device& device);
+  /// The network of a finished run of any system, or of shipped weights. @throws Error as
+  /// SystemTraining::describe_export and ReadWeights.
+  std::unique_ptr<runtime::NetworkRunner> (*open_network)(const std::filesystem::path& run_or_weights,
+                                                          const Device& device);
   /// Writes an export of a finished run of any system and returns parity.json.
   Json (*export_run)(const std::filesystem::path& run, const std::filesystem::path& out, const Task& task);
+  /// Writes shipped weights of a finished run (exporting::WriteWeights) and returns `details` of their manifest.
+  Json (*write_weights)(const WeightsOrder& order, const Task& task);
   /// The config of the first row, as its file and the overrides give it: it names the system of all rows.
   Json (*ablation_config)(const AblationRequest& request);
   /// The plan of a dry run: [{row, split, seed, state}]; else the table.

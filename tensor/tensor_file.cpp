@@ -7,11 +7,10 @@ struct TypePair {
   Dtype stored;
   torch::ScalarType type;
 };
-constexpr TypePair kTypes[] = {{Dtype::kU8, torch::kUInt8},
-                               {Dtype::kI32, torch::kInt32},
-                               {Dtype::kI64, torch::kInt64},
-                               {Dtype::kF32, torch::kFloat32},
-                               {Dtype::kF64, torch::kFloat64}};
+constexpr TypePair kTypes[] = {{Dtype::kU8, torch::kUInt8},    {Dtype::kI32, torch::kInt32},
+                               {Dtype::kI64, torch::kInt64},   {Dtype::kF32, torch::kFloat32},
+                               {Dtype::kF64, torch::kFloat64}, {Dtype::kF16, torch::kFloat16},
+                               {Dtype::kI8, torch::kInt8},     {Dtype::kI16, torch::kInt16}};
 
 torch::ScalarType TypeOf(Dtype stored) {
   for (const auto& pair : kTypes) {

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-/// Tensors in safetensors files: uint8, int32, int64, float32 and float64.
+/// Tensors in safetensors files: (u)int8, int16, int32, int64, float16, float32 and float64.
 namespace daumier::tensor {
 
 using NamedTensors = std::map<std::string, torch::Tensor>;

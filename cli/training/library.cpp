@@ -1,10 +1,14 @@
 // The training library: rows of the systems' LibTorch half, and what is the same for all of them.
 #include "ablation/ablation.h"
+#include "ablation/runs.h"
 #include "core/error.h"
+#include "core/files.h"
 #include "core/run_manifest.h"
 #include "core/runtime.h"
 #include "core/stopwatch.h"
+#include "core/weights_folder.h"
 #include "export/torch_runner.h"
+#include "export/weights.h"
 #include "systems/deform/train/system.h"
 #include "systems/portrait/train/system.h"
 #include "systems/sketch/train/system.h"
@@ -25,6 +29,23 @@ const systems::TrainingLibrary& Library();
 
 exporting::RunExport Describe(const std::filesystem::path& run) {
   return Library().at(SystemOf(ReadFinishedRun(run))).describe_export(run);
+}
+
+exporting::NetworkFunction OpenNetwork(const std::filesystem::path& run_or_weights) {
+  if (!IsWeightsFolder(run_or_weights)) return NetworkOf(Describe(run_or_weights));
+  const Manifest manifest = ReadWeights(run_or_weights, "", {kWeightsNetwork});
+  const systems::SystemTraining& system = Library().at(SystemOf(manifest));
+  DAUMIER_CHECK(system.make_network != nullptr, "{}: networks of the task '{}' are not shipped as weights",
+                run_or_weights.string(), system.name);
+  return exporting::ReadWeightsNetwork(run_or_weights, manifest.details, system.make_network);
+}
+
+Json WriteWeights(const systems::WeightsOrder& order, const Task&) {
+  const systems::SystemTraining& system = Library().at(SystemOf(ReadFinishedRun(order.run)));
+  exporting::WeightsRequest request{.out = order.out, .training_seconds = ablation::TrainSeconds(order.run)};
+  if (!order.recipe.empty()) request.recipe = exporting::ReadRecipe(order.recipe);
+  if (!order.notes.empty()) request.notes = ReadFile(order.notes);
+  return exporting::WriteWeights(system.describe_export(order.run), system.make_network, request);
 }
 
 /// GFLOP/s of LibTorch's own float product of two matrices of that side: the best of some.
@@ -89,10 +110,11 @@ const systems::TrainingLibrary& Library() {
       .describe = DescribeLibTorch,
       .open_network = [](const std::filesystem::path& run,
                          const Device& device) -> std::unique_ptr<runtime::NetworkRunner> {
-        return std::make_unique<exporting::TorchRunner>(Describe(run), tensor::TorchDevice(device));
+        return std::make_unique<exporting::TorchRunner>(OpenNetwork(run), tensor::TorchDevice(device));
       },
       .export_run = [](const std::filesystem::path& run, const std::filesystem::path& out,
                        const Task&) { return exporting::WriteExport(Describe(run), out); },
+      .write_weights = WriteWeights,
       .ablation_config = BaseConfig,
       .ablate = Ablate,
   };

@@ -67,10 +67,10 @@ std::vector<systems::FaceResult> LandmarkPredictor::Predict(std::span<const syst
 
 std::unique_ptr<systems::Predictor> OpenLandmarkPredictor(const std::filesystem::path& run, const Device& device,
                                                           const Json& options) {
-  const LandmarkRunFolder folder = ReadLandmarkRunFolder(run);
+  const LandmarkNetworkOptions network_options = ReadLandmarkNetworkOptions(run);
   const auto parsed = ParseOptions<LandmarkPredictOptions>(options, "options of predict");
-  return std::make_unique<LandmarkPredictor>(folder.network_options,
-                                             systems::LoadTrainingLibrary().open_network(run, device), parsed);
+  return std::make_unique<LandmarkPredictor>(network_options, systems::LoadTrainingLibrary().open_network(run, device),
+                                             parsed);
 }
 
 }  // namespace daumier::portrait

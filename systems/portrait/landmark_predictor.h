@@ -52,7 +52,8 @@ class LandmarkPredictor : public systems::Predictor {
   std::vector<float> given_landmarks_;  ///< 68 x 2, or empty.
 };
 
-/// A finished run, ready to predict. @throws Error as ReadLandmarkRunFolder and LoadTrainingLibrary.
+/// A finished run or shipped weights, ready to predict. @throws Error as ReadLandmarkNetworkOptions and
+/// LoadTrainingLibrary.
 std::unique_ptr<systems::Predictor> OpenLandmarkPredictor(const std::filesystem::path& run, const Device& device,
                                                           const Json& options);
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/run_manifest.h"
+#include "core/weights_folder.h"
 
 namespace daumier::portrait {
 
@@ -15,6 +16,13 @@ LandmarkRunFolder ReadLandmarkRunFolder(const std::filesystem::path& directory) 
                 file);
   run.network_options = ParseOptions<LandmarkNetworkOptions>(run.config["network"], file);
   return run;
+}
+
+LandmarkNetworkOptions ReadLandmarkNetworkOptions(const std::filesystem::path& run_or_weights) {
+  if (!IsWeightsFolder(run_or_weights)) return ReadLandmarkRunFolder(run_or_weights).network_options;
+  const Manifest manifest = ReadWeights(run_or_weights, kLandmarkSystem, {kWeightsNetwork});
+  return ParseOptions<LandmarkNetworkOptions>(manifest.details.value("network", Json::object()),
+                                              (run_or_weights / "manifest.json").string());
 }
 
 }  // namespace daumier::portrait

@@ -24,4 +24,7 @@ struct LandmarkRunFolder {
 /// @throws Error as ReadFinishedRun, and naming the file if one is malformed.
 LandmarkRunFolder ReadLandmarkRunFolder(const std::filesystem::path& directory);
 
+/// Of a finished run, or of shipped weights (details.network). @throws Error as ReadLandmarkRunFolder and ReadWeights.
+LandmarkNetworkOptions ReadLandmarkNetworkOptions(const std::filesystem::path& run_or_weights);
+
 }  // namespace daumier::portrait

@@ -1,6 +1,7 @@
 #include "systems/portrait/portrait_predictor.h"
 
 #include "core/error.h"
+#include "core/weights_folder.h"
 #include "render/draw.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_overlay.h"
@@ -24,6 +25,14 @@ std::shared_ptr<const faces::FaceTemplate> TemplateInSourceFrame(const faces::Mo
 Json Numbers(std::span<const float> coefficients, const faces::CoefficientSlot& slot) {
   const auto begin = coefficients.begin() + slot.first;
   return std::vector<float>(begin, begin + slot.count);
+}
+
+/// The run or weights that find landmarks; empty: none do.
+std::filesystem::path LandmarkFolder(const std::filesystem::path& directory, const PortraitPredictOptions& options) {
+  if (!options.landmark_run.empty() || !options.landmarks.empty() || !IsWeightsFolder(directory))
+    return options.landmark_run;
+  const std::filesystem::path shipped = WeightsNextTo(directory, kLandmarkSystem);
+  return IsWeightsFolder(shipped) ? shipped : std::filesystem::path();
 }
 
 Eigen::VectorXf SlotVector(std::span<const float> coefficients, const faces::CoefficientSlot& slot) {
@@ -124,14 +133,13 @@ std::vector<systems::FaceResult> PortraitPredictor::Predict(std::span<const syst
 
 std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem::path& run, const Device& device,
                                                           const Json& options) {
-  PortraitRunFolder folder = ReadPortraitRunFolder(run);
+  PortraitRunFolder folder = ReadPortraitFolder(run);
   const auto parsed = ParseOptions<PortraitPredictOptions>(options, "options of predict");
   const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
   std::unique_ptr<const LandmarkPredictor> landmarks;
-  if (!parsed.landmark_run.empty()) {
-    const LandmarkRunFolder landmark_folder = ReadLandmarkRunFolder(parsed.landmark_run);
-    landmarks = std::make_unique<LandmarkPredictor>(landmark_folder.network_options,
-                                                    library.open_network(parsed.landmark_run, device),
+  if (const std::filesystem::path of_landmarks = LandmarkFolder(run, parsed); !of_landmarks.empty()) {
+    landmarks = std::make_unique<LandmarkPredictor>(ReadLandmarkNetworkOptions(of_landmarks),
+                                                    library.open_network(of_landmarks, device),
                                                     LandmarkPredictOptions{.detector = parsed.detector});
   }
   return std::make_unique<PortraitPredictor>(std::move(folder), library.open_network(run, device), std::move(landmarks),

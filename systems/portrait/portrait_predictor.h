@@ -4,7 +4,7 @@
 #include "runtime/network_runner.h"
 #include "systems/portrait/landmark_predictor.h"
 #include "systems/portrait/portrait_picture.h"
-#include "systems/portrait/portrait_run_folder.h"
+#include "systems/portrait/portrait_weights.h"
 #include "systems/predictor.h"
 
 #include <memory>
@@ -19,8 +19,10 @@ struct PortraitPredictOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("landmark_run", landmark_run, Text{},
-          "Folder of a run that finds landmarks (daumier train, system landmarks), by which pictures are cropped.");
+    visit(
+        "landmark_run", landmark_run, Text{},
+        "Folder of a run that finds landmarks (daumier train, system landmarks), or of such weights, by which pictures "
+        "are cropped. Empty, with shipped weights: the weights `landmarks` next to them, if they are there.");
     visit("landmarks", landmarks, Text{},
           "File of 68 landmarks (.pts, .txt, .json) in pixels of the picture, in place of a landmark run. Of one "
           "picture.");
@@ -66,7 +68,8 @@ class PortraitPredictor : public systems::Predictor {
   std::vector<float> given_landmarks_;
 };
 
-/// A finished run, ready to predict. @throws Error as ReadPortraitRunFolder, ReadLandmarkRunFolder and LoadTrainingLibrary.
+/// A finished run or shipped weights, ready to predict. @throws Error as ReadPortraitFolder, ReadLandmarkNetworkOptions
+/// and LoadTrainingLibrary.
 std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem::path& run, const Device& device,
                                                           const Json& options);
 

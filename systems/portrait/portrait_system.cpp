@@ -33,6 +33,7 @@ systems::System PortraitSystem() {
       .open = OpenPortraitPredictor,
       .read_inputs = ReadPicture,
       .input_extensions = PictureExtensions(),
+      .shipped_rank = 2,
   };
 }
 

@@ -36,6 +36,7 @@ systems::System LandmarkSystem() {
       .open = OpenLandmarkPredictor,
       .read_inputs = ReadPicture,
       .input_extensions = PictureExtensions(),
+      .shipped_rank = 1,
       .result_files = {".png", ".pts", ".json", "_mask.png"},
   };
 }

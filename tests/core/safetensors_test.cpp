@@ -29,6 +29,9 @@ SafetensorsWriter ExampleWriter() {
   Add<double>(writer, "doubles", {1}, {0.1});
   Add<int32_t>(writer, "ints", {2, 1}, {-7, 8});
   Add<int64_t>(writer, "longs", {}, {int64_t{1} << 40});
+  Add<int8_t>(writer, "small", {2}, {-128, 127});
+  Add<int16_t>(writer, "short", {2}, {-32768, 32767});
+  Add<Half>(writer, "halves", {2}, {HalfFromFloat(1.5f), HalfFromFloat(-65504)});
   Add<float>(writer, "nothing", {0, 3}, {});
   writer.SetMetadata("kind", "example");
   return writer;
@@ -57,7 +60,7 @@ TEST(Safetensors, ReadUndoesWrite) {
   const TempDir dir;
   ExampleWriter().Write(dir / "a");
   const SafetensorsFile file(dir / "a");
-  EXPECT_EQ(file.arrays().size(), 6u);
+  EXPECT_EQ(file.arrays().size(), 9u);
   EXPECT_THAT(file.at("bytes").As<uint8_t>(), ::testing::ElementsAre(1, 2, 255));
   EXPECT_THAT(file.at("floats").As<float>(), ::testing::ElementsAre(1, 2, 3, 4, 5, 6.5f));
   EXPECT_EQ(file.at("floats").shape, (std::vector<int64_t>{2, 3}));
@@ -65,6 +68,9 @@ TEST(Safetensors, ReadUndoesWrite) {
   EXPECT_THAT(file.at("ints").As<int32_t>(), ::testing::ElementsAre(-7, 8));
   EXPECT_THAT(file.at("longs").As<int64_t>(), ::testing::ElementsAre(int64_t{1} << 40));
   EXPECT_TRUE(file.at("longs").shape.empty());
+  EXPECT_THAT(file.at("small").As<int8_t>(), ::testing::ElementsAre(-128, 127));
+  EXPECT_THAT(file.at("short").As<int16_t>(), ::testing::ElementsAre(-32768, 32767));
+  EXPECT_EQ(FloatFromHalf(file.at("halves").As<Half>()[1]), -65504);
   EXPECT_TRUE(file.at("nothing").As<float>().empty());
   EXPECT_EQ(file.metadata().at("kind"), "example");
   EXPECT_EQ(file.metadata().at("format_version"), "1");

@@ -26,6 +26,8 @@ TEST(ModelCard, HoldsTheTextLicencesErrorsAndExactness) {
   expect(card, "differ by at most 2e-06");
   expect(card, "## Limits\n\n- It errs.\n- It guesses.\n");
   EXPECT_EQ(card.find("| rows |"), std::string::npos);
+  expect(CardErrors(Json{{"pictures", {{"median", 0.06}, {"list", Json::array()}}}, {"negatives", nullptr}}),
+         "|---|---|\n| pictures.median | 0.06 |\n\n");
   const auto unmeasured = ModelCard(text, run, {std::nullopt, {1}, {"u"}, {}}, std::nullopt);
   expect(unmeasured, "`daumier eval` has not been run");
   expect(unmeasured, "It was not run in ONNX Runtime");

@@ -42,6 +42,9 @@ TEST(Parity, JsonHoldsTheWorstDifferenceAndTheRuntime) {
   EXPECT_EQ(json["opset"], 13);
   EXPECT_EQ(json["format_version"], 1);
   EXPECT_EQ(json["outputs"]["u"], 1e-6);
+  ParityReport with_inputs = report;
+  with_inputs.sample_texts = {{"x", "crops of portraits"}};
+  EXPECT_EQ(ParityToJson(with_inputs)["inputs"]["x"], "crops of portraits");
 }
 
 TEST(Parity, OpenCvIsComparedAtTheNumberOfChannels) {

@@ -76,6 +76,15 @@ TEST_F(RunExportTest, AFailureReplacesNothing) {
   EXPECT_EQ(ReadFile(folder_ / "out/manifest.json"), before);
 }
 
+TEST_F(RunExportTest, SamplesOfTheRunsDataTakeThePlaceOfRandomOnes) {
+  RunExport run = Export();
+  EXPECT_EQ(FunctionWithSamples(run).inputs[0].sample_text, "random numbers");
+  run.find_samples = [](ExportedFunction& function) { function.inputs[0].sample_text = "drawn numbers"; };
+  EXPECT_EQ(FunctionWithSamples(run).inputs[0].sample_text, "drawn numbers");
+  EXPECT_EQ(run.function.inputs[0].sample_text, "random numbers");
+  EXPECT_EQ(WriteExport(run, folder_ / "out").at("inputs").at("x"), "drawn numbers");
+}
+
 TEST_F(RunExportTest, AGraphIsStoredNextToTheWeightsAndInTheManifest) {
   StoreGraph(Export());
   const Manifest manifest = ReadManifest(folder_ / "run", "run");

@@ -10,11 +10,8 @@
 namespace daumier::exporting {
 namespace {
 
-RunExport Doubling() {
-  RunExport run;
-  run.module = std::make_shared<Weights>();
-  run.function = TestFunction({3}, [](const torch::Tensor& x) { return 2 * x; });
-  return run;
+NetworkFunction Doubling() {
+  return {std::make_shared<Weights>(), TestFunction({3}, [](const torch::Tensor& x) { return 2 * x; })};
 }
 
 TEST(TorchRunner, ReturnsTheOutputsByName) {

@@ -13,9 +13,15 @@ using testing::TempDir;
 
 NamedTensors OneOfEachType() {
   torch::manual_seed(1);
-  return {{"u8", torch::tensor({0, 128, 255}, torch::kUInt8)},       {"i32", torch::tensor({-1, 7}, torch::kInt32)},
-          {"i64", torch::tensor({int64_t{1} << 40}, torch::kInt64)}, {"f32", torch::randn({2, 3, 4})},
-          {"f64", torch::randn({3, 2}, torch::kFloat64).t()},        {"scalar", torch::tensor(3.5f)}};
+  return {{"u8", torch::tensor({0, 128, 255}, torch::kUInt8)},
+          {"i32", torch::tensor({-1, 7}, torch::kInt32)},
+          {"i64", torch::tensor({int64_t{1} << 40}, torch::kInt64)},
+          {"f32", torch::randn({2, 3, 4})},
+          {"f64", torch::randn({3, 2}, torch::kFloat64).t()},
+          {"scalar", torch::tensor(3.5f)},
+          {"f16", torch::randn({3}).to(torch::kFloat16)},
+          {"i8", torch::tensor({-128, 127}, torch::kInt8)},
+          {"i16", torch::tensor({-32768, 5}, torch::kInt16)}};
 }
 
 TEST(TensorFile, SaveAndLoadRoundTripsEveryType) {

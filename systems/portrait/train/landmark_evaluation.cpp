@@ -41,9 +41,10 @@ class LandmarkEvaluation {
         source_(databases.Open<datasets::PortraitDatabase>(folder_)),
         split_(
             SplitSamples(source_, ParseOptions<datasets::SplitOptions>(run_.config.at("split")), run_.manifest.seed)),
-        detector_(run_.network_options,
-                  std::make_shared<exporting::TorchRunner>(DescribeLandmarkExport(run_directory), torch::kCPU),
-                  options.detector) {
+        detector_(
+            run_.network_options,
+            std::make_shared<exporting::TorchRunner>(NetworkOf(DescribeLandmarkExport(run_directory)), torch::kCPU),
+            options.detector) {
     DAUMIER_CHECK(SampleSplitToJson(source_, split_) == run_.manifest.details.at("split"),
                   "{}: the split does not match the run's manifest; the run is of another version",
                   run_directory.string());

@@ -3,9 +3,12 @@
 #include "export/onnx_graph.h"
 #include "systems/portrait/landmark_crop.h"
 #include "systems/portrait/landmark_sample.h"
+#include "systems/portrait/train/export_samples.h"
+#include "systems/portrait/train/landmark_network.h"
 #include "systems/portrait/train/landmark_run.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace daumier::portrait {
 namespace {
@@ -50,7 +53,9 @@ exporting::ExportedFunction LandmarkFunction(models::HeatMapUnet network, int re
   return {.name = "landmarks",
           .inputs = {{"pictures",
                       {3, resolution, resolution},
-                      [resolution](int64_t batch, Rng& rng) { return RandomPictures(batch, resolution, rng); }}},
+                      [resolution](int64_t batch, Rng& rng) { return RandomPictures(batch, resolution, rng); },
+                      /*batched=*/true,
+                      "random squares and noise"}},
           .output_names = {"heat_maps", "labels", "states", "boxes"},
           .forward = [network](const std::vector<torch::Tensor>& inputs) mutable {
             const models::HeatMapOutputs outputs = network->forward(inputs[0]);
@@ -58,9 +63,16 @@ exporting::ExportedFunction LandmarkFunction(models::HeatMapUnet network, int re
           }};
 }
 
+exporting::NetworkFunction MakeLandmarkFunction(const Json& network) {
+  const auto options = ParseOptions<LandmarkNetworkOptions>(network, "the network of shipped weights");
+  const models::HeatMapUnet module = MakeLandmarkNetwork(options);
+  return {module.ptr(), LandmarkFunction(module, options.resolution)};
+}
+
 exporting::RunExport DescribeLandmarkExport(const std::filesystem::path& run_directory) {
   const LandmarkRun run = LoadLandmarkRun(run_directory);
   const int resolution = run.network_options.resolution;
+  const auto folder = std::make_shared<const LandmarkRunFolder>(run);
   return {
       .run_directory = run_directory,
       .run_manifest = run.manifest,
@@ -76,7 +88,9 @@ exporting::RunExport DescribeLandmarkExport(const std::filesystem::path& run_dir
                           "Faces in full profile and upside down are not among its training data.",
                           "It must not be used to identify or to judge people."}},
       .counts = {{"parameters", run.network->num_parameters()}},
-      .write_rest = [](const std::filesystem::path&) { return std::map<std::string, std::string>(); }};
+      .write_rest = [](const std::filesystem::path&) { return std::map<std::string, std::string>(); },
+      .for_weights = exporting::RunExport::ForWeights{.network = ToJson(run.network_options), .write_rest = {}},
+      .find_samples = [folder](exporting::ExportedFunction& function) { SampleLandmarkCrops(*folder, function); }};
 }
 
 }  // namespace daumier::portrait

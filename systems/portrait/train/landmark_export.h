@@ -11,6 +11,10 @@ namespace daumier::portrait {
 /// (models/heat_map_unet.h). resolution: R.
 exporting::ExportedFunction LandmarkFunction(models::HeatMapUnet network, int resolution);
 
+/// The network of shipped weights, without their numbers. network: LandmarkNetworkOptions. @throws Error as ParseOptions
+/// and MakeLandmarkNetwork.
+exporting::NetworkFunction MakeLandmarkFunction(const Json& network);
+
 /// The export of a finished run. @throws Error as LoadLandmarkRun.
 exporting::RunExport DescribeLandmarkExport(const std::filesystem::path& run_directory);
 

@@ -1,7 +1,11 @@
 #include "systems/portrait/train/portrait_export.h"
 
 #include "export/onnx_graph.h"
+#include "systems/portrait/portrait_weights.h"
+#include "systems/portrait/train/export_samples.h"
 #include "systems/portrait/train/portrait_run.h"
+
+#include <memory>
 
 namespace daumier::portrait {
 namespace {
@@ -51,8 +55,15 @@ exporting::ExportedFunction PortraitFunction(PortraitNetwork network) {
   return function;
 }
 
+exporting::NetworkFunction MakePortraitNetwork(const Json& network) {
+  const PortraitNetworkOfWeights made = PortraitNetworkFromJson(network);
+  const PortraitNetwork module(made.options, made.expression_weights);
+  return {module.ptr(), PortraitFunction(module)};
+}
+
 exporting::RunExport DescribePortraitExport(const fs::path& run_directory) {
   const PortraitRun run = LoadPortraitRun(run_directory);
+  const auto folder = std::make_shared<const PortraitRunFolder>(run);
   return {
       .run_directory = run_directory,
       .run_manifest = run.manifest,
@@ -69,7 +80,14 @@ exporting::RunExport DescribePortraitExport(const fs::path& run_directory) {
                           "Its 3DMM has no surface for eyeballs, teeth and hair.",
                           "It must not be used to identify or to judge people."}},
       .counts = {{"vertices", run.model.face_template.num_vertices()}, {"parameters", run.network->num_parameters()}},
-      .write_rest = [model = run.model](const fs::path& folder) { return faces::WriteMorphableFiles(folder, model); }};
+      .write_rest = [folder](const fs::path& out) { return faces::WriteMorphableFiles(out, folder->model); },
+      .for_weights = exporting::RunExport::ForWeights{.network = NetworkToJson(
+                                                          {run.options.network, run.model.expression_weights}),
+                                                      .write_rest =
+                                                          [folder](const fs::path& out, const fs::path& neighbours) {
+                                                            return WritePortraitWeights(*folder, out, neighbours);
+                                                          }},
+      .find_samples = [folder](exporting::ExportedFunction& function) { SamplePortraitCrops(*folder, function); }};
 }
 
 }  // namespace daumier::portrait

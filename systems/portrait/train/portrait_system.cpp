@@ -32,7 +32,8 @@ systems::SystemTraining PortraitTraining() {
           .evaluate = EvaluatePortrait,
           .describe_export = DescribePortraitExport,
           .infer_ms = PortraitInferMs,
-          .validation_metric = "vertex_error_mm"};
+          .validation_metric = "vertex_error_mm",
+          .make_network = MakePortraitNetwork};
 }
 
 }  // namespace daumier::portrait

@@ -33,7 +33,8 @@ systems::SystemTraining LandmarkTraining() {
           .evaluate = EvaluateLandmarkJson,
           .describe_export = DescribeLandmarkExport,
           .infer_ms = LandmarkInferMs,
-          .validation_metric = "nme_percent"};
+          .validation_metric = "nme_percent",
+          .make_network = MakeLandmarkFunction};
 }
 
 std::vector<systems::SystemTraining> PortraitTrainings() {

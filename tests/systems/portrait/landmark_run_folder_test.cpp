@@ -3,6 +3,7 @@
 #include "core/config.h"
 #include "core/files.h"
 #include "core/run_manifest.h"
+#include "core/weights_folder.h"
 #include "systems/portrait/landmark_options.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
@@ -40,6 +41,32 @@ TEST(LandmarkRunFolder, OfAnotherTaskIsRefused) {
   WriteRun(folder / "run", {{"system", "sketch"}}, "sketch");
   testing::ExpectError([&] { ReadLandmarkRunFolder(folder / "run"); }, "sketch");
   testing::ExpectError([&] { ReadLandmarkRunFolder(folder / "nowhere"); }, "nowhere");
+}
+
+TEST(LandmarkNetworkOptionsOf, AreThoseOfARunOrOfShippedWeights) {
+  const testing::TempDir folder;
+  LandmarkTrainingOptions options;
+  options.network.width = 24;
+  WriteRun(folder / "run", ToJson(options), kLandmarkSystem);
+  EXPECT_EQ(ReadLandmarkNetworkOptions(folder / "run").width, 24);
+
+  MakeDirectory(folder / "landmarks");
+  Manifest manifest{.kind = kWeightsKind, .verb = "export"};
+  options.network.width = 32;
+  manifest.details = {
+      {"weights_version", kWeightsVersion}, {"system", kLandmarkSystem}, {"network", ToJson(options.network)}};
+  for (const char* file : {kWeightsCard, kWeightsNetwork}) {
+    WriteFileAtomically(folder / "landmarks" / file, file);
+    manifest.checksums[file] = Sha256(file);
+  }
+  WriteManifest(folder / "landmarks", manifest);
+  EXPECT_EQ(ReadLandmarkNetworkOptions(folder / "landmarks").width, 32);
+  manifest.details["network"]["width"] = 1;
+  WriteManifest(folder / "landmarks", manifest);
+  testing::ExpectError([&] { ReadLandmarkNetworkOptions(folder / "landmarks"); }, "manifest.json");
+  manifest.details["system"] = "portrait";
+  WriteManifest(folder / "landmarks", manifest);
+  testing::ExpectError([&] { ReadLandmarkNetworkOptions(folder / "landmarks"); }, "weights of 'portrait'");
 }
 
 }  // namespace
