@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "datasets/read/portrait_database.h"
 #include "datasets/read/run_data.h"
+#include "render/draw.h"
 #include "systems/portrait/landmark_crop.h"
 #include "systems/portrait/portrait_crop.h"
 #include "systems/portrait/train/portrait_samples.h"
