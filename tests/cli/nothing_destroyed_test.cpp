@@ -99,8 +99,16 @@ const std::vector<WritingVerb>& WritingVerbs() {
        [](const fs::path& in) {
          return Words{"predict", in / "run", in / "face.svg"};
        }},
-      {"export", [](const fs::path& in) {
+      {"export",
+       [](const fs::path& in) {
          return Words{"export", in / "run"};
+       }},
+      {"weights",
+       [](const fs::path& in) {
+         return Words{"export", in / "run", "--weights"};
+       }},
+      {"weights", [](const fs::path& in) {
+         return Words{"dataset", "model", "source.path=" + (in / "faces").string()};
        }}};
   return verbs;
 }
@@ -175,8 +183,9 @@ TEST(NothingIsDestroyed, AFileInAReplacedFolderThatTheVerbDidNotWrite) {
   const TempDir folder;
   WriteInputs(folder / "in");
   for (const WritingVerb& verb : WritingVerbs()) {
-    if (verb.kind != "report" && verb.kind != "export") continue;
+    if (verb.kind != "report" && verb.kind != "export" && verb.kind != "weights") continue;
     const fs::path out = folder / verb.kind;
+    fs::remove_all(out);
     MakeDirectory(out);
     WriteManifest(out, {.kind = verb.kind});
     WriteFileAtomically(out / "notes.txt", "precious");
