@@ -16,7 +16,7 @@ if [ $# -lt 2 ] || [ $# -gt 3 ]; then
 fi
 ict=$1 out=$2 work=${3:-runs/weights}
 persons=${PERSONS:-150} images=${IMAGES:-4800}
-landmark_epochs=${LANDMARK_EPOCHS:-18} portrait_epochs=${PORTRAIT_EPOCHS:-30}
+landmark_epochs=${LANDMARK_EPOCHS:-18} portrait_epochs=${PORTRAIT_EPOCHS:-26}
 configs=$(cd "$(dirname "$0")/../configs" && pwd)
 [ -e "$ict" ] || { echo "$ict does not exist (expected a checkout of ICT-FaceKit or its tar archive)" >&2; exit 1; }
 mkdir -p "$work/steps" "$work/runs" "$out"
@@ -95,7 +95,7 @@ step eval_landmarks train_landmarks "$work/runs/landmarks/report/manifest.json" 
 ship landmarks faces portraits train_landmarks eval_landmarks
 
 train portrait "$configs/portrait/cpu.toml" "data.faces=$work/faces" "data.portraits=$work/portraits" \
-  "source.path=$ict" "epochs=$portrait_epochs"
+  "source.path=$ict" "epochs=$portrait_epochs" precision=auto
 step eval_portrait train_portrait "$work/runs/portrait/report/manifest.json" \
   daumier eval "$work/runs/portrait" "${pictures[@]}"
 ship portrait faces portraits train_portrait eval_portrait
