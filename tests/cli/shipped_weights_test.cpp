@@ -46,7 +46,7 @@ class ShippedWeightsPipeline : public ::testing::Test {
                                       "batch=4",
                                       "split.validation=0.2",
                                       "split.test=0.2",
-                                      "network.width=8"};
+                                      system == "landmarks" ? "network.width=16" : "network.width=8"};
     train.insert(train.end(), options.begin(), options.end());
     Run(train);
   }

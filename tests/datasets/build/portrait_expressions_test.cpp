@@ -24,7 +24,7 @@ std::vector<ExpressionEffect> PlainEffects() {
 TEST(ExpressionDrawer, DrawsWinksClosedEyesOpenMouthsAndNeutralFaces) {
   const ExpressionDrawer drawer(PlainEffects());
   constexpr int kNumDraws = 2000;
-  int both = 0, wink_right = 0, wink_left = 0, open = 0, smile = 0, neutral = 0;
+  int both = 0, wink_right = 0, wink_left = 0, open = 0, smile = 0, grin = 0, neutral = 0;
   for (uint64_t seed = 0; seed < kNumDraws; ++seed) {
     Rng rng(seed);
     const Eigen::VectorXf weights = drawer.Draw(rng);
@@ -37,13 +37,15 @@ TEST(ExpressionDrawer, DrawsWinksClosedEyesOpenMouthsAndNeutralFaces) {
     wink_left += weights[1] > 0.85f && weights[0] == 0;
     open += weights[2] > 0.1f;
     smile += weights[3] > 0.2f;
+    grin += weights[3] > 0.5f && weights[2] > 0.09f;
     neutral += weights.isZero(0);
   }
-  EXPECT_NEAR(double(both) / kNumDraws, 0.11, 0.03);
+  EXPECT_NEAR(double(both) / kNumDraws, 0.072, 0.02);
   EXPECT_GT(wink_right, 50);
   EXPECT_GT(wink_left, 50);
   EXPECT_GT(open, 500);
   EXPECT_GT(smile, 500);
+  EXPECT_GT(grin, 400);
   EXPECT_NEAR(double(neutral) / kNumDraws, 0.13, 0.05);
 }
 

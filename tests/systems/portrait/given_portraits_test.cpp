@@ -2,6 +2,7 @@
 
 #include "core/manifest.h"
 #include "datasets/read/portrait_database.h"
+#include "systems/portrait/landmark_jaw.h"
 #include "systems/portrait/portrait_crop.h"
 #include "tests/support/cancelled_task.h"
 #include "tests/support/expect_error.h"
@@ -42,7 +43,8 @@ TEST(GivenPortraits, AreCropsOfTheFacesWithLandmarksMasksAndPersons) {
   EXPECT_NE(database.person(0), database.person(1));
   EXPECT_EQ(database.manifest().sources.at(0).at("licence"), "mine");
   const PictureMap map = CropOfLandmarks(testing::GivenFace(), 0.5);
-  const std::vector<float> expected = MapLandmarks(testing::GivenFace(), map), landmarks = database.landmarks(0);
+  const std::vector<float> expected = MapLandmarks(EvenJaw(testing::GivenFace()), map),
+                           landmarks = database.landmarks(0);
   for (size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(landmarks[i], expected[i], 1.5);
   EXPECT_EQ(database.visibility(0), std::vector<uint8_t>(68, 1));
   // A pixel of the crop shows the place of the picture from which it comes, as the red and the green show it.
