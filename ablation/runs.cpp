@@ -61,12 +61,11 @@ fs::path AblationRuns::Run(const Cell& cell) const {
 }
 
 bool AblationRuns::Finished(const fs::path& run, const Json& config) const {
-  Json without_paths = config, hashes;
-  without_paths.erase("data");
+  Json hashes;
   for (const auto& [database, folder] : config.at("data").items())
     hashes[database] = DataHash(folder.get<std::string>());
   const Json defaults = system_.system.resolve_config({{"data", config.at("data")}}, run.string());
-  train::OpenRunFolder(run, /*resume=*/true, without_paths, hashes, defaults);
+  train::OpenRunFolder(run, /*resume=*/true, train::WithoutPaths(config), hashes, defaults);
   return ReadManifest(run, "run").counts.contains("best_epoch");
 }
 

@@ -93,6 +93,9 @@ PredictionInputs ReadPredictionInputs(const System& system, const std::vector<fs
   for (const fs::path& file : files) {
     task.ThrowIfCancelled("stopped while the inputs were read; nothing was written");
     try {
+      std::error_code ignored;  // A pipe would never end.
+      DAUMIER_CHECK(!fs::exists(file, ignored) || fs::is_regular_file(file, ignored),
+                    "{}: no regular file (a pipe, a socket or a device). Copy it to a file", file.string());
       for (Input& input : system.read_inputs(file)) {
         read.inputs.push_back({FreeName(file.stem().string(), taken), file, std::move(input)});
       }

@@ -31,6 +31,16 @@ std::string TextOfShipped(std::span<const ShippedWeights> shipped, std::span<con
   return fmt::format("there are {} in {}", fmt::join(names, ", "), shipped.front().directory.parent_path().string());
 }
 
+/// @throws Error if the folder, which has no readable manifest of weights, holds numbers of weights.
+void CheckNotDamaged(const fs::path& folder) {
+  std::error_code ignored;
+  DAUMIER_CHECK(
+      !fs::exists(folder / kWeightsNetwork, ignored),
+      "{}: weights whose manifest.json is missing or malformed. Restore the folder from its release, or remove "
+      "it",
+      folder.string());
+}
+
 /// Whether the system reads an input: a file by its extension, a folder by a file in it.
 bool Reads(const System& system, const fs::path& input) {
   std::error_code ignored;
@@ -57,9 +67,12 @@ std::vector<ShippedWeights> ListWeights(std::span<const fs::path> places) {
   for (const fs::path& place : places) {
     std::error_code ignored;
     if (!fs::is_directory(place, ignored)) continue;
-    for (const auto& entry : fs::directory_iterator(place))
+    for (const auto& entry : fs::directory_iterator(place)) {
       if (IsWeightsFolder(entry.path()))
         shipped.push_back({entry.path(), SystemOf(ReadManifest(entry.path(), kWeightsKind))});
+      else
+        CheckNotDamaged(entry.path());
+    }
     if (!shipped.empty()) break;
   }
   std::ranges::sort(shipped, {}, &ShippedWeights::directory);

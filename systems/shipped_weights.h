@@ -23,8 +23,8 @@ struct ShippedWeights {
   std::string name() const { return directory.filename().string(); }
 };
 
-/// The weights in the first of `places` that holds any, by name; folders without a manifest of weights are ignored.
-/// @throws Error naming the folder if a manifest is malformed.
+/// The weights in the first of `places` that holds any, by name; folders that hold no weights are ignored.
+/// @throws Error naming the folder if its manifest is malformed, or if it has a network.safetensors and no manifest.
 std::vector<ShippedWeights> ListWeights(std::span<const std::filesystem::path> places);
 
 /// The weights that `name` names: a folder, or one of `shipped`. @throws UsageError listing what is there.

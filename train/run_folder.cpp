@@ -87,6 +87,13 @@ std::vector<EarlierTraining> EarlierTrainings(const std::filesystem::path& direc
   return trainings;
 }
 
+Json WithoutPaths(Json config) {
+  for (const char* key : {"data", "real"}) config.erase(key);
+  if (const auto source = config.find("source"); source != config.end() && source->is_object())
+    for (const char* key : {"path", "annotation", "template_mesh"}) source->erase(key);
+  return config;
+}
+
 bool OpenRunFolder(const std::filesystem::path& directory, bool resume, const Json& config, const Json& data,
                    const Json& defaults) {
   namespace fs = std::filesystem;

@@ -11,6 +11,10 @@
 
 namespace daumier::train {
 
+/// The options of a training as the manifest of its run records them: without `data`, `real` and the files of `source`
+/// (path, annotation, template_mesh), which may lie elsewhere on another machine.
+Json WithoutPaths(Json config);
+
 /// Prepares `directory` for a run. Returns true when resuming, i.e. when manifest.json exists. The manifest must then
 /// hold `config` (without paths) as `config` and `data` (the hash of every database) as `details.data`; options that
 /// are newer than the run count as in `defaults`, and a precision "auto" as that of the run.

@@ -33,6 +33,11 @@ std::vector<fs::path> PicturesIn(const fs::path& folder) {
   return files;
 }
 
+void CheckFolders(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders)
+    if (!folder.empty() && !fs::is_directory(folder)) throw UsageError(fmt::format("there is no folder {}", folder));
+}
+
 std::optional<fs::path> LandmarkFileIn(const fs::path& folder, const std::string& name) {
   for (const char* extension : {".pts", ".txt", ".json"}) {
     const fs::path file = folder / (name + extension);

@@ -19,6 +19,10 @@ bool IsPictureFile(const std::filesystem::path& file);
 /// @throws Error if it is no folder.
 std::vector<std::filesystem::path> PicturesIn(const std::filesystem::path& folder);
 
+/// Checks, before anything is measured, that each folder that is named exists; empty names are ignored.
+/// @throws UsageError naming the first that does not.
+void CheckFolders(const std::vector<std::string>& folders);
+
 /// Of NAME.pts, NAME.txt and NAME.json in a folder the first that is there.
 std::optional<std::filesystem::path> LandmarkFileIn(const std::filesystem::path& folder, const std::string& name);
 

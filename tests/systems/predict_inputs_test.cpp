@@ -6,6 +6,7 @@
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <stop_token>
 
@@ -81,6 +82,15 @@ TEST_F(PredictInputsTest, AFileThatCannotBeReadIsAFailureThatNamesIt) {
   EXPECT_EQ(read.failures[0].cause, empty.string() + ": it is empty");
   EXPECT_EQ(read.failures[1].file, absent);
   EXPECT_EQ(read.failures[1].cause, "cannot read " + absent.string() + ": No such file or directory");
+}
+
+TEST_F(PredictInputsTest, APipeIsRefused) {
+  const fs::path pipe = folder_ / "pipe.svg";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const PredictionInputs read = ReadPredictionInputs(system_, {pipe});
+  ASSERT_EQ(read.failures.size(), 1u);
+  EXPECT_EQ(read.failures[0].cause,
+            pipe.string() + ": no regular file (a pipe, a socket or a device). Copy it to a file");
 }
 
 TEST_F(PredictInputsTest, IsCancelled) {

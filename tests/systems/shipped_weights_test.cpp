@@ -67,6 +67,15 @@ TEST_F(ShippedWeightsTest, AreThoseOfTheFirstPlaceThatHoldsAny) {
   EXPECT_EQ(shipped[1].directory, folder_ / "weights/portrait");
 }
 
+TEST_F(ShippedWeightsTest, NumbersWithoutAReadableManifestAreDamaged) {
+  Write("weights/landmarks", "landmarks");
+  MakeDirectory(folder_ / "weights/portrait");
+  WriteFileAtomically(folder_ / "weights/portrait" / kWeightsNetwork, "numbers");
+  testing::ExpectError([&] { ListWeights(places_); }, "portrait: weights whose manifest.json is missing or malformed");
+  WriteFileAtomically(folder_ / "weights/portrait/manifest.json", "{\"kind\": \"wei");
+  testing::ExpectError([&] { ListWeights(places_); }, "portrait: weights whose manifest.json is missing or malformed");
+}
+
 TEST_F(ShippedWeightsTest, FollowFromTheInputsByRank) {
   Write("weights/landmarks", "landmarks");
   EXPECT_EQ(For({"a.png", "b.JPG"}), folder_ / "weights/landmarks");

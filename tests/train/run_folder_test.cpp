@@ -35,6 +35,13 @@ TEST(WithAbsoluteData, MakesFoldersAbsoluteOrNamesTheMissingOnes) {
                        "row 'a': it needs data.faces=FOLDER and data.points=FOLDER");
 }
 
+TEST(WithoutPaths, LeavesOutDataAndFilesOfTheSource) {
+  const Json config = {
+      {"data", {{"faces", "f"}}}, {"real", "r"}, {"epochs", 3}, {"source", {{"name", "ict"}, {"path", "p"}}}};
+  EXPECT_EQ(WithoutPaths(config), (Json{{"epochs", 3}, {"source", {{"name", "ict"}}}}));
+  EXPECT_EQ(WithoutPaths(Json{{"epochs", 3}}), (Json{{"epochs", 3}}));
+}
+
 TEST(OpenRunFolder, ResumesARunThatIsOlderThanAnOption) {
   const testing::TempDir folder;
   WriteRun(folder.path());

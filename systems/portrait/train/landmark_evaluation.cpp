@@ -15,6 +15,7 @@
 #include "systems/portrait/landmark_report.h"
 #include "systems/portrait/landmark_run_folder.h"
 #include "systems/portrait/landmark_split.h"
+#include "systems/portrait/picture_files.h"
 #include "systems/portrait/train/landmark_export.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ class LandmarkEvaluation {
     DAUMIER_CHECK(SampleSplitToJson(source_, split_) == run_.manifest.details.at("split"),
                   "{}: the split does not match the run's manifest; the run is of another version",
                   run_directory.string());
+    CheckFolders({options.pictures, options.rival, options.negatives});
     samples_ = EvenlySpaced(datasets::SubsetOf(split_, options.split), options.max_portraits);
     if (samples_.empty()) throw UsageError(fmt::format("the side '{}' of the split has no portrait", options.split));
   }

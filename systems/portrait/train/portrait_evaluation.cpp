@@ -10,6 +10,7 @@
 #include "render/sheet.h"
 #include "systems/portrait/landmark_errors.h"
 #include "systems/portrait/landmark_files.h"
+#include "systems/portrait/picture_files.h"
 #include "systems/portrait/portrait_metrics.h"
 #include "systems/portrait/train/picture_evaluation.h"
 #include "systems/portrait/train/portrait_baselines.h"
@@ -40,6 +41,7 @@ class PortraitEvaluation {
     const datasets::Split split = datasets::SplitOfRun(run_.directory, run_.manifest, run_.config, faces_);
     images_ = EvenlySpaced(ImagesOfPersons(portraits_, PersonsOf(faces_, datasets::SubsetOf(split, options.split))),
                            options.max_images);
+    CheckFolders({options.pictures, options.detected});
     if (images_.empty()) throw UsageError(fmt::format("the side '{}' of the split has no portrait", options.split));
     std::vector<PictureMap> maps;
     for (const int image : images_) maps.push_back(PlainCrop(portraits_, image, run_.options.pictures));

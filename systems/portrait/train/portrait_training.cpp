@@ -22,15 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The options without the paths that are no folders of data.
-Json WithoutPaths(const PortraitTrainingOptions& options) {
-  Json config = ToJson(options);
-  config.erase("data");
-  config.erase("real");
-  for (const char* key : {"path", "annotation", "template_mesh"}) config.at("source").erase(key);
-  return config;
-}
-
 void CheckSameFaces(const faces::FaceDatabase& faces, const datasets::PortraitDatabase& portraits,
                     const PortraitDataOptions& data) {
   DAUMIER_CHECK(
@@ -63,7 +54,7 @@ TrainingSummary TrainPortrait(const Json& config, const systems::RunPlace& place
                     ImagesOfPersons(portraits, PersonsOf(faces, split.validation))};
   if (!options.real.empty()) sets.real = &databases.Open<datasets::PortraitDatabase>(options.real);
 
-  Manifest manifest = datasets::ManifestOfTraining(WithoutPaths(options), options.seed, faces, split);
+  Manifest manifest = datasets::ManifestOfTraining(train::WithoutPaths(ToJson(options)), options.seed, faces, split);
   manifest.details["system"] = kPortraitSystem;
   manifest.details["data"] = {{"faces", DataHash(options.data.faces)}, {"portraits", DataHash(options.data.portraits)}};
   if (sets.real != nullptr) {
@@ -73,7 +64,7 @@ TrainingSummary TrainPortrait(const Json& config, const systems::RunPlace& place
   }
 
   PortraitTrainingOptions of_defaults;
-  const Json defaults = WithoutPaths(of_defaults);
+  const Json defaults = train::WithoutPaths(ToJson(of_defaults));
   if (place.resume) train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
   const bool begun =
       train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"], defaults);

@@ -20,6 +20,12 @@ TEST(PictureFiles, ArePicturesOfTheFolderInTheOrderOfTheirNumbers) {
   testing::ExpectError([&] { PicturesIn(folder / "absent"); }, "absent is no folder of pictures");
 }
 
+TEST(PictureFiles, FoldersThatAreNamedHaveToExist) {
+  const testing::TempDir folder;
+  EXPECT_NO_THROW(CheckFolders({"", folder.path().string()}));
+  testing::ExpectError([&] { CheckFolders({"", (folder / "nix").string()}); }, "there is no folder");
+}
+
 TEST(PictureFiles, TheFirstFileOfLandmarksIsTaken) {
   const testing::TempDir folder;
   EXPECT_FALSE(LandmarkFileIn(folder.path(), "a"));
