@@ -22,14 +22,9 @@ struct DtypeName {
   const char* name;
   size_t item_size;
 };
-constexpr DtypeName kDtypeNames[] = {{Dtype::kU8, "U8", 1},
-                                     {Dtype::kI32, "I32", 4},
-                                     {Dtype::kI64, "I64", 8},
-                                     {Dtype::kF32, "F32", 4},
-                                     {Dtype::kF64, "F64", 8},
-                                     {Dtype::kI8, "I8", 1},
-                                     {Dtype::kI16, "I16", 2},
-                                     {Dtype::kF16, "F16", 2}};
+constexpr DtypeName kDtypeNames[] = {{Dtype::kU8, "U8", 1},   {Dtype::kI32, "I32", 4}, {Dtype::kI64, "I64", 8},
+                                     {Dtype::kF32, "F32", 4}, {Dtype::kF64, "F64", 8}, {Dtype::kI8, "I8", 1},
+                                     {Dtype::kI16, "I16", 2}, {Dtype::kF16, "F16", 2}};
 
 const DtypeName& Find(Dtype dtype) {
   return *std::find_if(std::begin(kDtypeNames), std::end(kDtypeNames), [&](const auto& e) { return e.dtype == dtype; });

@@ -33,7 +33,7 @@ std::vector<RecipeStep> ReadRecipe(const std::filesystem::path& file);
 using MakeNetwork = NetworkFunction (*)(const Json& network);
 
 /// Writes the weights and returns `details` of their manifest. The folder is written whole or not at all; it replaces
-/// earlier weights. The written network is read again and run beside that of the run on the same samples.
+/// earlier weights. The written network is read again and run next to that of the run on the same samples.
 /// @throws Error if the task has no weights, if the run was not evaluated, as SaveHalfModule, or if an output differs by
 /// more than kHalfTolerance; UsageError as CheckReplacedFolder.
 Json WriteWeights(const RunExport& run, MakeNetwork make_network, const WeightsRequest& request);

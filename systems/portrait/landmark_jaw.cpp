@@ -14,9 +14,7 @@ constexpr int kStepsOfAHalf = 8;
 
 /// Places the points between `first` and first + 8 at equal distances along the polyline of `from`.
 void EvenHalf(std::span<const float> from, int first, std::vector<float>& to) {
-  const auto at = [&](int k) {
-    return Eigen::Vector2d(from[2 * size_t(first + k)], from[2 * size_t(first + k) + 1]);
-  };
+  const auto at = [&](int k) { return Eigen::Vector2d(from[2 * size_t(first + k)], from[2 * size_t(first + k) + 1]); };
   std::vector<double> along = {0};
   for (int k = 1; k <= kStepsOfAHalf; ++k) along.push_back(along.back() + (at(k) - at(k - 1)).norm());
   int segment = 0;

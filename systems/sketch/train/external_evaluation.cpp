@@ -60,8 +60,10 @@ class ExternalEvaluation {
       : databases_(databases),
         own_data_(options.data),
         task_(task),
-        predictor_(ReadSketchRunFolder(run),
-                   std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU), {.deform = true}),
+        predictor_(
+            ReadSketchRunFolder(run),
+            std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
+            {.deform = true}),
         faces_(databases.Open<faces::FaceDatabase>(options.faces)),
         sketches_(databases.Open<datasets::SketchDatabase>(options.sketches)),
         seed_(predictor_.run().manifest.seed) {

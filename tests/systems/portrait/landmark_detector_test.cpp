@@ -52,10 +52,9 @@ TEST(LandmarkDetector, TheMirroredRoundAgreesWithThePlainOne) {
   const std::vector<float> truth = testing::PlausibleLandmarks(50, 50, 100);
   auto network = NetworkOf({truth});
   network->right_eye_closed = true;
-  const DetectedFace plain =
-                         LandmarkDetector(kDetectorNetwork, network, {.mirror = false, .even_jaw = false}).FindOne(Picture()),
-                     both =
-                         LandmarkDetector(kDetectorNetwork, network, {.mirror = true, .even_jaw = false}).FindOne(Picture());
+  const DetectedFace
+      plain = LandmarkDetector(kDetectorNetwork, network, {.mirror = false, .even_jaw = false}).FindOne(Picture()),
+      both = LandmarkDetector(kDetectorNetwork, network, {.mirror = true, .even_jaw = false}).FindOne(Picture());
   for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(plain.landmarks[i], both.landmarks[i], 0.1);
   EXPECT_GT(both.states[size_t(FaceState::kRightEyeClosed)], 0.9);
   EXPECT_LT(both.states[size_t(FaceState::kLeftEyeClosed)], 0.1);
@@ -96,8 +95,8 @@ TEST(LandmarkDetector, AcceptsTinyLongAndGreyPictures) {
 
 TEST(LandmarkDetector, FindsAFaceInAPictureOfFewPixels) {
   const std::vector<float> truth = testing::PlausibleLandmarks(6, 5, 28);
-  const DetectedFace face =
-      LandmarkDetector(kDetectorNetwork, NetworkOf({truth}), {.even_jaw = false}).FindOne(testing::PictureOfPlaces(40, 40));
+  const DetectedFace face = LandmarkDetector(kDetectorNetwork, NetworkOf({truth}), {.even_jaw = false})
+                                .FindOne(testing::PictureOfPlaces(40, 40));
   for (size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(face.landmarks[i], truth[i], 0.25);
 }
 

@@ -19,7 +19,8 @@ namespace daumier::sketch {
 namespace {
 
 SketchPredictor OpenRun(const std::filesystem::path& run) {
-  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU)};
+  return {ReadSketchRunFolder(run),
+          std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU)};
 }
 
 class ExternalEvaluationTest : public SketchRunFixture {

@@ -24,7 +24,8 @@ using render::Image;
 using testing::ExpectError;
 
 SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options = {}) {
-  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
+  return {ReadSketchRunFolder(run),
+          std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
           options};
 }
 

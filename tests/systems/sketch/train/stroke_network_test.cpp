@@ -14,7 +14,8 @@ namespace daumier::sketch {
 namespace {
 
 SketchPredictor OpenStrokeNetwork(const std::filesystem::path& run, const PredictOptions& options = {}) {
-  return {ReadSketchRunFolder(run), std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
+  return {ReadSketchRunFolder(run),
+          std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
           options};
 }
 
