@@ -97,7 +97,7 @@ void DrawFullBeard(const DrawingContext& drawing) {
 void DrawBeard(const DrawingContext& drawing) {
   const HairStyles& styles = drawing.styles.hair;
   if (drawing.shape.view == DrawnView::kProfile || !drawing.sheet.mouth) return;
-  if (drawing.Happens(styles.beard)) DrawFullBeard(drawing);
+  if (drawing.is_front() && drawing.Happens(styles.beard)) DrawFullBeard(drawing);
   if (drawing.Happens(styles.moustache)) DrawMoustache(drawing);
   if (drawing.Happens(styles.stubble)) DrawStubble(drawing);
 }

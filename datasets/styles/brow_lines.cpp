@@ -6,7 +6,7 @@ namespace {
 using Eigen::Vector2d;
 using enum FacePoint;
 
-constexpr int kLast = BrowShape::kPoints - 1;
+constexpr int kLastOfBrow = BrowShape::kPoints - 1;
 
 std::vector<LineAnchor> EndsOf(size_t side, int last) {
   if (side == 0) return {{kBrowRightOuter, 0}, {kBrowRightInner, last}};
@@ -43,20 +43,20 @@ void DrawBrows(const DrawingContext& drawing) {
     switch (kind) {
       case 0:
         if (is_open) {  // Not joined at the outer end.
-          std::vector<LineAnchor> ends = EndsOf(side, kLast);
+          std::vector<LineAnchor> ends = EndsOf(side, kLastOfBrow);
           drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, brow.upper, ends);
           drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, Part(brow.lower, drawing.Uniform(0, 0.2), 1, 9));
         } else {
-          drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, loop, EndsOf(side, kLast));
+          drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, loop, EndsOf(side, kLastOfBrow));
         }
         break;
       case 1:
         drawing.sheet
-            .Add(DrawnPart::kBrows, LineLabel::kBrow, Mixed(brow.upper, brow.lower, between), EndsOf(side, kLast))
+            .Add(DrawnPart::kBrows, LineLabel::kBrow, Mixed(brow.upper, brow.lower, between), EndsOf(side, kLastOfBrow))
             .width = width;
         break;
       case 2: {
-        StyledLine& area = drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, loop, EndsOf(side, kLast));
+        StyledLine& area = drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, loop, EndsOf(side, kLastOfBrow));
         area.filled = true;
         area.care = LineCare::kShort;
         break;

@@ -30,7 +30,7 @@ NeckLines DrawNeck(const DrawingContext& drawing) {
     AddBustLine(drawing, LineLabel::kNeck, Smooth({throat, 0.5 * (throat + neck.ends[1]), neck.ends[1]}, 11));
     return neck;
   }
-  const double inset = drawing.Uniform(0.13, 0.3), flare = drawing.Uniform(-0.02, 0.15) * u;
+  const double inset = drawing.Uniform(0.18, 0.36), flare = drawing.Uniform(-0.02, 0.15) * u;
   for (size_t side = 0; side < 2; ++side) {
     const double outward = side == 0 ? -1 : 1;
     const Vector2d jaw = AtShare(shape.outline, side == 0 ? inset : 1 - inset);

@@ -28,7 +28,7 @@ using Eigen::Vector2d;
 
 /// Eye span, pixels, of a drawing whose head fills the canvas.
 constexpr double kFullUnit = 75;
-/// Parts of the face that have to be there for its view to be told.
+/// Parts of the face with which a drawing shows its view.
 constexpr size_t kPartsOfView = 3;
 
 DrawingCharacter DrawCharacter(const FaceShape& shape, const StyleOptions& options, Rng& rng) {

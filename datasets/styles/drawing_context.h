@@ -9,8 +9,8 @@
 
 namespace daumier::datasets {
 
-/// Careful drawings follow the face, cartoons have bold smooth lines and large parts, doodles are signs, exact ones have
-/// the face's own lines.
+/// Careful drawings follow the face, cartoons have bold smooth lines and large parts, doodles are signs, exact ones
+/// have the face's own lines.
 enum class DrawingCharacter { kCareful, kCartoon, kDoodle, kExact };
 
 /// What the parts of a drawing are drawn from, and onto.

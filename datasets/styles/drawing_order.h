@@ -4,7 +4,7 @@
 
 namespace daumier::datasets {
 
-/// Sorts lines as somebody might draw them: part by part in one of some usual orders of the parts with small changes,
+/// Sorts lines as a person might draw them: part by part in one of some usual orders of the parts with small changes,
 /// lines of a part as they are.
 void SortAsDrawn(LineSheet& sheet, Rng& rng);
 

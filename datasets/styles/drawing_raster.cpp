@@ -69,7 +69,7 @@ std::vector<render::Stroke> LabelledStrokes(const StyledDrawing& drawing) {
     for (size_t i = 1; i <= stroke.points.size(); ++i) {
       if (i < stroke.points.size() && stroke.labels[i] == stroke.labels[begin]) continue;
       render::Stroke& run = strokes.emplace_back(render::Stroke{static_cast<int>(stroke.labels[begin]), {}});
-      // A run goes on to the first point of the next one, so that no piece is lost.
+      // A run extends to the first point of the next one, so that no piece is lost.
       const size_t end = std::min(i + 1, stroke.points.size());
       run.points.assign(stroke.points.begin() + ptrdiff_t(begin), stroke.points.begin() + ptrdiff_t(end));
       if (stroke.filled && i == stroke.points.size()) run.points.push_back(stroke.points.front());

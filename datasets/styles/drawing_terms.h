@@ -7,10 +7,10 @@
 /// The words of parsed drawings: what a line shows, the points of a face, states and views.
 namespace daumier::datasets {
 
-/// What a line of a drawing shows. Outer contours of the lips are kUpperLip and kLowerLip; the line between closed lips,
-/// the inner contours of open ones, teeth and tongue are kInnerMouth. A closed eye's line is kUpperLid. Lines of lids
-/// above the eye, cheeks and forehead are kWrinkle; beards and moustaches are kHair, shoulders kNeck; hats, glasses,
-/// lashes, clothes, jewellery, shading and marks of the page are kOther.
+/// What a line of a drawing shows. Outer contours of the lips are kUpperLip and kLowerLip; the line between closed
+/// lips, the inner contours of open ones, teeth and tongue are kInnerMouth. A closed eye's line is kUpperLid. Lines of
+/// lids above the eye, cheeks and forehead are kWrinkle; beards and moustaches are kHair, shoulders kNeck; hats,
+/// glasses, lashes, clothes, jewellery, shading and marks of the page are kOther.
 enum class LineLabel {
   kSilhouette,
   kEar,

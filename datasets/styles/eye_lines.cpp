@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector2d;
 using enum FacePoint;
 
-constexpr int kLast = EyeShape::kPoints - 1, kMiddle = EyeShape::kMiddle;
+constexpr int kLastOfEye = EyeShape::kPoints - 1, kMiddleOfEye = EyeShape::kMiddle;
 
 /// The points of an eye by side: outer, inner, top, bottom.
 constexpr std::array<std::array<FacePoint, 4>, 2> kEyePoints = {
@@ -61,7 +61,7 @@ EyeStyle DrawStyle(const DrawingContext& drawing) {
 }
 
 Vector2d CentreOf(const EyeShape& eye) {
-  return (eye.upper.front() + eye.upper.back() + eye.upper[kMiddle] + eye.lower[kMiddle]) / 4;
+  return (eye.upper.front() + eye.upper.back() + eye.upper[kMiddleOfEye] + eye.lower[kMiddleOfEye]) / 4;
 }
 
 double WidthOf(const EyeShape& eye) {
@@ -90,12 +90,12 @@ void DrawClosedEye(const DrawingContext& drawing, const EyeShape& eye, const Eye
   if (is_laughing || eye.is_closed) {
     // Flat lids are bent, up where they laugh.
     const double bulge = WidthOf(eye) * drawing.Uniform(0.05, 0.25) * (is_laughing ? -1 : 1);
-    for (int i = 0; i <= kLast; ++i) line[size_t(i)].y() += bulge * std::sin(std::numbers::pi * i / kLast);
+    for (int i = 0; i <= kLastOfEye; ++i) line[size_t(i)].y() += bulge * std::sin(std::numbers::pi * i / kLastOfEye);
   }
   drawing.sheet.Add(EyePart(side), LineLabel::kUpperLid, line,
-                    {{outer, 0}, {inner, kLast}, {top, kMiddle}, {bottom, kMiddle}});
+                    {{outer, 0}, {inner, kLastOfEye}, {top, kMiddleOfEye}, {bottom, kMiddleOfEye}});
   drawing.sheet.eyes[side] = EyeState::kClosed;
-  drawing.sheet.eye_centres[side] = (line.front() + line.back() + 2 * line[kMiddle]) / 4;
+  drawing.sheet.eye_centres[side] = (line.front() + line.back() + 2 * line[kMiddleOfEye]) / 4;
   if (!is_laughing && (style.has_lashes || drawing.Happens(0.3)))
     DrawLashes(drawing, line, 0.8, WidthOf(eye), style.num_lashes);
 }
@@ -141,25 +141,25 @@ void DrawLids(const DrawingContext& drawing, const EyeShape& eye, const EyeStyle
   const auto [outer, inner, top, bottom] = kEyePoints[side];
   LineSheet& sheet = drawing.sheet;
   const bool sees_inner = drawing.shape.view != DrawnView::kProfile;
-  std::vector<LineAnchor> on_upper = {{outer, 0}, {top, kMiddle}};
-  if (sees_inner) on_upper.push_back({inner, kLast});
+  std::vector<LineAnchor> on_upper = {{outer, 0}, {top, kMiddleOfEye}};
+  if (sees_inner) on_upper.push_back({inner, kLastOfEye});
   const bool is_whole = style.lower_from == 0 && style.lower_to == 1;
   if (style.kind == EyeStyle::Kind::kAlmond && is_whole && sees_inner && drawing.Happens(0.4)) {
     const Polyline back = Reversed(eye.lower);
     Polyline loop = eye.upper;
     loop.insert(loop.end(), back.begin() + 1, back.end());
-    on_upper.push_back({bottom, kLast + kLast - kMiddle});
+    on_upper.push_back({bottom, kLastOfEye + kLastOfEye - kMiddleOfEye});
     StyledLine& line = sheet.Add(EyePart(side), LineLabel::kUpperLid, std::move(loop), on_upper);
-    std::fill(line.labels.begin() + kLast, line.labels.end(), LineLabel::kLowerLid);
+    std::fill(line.labels.begin() + kLastOfEye, line.labels.end(), LineLabel::kLowerLid);
   } else {
     sheet.Add(EyePart(side), LineLabel::kUpperLid, eye.upper, on_upper).width = drawing.Happens(0.3) ? 1.6 : 1;
     if (style.kind == EyeStyle::Kind::kAlmond) {
-      const auto from = static_cast<size_t>(std::lround(style.lower_from * kLast));
-      const auto to = static_cast<size_t>(std::lround(style.lower_to * kLast));
+      const auto from = static_cast<size_t>(std::lround(style.lower_from * kLastOfEye));
+      const auto to = static_cast<size_t>(std::lround(style.lower_to * kLastOfEye));
       const Polyline lower(eye.lower.begin() + ptrdiff_t(from), eye.lower.begin() + ptrdiff_t(to) + 1);
-      std::vector<LineAnchor> on_lower = {{bottom, kMiddle - static_cast<int>(from)}};
+      std::vector<LineAnchor> on_lower = {{bottom, kMiddleOfEye - static_cast<int>(from)}};
       if (from == 0) on_lower.push_back({outer, 0});
-      if (to == kLast && sees_inner) on_lower.push_back({inner, static_cast<int>(lower.size()) - 1});
+      if (to == kLastOfEye && sees_inner) on_lower.push_back({inner, static_cast<int>(lower.size()) - 1});
       sheet.Add(EyePart(side), LineLabel::kLowerLid, lower, on_lower);
     }
   }

@@ -15,6 +15,7 @@ using Eigen::Vector2d;
 constexpr double kLeastSeen = 0.6;
 /// Distance of the eyes' outer corners over that of eyes and chin, on the neutral ICT face.
 constexpr double kUnitOfEyesToChin = 0.84;
+constexpr int kEarPoints = 21, kInnerEarPoints = 9;
 
 Vector2d ToPlane(const SketchFacts::Point& point) {
   return {point[0], point[1]};
@@ -55,15 +56,23 @@ class SketchView {
   const Polyline& Required(const std::string& name) const {
     const auto curve = curves_.find(name);
     DAUMIER_CHECK(curve != curves_.end() && curve->second.size() >= 2,
-                  "sketches lack the curve '{}', which styled drawings need; add it to the annotation of the faces",
+                  "sketches lack the curve '{}', which styled profiles need; add it to the annotation of the faces",
                   name);
     return curve->second;
   }
+  bool has(const std::string& name) const { return curves_.contains(name); }
   /// Empty if there is no such curve, or too little of it is seen.
   Polyline Seen(const std::string& name) const {
     const auto curve = curves_.find(name);
     if (curve == curves_.end() || seen_.at(name) < kLeastSeen) return {};
     return curve->second;
+  }
+  /// Where a template has no such curve the line through some landmarks.
+  Polyline SeenOr(const std::string& name, std::initializer_list<size_t> landmarks) const {
+    if (has(name)) return Seen(name);
+    Polyline line;
+    for (const size_t i : landmarks) line.push_back(landmark(i));
+    return line;
   }
 
  private:
@@ -88,7 +97,8 @@ Polyline WithMiddle(const Polyline& line, const Vector2d& middle, int count) {
   return first;
 }
 
-/// The two lines of a closed curve from the place nearest to `from` to that nearest to `to`; the first one is the upper.
+/// The two lines of a closed curve from the place nearest to `from` to that nearest to `to`; the first one is the
+/// upper.
 std::array<Polyline, 2> Divided(Polyline loop, const Vector2d& from, const Vector2d& to) {
   if ((loop.front() - loop.back()).squaredNorm() < 1e-12) loop.pop_back();
   std::rotate(loop.begin(), loop.begin() + NearestIndex(loop, from), loop.end());
@@ -117,9 +127,17 @@ EyeShape EyeOf(const SketchView& sketch, const Polyline& upper, const Polyline& 
   return eye;
 }
 
-BrowShape BrowOf(const Polyline& loop, const Vector2d& outer, const Vector2d& inner) {
+BrowShape BrowOf(const Polyline& loop, const Vector2d& outer, const Vector2d& inner, double unit) {
   BrowShape brow;
   if (loop.size() < 4) return brow;
+  if ((loop.front() - loop.back()).norm() > 0.1 * unit) {  // One line: the middle of a brow.
+    brow.upper = brow.lower = Resampled(StartingNear(loop, outer), BrowShape::kPoints);
+    for (size_t i = 1; i + 1 < brow.upper.size(); ++i) {
+      brow.upper[i].y() -= 0.04 * unit;
+      brow.lower[i].y() += 0.04 * unit;
+    }
+    return brow;
+  }
   const auto [upper, lower] = Divided(loop, outer, inner);
   if (upper.size() < 2 || lower.size() < 2) return brow;
   brow.upper = Resampled(upper, BrowShape::kPoints);
@@ -132,26 +150,41 @@ Polyline TopDown(const Polyline& line, int count) {
   return Resampled(line.front().y() > line.back().y() ? Reversed(line) : line, count);
 }
 
-void ReadFrontalNose(const SketchView& sketch, NoseShape& nose) {
+void ReadFrontalNose(const SketchView& sketch, double unit, NoseShape& nose) {
   const std::array<const char*, 2> sides = {"right", "left"};
   for (size_t side = 0; side < 2; ++side) {
-    nose.bridges[side] = TopDown(sketch.Seen(fmt::format("nose_bridge_{}", sides[side])), NoseShape::kBridgePoints);
+    const std::string bridge = fmt::format("nose_bridge_{}", sides[side]);
+    nose.bridges[side] = TopDown(sketch.Seen(bridge), NoseShape::kBridgePoints);
     nose.wings[side] = TopDown(sketch.Seen(fmt::format("nose_wing_{}", sides[side])), NoseShape::kWingPoints);
+    if (sketch.has(bridge)) continue;
+    const Vector2d aside((side == 0 ? -0.07 : 0.07) * unit, 0);
+    nose.bridges[side] =
+        Smooth({sketch.landmark(27) + aside, sketch.landmark(29) + aside, sketch.landmark(side == 0 ? 31 : 35)},
+               NoseShape::kBridgePoints);
   }
-  const Polyline base = StartingNear(sketch.Required("nose_base"), sketch.landmark(31));
-  nose.base = WithMiddle(base, sketch.landmark(33), NoseShape::kBasePoints);
+  const Polyline base = sketch.SeenOr("nose_base", {31, 32, 33, 34, 35});
+  if (base.size() >= 2)
+    nose.base = WithMiddle(StartingNear(base, sketch.landmark(31)), sketch.landmark(33), NoseShape::kBasePoints);
 }
 
 void ReadFrontalMouth(const SketchView& sketch, MouthShape& mouth) {
   const Vector2d right = sketch.landmark(48), left = sketch.landmark(54);
-  const auto [top, bottom] = Divided(sketch.Required("lips"), right, left);
+  Polyline lips = sketch.SeenOr("lips", {48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59});
+  if (lips.size() < 4) return;
+  const auto [top, bottom] = Divided(std::move(lips), right, left);
+  const auto inner = [&](const char* name, std::initializer_list<size_t> landmarks, size_t middle) {
+    const Polyline line = sketch.SeenOr(name, landmarks);
+    return line.size() < 2 ? Polyline{}
+                           : WithMiddle(StartingNear(line, right), sketch.landmark(middle), MouthShape::kPoints);
+  };
+  mouth.inner_top = inner("upper_mouth", {60, 61, 62, 63, 64}, 62);
+  mouth.inner_bottom = inner("lower_mouth", {60, 67, 66, 65, 64}, 66);
+  if (mouth.inner_top.empty() || mouth.inner_bottom.empty()) {
+    mouth.inner_top = mouth.inner_bottom = {};
+    return;
+  }
   mouth.top = WithMiddle(top, sketch.landmark(51), MouthShape::kPoints);
   mouth.bottom = WithMiddle(bottom, sketch.landmark(57), MouthShape::kPoints);
-  const auto inner = [&](const char* name, size_t middle) {
-    return WithMiddle(StartingNear(sketch.Required(name), right), sketch.landmark(middle), MouthShape::kPoints);
-  };
-  mouth.inner_top = inner("upper_mouth", 62);
-  mouth.inner_bottom = inner("lower_mouth", 66);
 }
 
 /// Radii between neighbours of a closed line, smoothed a little: extreme vertices alternate.
@@ -180,7 +213,17 @@ Polyline RingPart(const Polyline& ring, int from, int to, int step) {
   }
 }
 
+/// The border of the head from temple to temple round the chin, and over the crown.
+void ReadRingOutline(const SketchView& sketch, FaceShape& shape) {
+  const Polyline ring = RingOf(sketch.facts());
+  const int right = NearestIndex(ring, sketch.landmark(0)), left = NearestIndex(ring, sketch.landmark(16));
+  const Polyline face = RingPart(ring, right, left, -1);  // Clockwise the chin lies before the right side.
+  shape.outline = WithMiddle(face, face[size_t(NearestIndex(face, sketch.landmark(8)))], FaceShape::kOutlinePoints);
+  shape.skull = Resampled(RingPart(ring, left, right, -1), FaceShape::kSkullPoints);
+}
+
 void ReadFrontalOutline(const SketchView& sketch, FaceShape& shape) {
+  if (!sketch.has("jaw") || !sketch.has("cranium")) return ReadRingOutline(sketch, shape);
   const Polyline jaw = StartingNear(sketch.Required("jaw"), sketch.landmark(0));
   const Polyline cranium = StartingNear(sketch.Required("cranium"), sketch.landmark(16));
   const Vector2d chin = jaw[jaw.size() / 2];
@@ -190,6 +233,7 @@ void ReadFrontalOutline(const SketchView& sketch, FaceShape& shape) {
 
 /// Of a turned face the far side is its contour, the near side the line of the jaw.
 void ReadTurnedOutline(const SketchView& sketch, FaceShape& shape) {
+  if (!sketch.has("jaw")) return ReadRingOutline(sketch, shape);
   const Polyline ring = RingOf(sketch.facts());
   const bool looks_left = sketch.facts().yaw < 0;
   const Polyline jaw = StartingNear(sketch.Required("jaw"), sketch.landmark(looks_left ? 16 : 0));  // Near end first.
@@ -217,18 +261,23 @@ void ReadTurnedOutline(const SketchView& sketch, FaceShape& shape) {
 
 void ReadFrontal(const SketchView& sketch, FaceShape& shape) {
   const std::array<const char*, 2> sides = {"right", "left"};
-  const auto seen = [&](const char* name, size_t side) { return sketch.Seen(fmt::format("{}_{}", name, sides[side])); };
+  const auto name = [&](const char* part, size_t side) { return fmt::format("{}_{}", part, sides[side]); };
   for (size_t side = 0; side < 2; ++side) {
-    shape.eyes[side] = EyeOf(sketch, seen("upper_eye", side), seen("lower_eye", side), side);
     const bool is_right = side == 0;
+    const Polyline upper = is_right ? sketch.SeenOr(name("upper_eye", side), {36, 37, 38, 39})
+                                    : sketch.SeenOr(name("upper_eye", side), {45, 44, 43, 42});
+    const Polyline lower = is_right ? sketch.SeenOr(name("lower_eye", side), {36, 41, 40, 39})
+                                    : sketch.SeenOr(name("lower_eye", side), {45, 46, 47, 42});
+    shape.eyes[side] = EyeOf(sketch, upper, lower, side);
+    const Polyline brow = is_right ? sketch.SeenOr(name("brow", side), {17, 18, 19, 20, 21})
+                                   : sketch.SeenOr(name("brow", side), {26, 25, 24, 23, 22});
     shape.brows[side] =
-        BrowOf(seen("brow", side), sketch.landmark(is_right ? 17 : 26), sketch.landmark(is_right ? 21 : 22));
-    const Polyline outer = seen("ear", side), inner = seen("ear_inner", side);
-    if (outer.size() < 2) continue;
-    shape.ears[side].outer = TopDown(outer, 21);
-    shape.ears[side].inner = TopDown(inner, 9);
+        BrowOf(brow, sketch.landmark(is_right ? 17 : 26), sketch.landmark(is_right ? 21 : 22), shape.unit);
+    shape.ears[side].outer = TopDown(sketch.Seen(name("ear", side)), kEarPoints);
+    if (!shape.ears[side].outer.empty())
+      shape.ears[side].inner = TopDown(sketch.Seen(name("ear_inner", side)), kInnerEarPoints);
   }
-  ReadFrontalNose(sketch, shape.nose);
+  ReadFrontalNose(sketch, shape.unit, shape.nose);
   ReadFrontalMouth(sketch, shape.mouth);
   if (shape.view == DrawnView::kFront) return ReadFrontalOutline(sketch, shape);
   for (const auto& point : sketch.facts().nose_contour) shape.nose.contour.push_back(ToPlane(point));
@@ -253,9 +302,9 @@ void ReadProfile(const SketchView& sketch, FaceShape& shape) {
   shape.skull = Resampled(RingPart(ring, nape, NearestIndex(ring, shape.outline.front()), 1), FaceShape::kSkullPoints);
 
   shape.eyes[0] = EyeOf(sketch, sketch.Required("side_upper_eye"), sketch.Required("side_lower_eye"), 0);
-  shape.brows[0] = BrowOf(sketch.Seen("side_brow"), sketch.landmark(17), sketch.landmark(21));
-  shape.ears[0].outer = TopDown(sketch.Seen("side_ear"), 21);
-  shape.ears[0].inner = TopDown(sketch.Seen("side_ear_inner"), 9);
+  shape.brows[0] = BrowOf(sketch.Seen("side_brow"), sketch.landmark(17), sketch.landmark(21), shape.unit);
+  shape.ears[0].outer = TopDown(sketch.Seen("side_ear"), kEarPoints);
+  shape.ears[0].inner = TopDown(sketch.Seen("side_ear_inner"), kInnerEarPoints);
   shape.nose.wings[0] = TopDown(sketch.Seen("side_nose_wing"), NoseShape::kWingPoints);
   const Polyline nostril = sketch.Seen("side_nostril");
   if (nostril.size() >= 2) shape.nose.base = Resampled(nostril, NoseShape::kBasePoints);
@@ -282,6 +331,7 @@ Polyline FaceShape::head() const {
 }
 
 Vector2d FaceShape::mouth_middle() const {
+  if (mouth.inner_top.empty()) return eyes_middle + Vector2d(0, 0.8 * unit);
   return (mouth.inner_top.front() + mouth.inner_top.back() + mouth.inner_bottom.front() + mouth.inner_bottom.back()) /
          4;
 }

@@ -53,8 +53,8 @@ struct EarShape {
 struct FaceShape {
   static constexpr int kOutlinePoints = 49, kSkullPoints = 41;
   DrawnView view = DrawnView::kFront;
-  /// The border of the face without hair: from the right ear down and round the chin to the left ear. Of a profile from the forehead down
-  /// the face to the neck.
+  /// The border of the face without hair: from the right ear down and round the chin to the left ear. Of a profile from
+  /// the forehead down the face to the neck.
   Polyline outline;
   int chin = 24;  ///< Index on the outline.
   /// The border of the skull, from the end of the outline over the crown to its beginning.
@@ -71,6 +71,7 @@ struct FaceShape {
 
   /// The polygon of outline and skull.
   Polyline head() const;
+  /// Where the mouth is not seen, where it usually is.
   Eigen::Vector2d mouth_middle() const;
 };
 
@@ -79,8 +80,8 @@ void ForEachLine(FaceShape& shape, const std::function<void(Polyline&)>& change)
 /// Every point of the shape moved.
 void MovePoints(FaceShape& shape, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& moved);
 
-/// The shape of a stored sketch. @throws Error if the database has no facts (version 1) or lacks a curve that the view
-/// needs.
+/// The shape of a stored sketch. Where a template has no curve of the frontal view, its landmarks are the line.
+/// @throws Error if the database has no facts (version 1), or a profile lacks a curve.
 FaceShape ShapeOf(const SketchDatabase& sketches, int face, int view = 0);
 
 /// The turn, degrees, up to which a face counts as seen from the front, and from which as a profile.

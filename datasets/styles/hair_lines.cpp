@@ -183,7 +183,7 @@ void DrawBun(const DrawingContext& drawing) {
   const Polyline circle = EllipseArc(middle, size, 0.85 * size, 90, 460, 25);
   const size_t begin = sheet.lines.size();
   AddHair(drawing, circle);
-  // The bun stands behind the crown.
+  // The bun is behind the crown.
   const Polyline crown = ring.Arc(-100, 100, 31, [&](double) { return 1.0 + 0.8 * plan.thickness; });
   sheet.CutInside(crown, begin, sheet.lines.size());
   if (drawing.Happens(0.5)) {
@@ -282,6 +282,8 @@ HairChoice ChooseHair(const DrawingContext& drawing) {
 void DrawHair(const DrawingContext& drawing, const HairChoice& choice) {
   Rng& rng = drawing.rng;
   const auto mass = [&](HairLength length, Hairline hairline, double spikes = 0) {
+    // Swept over the forehead of a turned face it would hide most of the face.
+    if (!drawing.is_front() && hairline == Hairline::kSwept) hairline = Hairline::kSideParting;
     HairPlan plan = DrawHairPlan(length, hairline, rng);
     plan.spikes = spikes;
     DrawMass(drawing, MakeHairMass(drawing.shape, plan, rng));

@@ -3,7 +3,8 @@
 
 namespace daumier::datasets {
 
-/// A cap, a brimmed hat, a beanie, a top hat or a cone over what is there: lines behind it are removed. Not in profiles.
+/// A cap, a brimmed hat, a beanie, a top hat or a cone over what is there: lines behind it are removed. Not in
+/// profiles.
 void DrawHat(const DrawingContext& drawing);
 
 }  // namespace daumier::datasets

@@ -64,7 +64,7 @@ void DrawFolds(const DrawingContext& drawing) {
       AddFold(drawing, {from, (from + to) / 2 + u * Vector2d(outward * 0.05, 0), to});
     }
   }
-  if (drawing.Happens(0.4)) {  // Across the forehead.
+  if (drawing.Happens(0.4) && drawing.is_front()) {  // Across the forehead.
     const int count = drawing.Count(1, 3);
     const double half = drawing.Uniform(0.2, 0.5) * u;
     for (int i = 0; i < count; ++i) {

@@ -5,8 +5,8 @@
 
 namespace daumier::datasets {
 
-/// The border of a head by angles about a middle at the height of the eyes: 0 degrees is up, positive angles turn to the
-/// right of the picture. Its radii are those of the head without hair and ears.
+/// The border of a head by angles about a middle at the height of the eyes: 0 degrees is up, positive angles turn to
+/// the right of the picture. Its radii are those of the head without hair and ears.
 class HeadRing {
  public:
   explicit HeadRing(const FaceShape& shape);

@@ -10,12 +10,12 @@ namespace {
 using Eigen::Vector2d;
 using enum FacePoint;
 
-constexpr int kLast = MouthShape::kPoints - 1;
+constexpr int kLastOfMouth = MouthShape::kPoints - 1;
 
 /// The corners among the anchors of a line along the lips.
 std::vector<LineAnchor> WithCorners(const MouthShape& mouth, std::vector<LineAnchor> anchors) {
   anchors.push_back({kMouthRight, 0});
-  if (mouth.middle != kLast) anchors.push_back({kMouthLeft, kLast});
+  if (mouth.middle != kLastOfMouth) anchors.push_back({kMouthLeft, kLastOfMouth});
   return anchors;
 }
 
@@ -30,7 +30,7 @@ void DrawLowerLip(const DrawingContext& drawing, const MouthShape& mouth) {
 
 /// Both lips in one go, round the mouth.
 void DrawBothLips(const DrawingContext& drawing, const MouthShape& mouth) {
-  if (mouth.middle == kLast || drawing.Happens(0.5)) {
+  if (mouth.middle == kLastOfMouth || drawing.Happens(0.5)) {
     DrawUpperLip(drawing, mouth);
     DrawLowerLip(drawing, mouth);
     return;
@@ -38,16 +38,16 @@ void DrawBothLips(const DrawingContext& drawing, const MouthShape& mouth) {
   const Polyline bottom = Reversed(mouth.bottom);
   Polyline loop = mouth.top;
   loop.insert(loop.end(), bottom.begin() + 1, bottom.end());
-  StyledLine& line =
-      drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kUpperLip, std::move(loop),
-                        WithCorners(mouth, {{kLipTop, mouth.middle}, {kLipBottom, kLast + kLast - mouth.middle}}));
-  std::fill(line.labels.begin() + kLast, line.labels.end(), LineLabel::kLowerLip);
+  StyledLine& line = drawing.sheet.Add(
+      DrawnPart::kMouth, LineLabel::kUpperLip, std::move(loop),
+      WithCorners(mouth, {{kLipTop, mouth.middle}, {kLipBottom, kLastOfMouth + kLastOfMouth - mouth.middle}}));
+  std::fill(line.labels.begin() + kLastOfMouth, line.labels.end(), LineLabel::kLowerLip);
 }
 
 Polyline SeamOf(const MouthShape& mouth) {
   Polyline seam = Mixed(mouth.inner_top, mouth.inner_bottom, 0.5);
   seam.front() = mouth.top.front();
-  if (mouth.middle != kLast) seam.back() = mouth.top.back();
+  if (mouth.middle != kLastOfMouth) seam.back() = mouth.top.back();
   return seam;
 }
 
@@ -100,9 +100,9 @@ void DrawClosed(const DrawingContext& drawing, const MouthShape& mouth) {
 /// The lower edge of the opening and the lower lip moved down.
 MouthShape Opened(MouthShape mouth, double depth) {
   const Polyline seam = SeamOf(mouth);
-  const bool is_profile = mouth.middle == kLast;
-  for (int i = 0; i <= kLast; ++i) {
-    const double share = double(i) / kLast;
+  const bool is_profile = mouth.middle == kLastOfMouth;
+  for (int i = 0; i <= kLastOfMouth; ++i) {
+    const double share = double(i) / kLastOfMouth;
     const double bulge = is_profile ? share : std::sin(std::numbers::pi * share);
     const auto k = static_cast<size_t>(i);
     mouth.inner_top[k] = seam[k] - Vector2d(0, 0.1 * depth * bulge);
@@ -145,7 +145,7 @@ void DrawTongue(const DrawingContext& drawing, const MouthShape& mouth) {
 }
 
 void DrawOpening(const DrawingContext& drawing, const MouthShape& mouth, LineCare care) {
-  const bool is_profile = mouth.middle == kLast;
+  const bool is_profile = mouth.middle == kLastOfMouth;
   if (is_profile || drawing.Happens(0.5)) {
     drawing.sheet
         .Add(DrawnPart::kMouth, LineLabel::kInnerMouth, mouth.inner_top,
@@ -160,9 +160,9 @@ void DrawOpening(const DrawingContext& drawing, const MouthShape& mouth, LineCar
   const Polyline bottom = Reversed(mouth.inner_bottom);
   Polyline loop = mouth.inner_top;
   loop.insert(loop.end(), bottom.begin() + 1, bottom.end());
-  StyledLine& line =
-      drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kInnerMouth, std::move(loop),
-                        WithCorners(mouth, {{kInnerTop, mouth.middle}, {kInnerBottom, kLast + kLast - mouth.middle}}));
+  StyledLine& line = drawing.sheet.Add(
+      DrawnPart::kMouth, LineLabel::kInnerMouth, std::move(loop),
+      WithCorners(mouth, {{kInnerTop, mouth.middle}, {kInnerBottom, kLastOfMouth + kLastOfMouth - mouth.middle}}));
   line.care = care;
 }
 
@@ -172,7 +172,7 @@ void DrawOpen(const DrawingContext& drawing, MouthShape mouth) {
   for (Polyline* inner : {&mouth.inner_top, &mouth.inner_bottom}) {
     const double t = has_lips ? 0.7 : 1;  // The opening's corners are near those of the lips.
     inner->front() += t * (mouth.top.front() - inner->front());
-    if (mouth.middle != kLast) inner->back() += t * (mouth.top.back() - inner->back());
+    if (mouth.middle != kLastOfMouth) inner->back() += t * (mouth.top.back() - inner->back());
   }
   if (has_lips) DrawBothLips(drawing, mouth);
   DrawOpening(drawing, mouth, LineCare::kFree);

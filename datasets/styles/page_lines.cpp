@@ -15,16 +15,19 @@ void HatchOval(const DrawingContext& drawing, const Vector2d& middle, double hal
                int count) {
   const Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
   for (int i = 0; i < count; ++i) {
+    if (drawing.Happens(0.1)) continue;
     const double place = -1 + 2 * (i + 0.5) / count + Deviate(0.15 / count, drawing.rng);
-    const double reach = std::sqrt(std::max(0.0, 1 - place * place)) * drawing.Uniform(0.7, 1.1);
-    const auto stretched = [&](const Vector2d& p) { return middle + Vector2d(half_x * p.x(), half_y * p.y()); };
+    const double reach = std::sqrt(std::max(0.0, 1 - place * place)) * drawing.Uniform(0.45, 1.15);
+    const auto stretched = [&](const Vector2d& p) -> Vector2d {
+      return middle + Vector2d(half_x * p.x(), half_y * p.y());
+    };
     drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther,
                           {stretched(place * across - reach * along), stretched(place * across),
                            stretched(place * across + reach * along)});
   }
 }
 
-/// A line like writing: loops that go on to the right.
+/// A line like writing: loops from left to right.
 void AddWriting(const DrawingContext& drawing, const Vector2d& from, double size) {
   const int count = drawing.Count(4, 12);
   Polyline writing;

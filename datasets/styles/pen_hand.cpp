@@ -2,6 +2,7 @@
 
 #include "datasets/read/pen_effects.h"
 #include "datasets/read/stroke_arc.h"
+#include "render/line_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSpacing = 3;        ///< Of the points of a stroke, pixels.
-constexpr double kBendLength = 45;    ///< Of the shortest error of a whole line, pixels.
-constexpr double kDoubleLength = 50;  ///< Over which the second line of a pair comes and goes.
-constexpr double kFarthest = 3.5;     ///< Of a stroke from its line.
+constexpr double kSpacing = 3;             ///< Of the points of a stroke, pixels.
+constexpr double kBendLength = 45;         ///< Of the shortest error of a whole line, pixels.
+constexpr double kDoubleLength = 50;       ///< Over which the second line of a pair comes and goes.
+constexpr double kFarthestFromLine = 3.5;  ///< Of a stroke from its line.
 
 /// Points and their labels.
 struct LabelledLine {
@@ -41,7 +42,7 @@ LabelledLine Dense(const StyledLine& line) {
   return dense;
 }
 
-/// Each point moved by noise, but no farther than kFarthest.
+/// Each point moved by noise, but no farther than kFarthestFromLine.
 void AddNoise(Polyline& points, double rms, double length, Rng& rng) {
   if (rms <= 0 || points.size() < 2) return;
   render::Stroke stroke;
@@ -50,7 +51,7 @@ void AddNoise(Polyline& points, double rms, double length, Rng& rng) {
   for (size_t i = 0; i < points.size(); ++i) {
     Vector2d offset = ToVector(noisy.points[i]) - points[i];
     const double distance = offset.norm();
-    if (distance > kFarthest) offset *= kFarthest / distance;
+    if (distance > kFarthestFromLine) offset *= kFarthestFromLine / distance;
     points[i] += offset;
   }
 }
@@ -108,7 +109,7 @@ std::vector<LabelledLine> WithOneGap(const LabelledLine& line, Rng& rng) {
 
 LabelledLine Polygonal(const LabelledLine& line, double tolerance) {
   LabelledLine polygon;
-  for (const int i : FewPoints(line.points, tolerance)) {
+  for (const int i : render::ReducedLine(line.points, tolerance)) {
     polygon.points.push_back(line.points[size_t(i)]);
     polygon.labels.push_back(line.labels[size_t(i)]);
   }
@@ -118,7 +119,7 @@ LabelledLine Polygonal(const LabelledLine& line, double tolerance) {
 /// The parts of a line on the canvas as strokes.
 void AddOnCanvas(const LabelledLine& line, float width, bool filled, std::vector<StyledStroke>& strokes) {
   constexpr double kSide = render::kSketchCanvas;
-  static const Polyline kCanvas = {{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}};
+  static const Polyline kWholeCanvas = {{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}};
   const auto add = [&](const Polyline& points, const std::vector<LineLabel>& labels) {
     StyledStroke& stroke = strokes.emplace_back(StyledStroke{width, filled, {}, labels});
     for (const Vector2d& point : points) stroke.points.push_back(ToPoint(point.cwiseMax(0).cwiseMin(kSide)));
@@ -131,7 +132,7 @@ void AddOnCanvas(const LabelledLine& line, float width, bool filled, std::vector
     if (is_on) add(line.points, line.labels);
     return;
   }
-  for (const LinePiece& piece : Inside(line.points, kCanvas)) {
+  for (const LinePiece& piece : Inside(line.points, kWholeCanvas)) {
     std::vector<LineLabel> labels;
     LineLabel label = line.labels.front();
     for (size_t i = piece.origin.size(); i-- > 0;)
@@ -152,7 +153,7 @@ HandHabits DrawHabits(const HandStyles& styles, bool is_steady, double size, Rng
   if (is_steady) return habits;
   const double scale = std::clamp(size, 0.3, 1.2);
   habits.tremor = styles.tremor_px * scale * rng.Uniform();
-  habits.tremor_length = rng.Uniform(8, 22);
+  habits.tremor_length = rng.Uniform(4, 22);
   habits.bend = styles.bend_px * scale * rng.Uniform();
   if (Happens(styles.double_strokes, rng)) habits.doubled = rng.Uniform(0.2, 0.9);
   if (Happens(styles.searching, rng)) habits.searching = rng.Uniform(0.3, 1);

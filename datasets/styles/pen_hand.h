@@ -25,7 +25,8 @@ HandHabits DrawHabits(const HandStyles& styles, bool is_steady, double size, Rng
 void BendLines(LineSheet& sheet, double bend, Rng& rng);
 
 /// The strokes of a hand along a line, cut at the border of the canvas; none if all of it lies outside.
-/// Promises: each stroke stays within 3.5 px + 2 * polygon + overshoot of the line; a line whose care is kMark is one stroke.
+/// Promises: each stroke stays within 3.5 px + 2 * polygon + overshoot of the line; a line whose care is kMark is one
+/// stroke.
 std::vector<StyledStroke> DrawByHand(const StyledLine& line, const HandHabits& habits, Rng& rng);
 
 }  // namespace daumier::datasets

@@ -227,32 +227,6 @@ std::vector<LinePiece> Inside(const Polyline& line, const Polyline& polygon) {
   return PiecesOn(Side::kInside, line, polygon);
 }
 
-std::vector<int> FewPoints(const Polyline& line, double tolerance) {
-  if (line.empty()) return {};
-  std::vector<bool> is_kept(line.size(), false);
-  is_kept.front() = is_kept.back() = true;
-  std::vector<std::pair<size_t, size_t>> spans = {{0, line.size() - 1}};
-  while (!spans.empty()) {
-    const auto [begin, end] = spans.back();
-    spans.pop_back();
-    double farthest = tolerance * tolerance;
-    size_t split = 0;
-    for (size_t i = begin + 1; i < end; ++i) {
-      const double share = ShareOnSegment(line[begin], line[end], line[i]);
-      const double square = (line[begin] + share * (line[end] - line[begin]) - line[i]).squaredNorm();
-      if (square > farthest) farthest = square, split = i;
-    }
-    if (split == 0) continue;
-    is_kept[split] = true;
-    spans.emplace_back(begin, split);
-    spans.emplace_back(split, end);
-  }
-  std::vector<int> kept;
-  for (size_t i = 0; i < line.size(); ++i)
-    if (is_kept[i]) kept.push_back(static_cast<int>(i));
-  return kept;
-}
-
 Polyline Waved(const Polyline& line, double amplitude, double waves, double phase) {
   if (line.size() < 2) return line;
   const std::vector<double> arcs = ArcLengths(line);

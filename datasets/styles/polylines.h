@@ -16,8 +16,8 @@ Eigen::AlignedBox2d BoxOf(const Polyline& line);
 Polyline Reversed(Polyline line);
 /// The lines end to end.
 Polyline Joined(Polyline first, const Polyline& second);
-/// The part between two shares (0 to 1) of the length, `count` points at equal distances; from > to runs backwards.
-/// Of a line without length the point, `count` times. @throws Error if there are no points or fewer than 2 are asked for.
+/// The part between two shares (0 to 1) of the length, `count` points at equal distances; from > to runs backwards. Of
+/// a line without length the point, `count` times. @throws Error if there are no points or fewer than 2 are requested.
 Polyline Part(const Polyline& line, double from, double to, int count);
 /// The whole line so.
 Polyline Resampled(const Polyline& line, int count);
@@ -42,8 +42,6 @@ struct LinePiece {
 };
 std::vector<LinePiece> Outside(const Polyline& line, const Polyline& polygon);
 std::vector<LinePiece> Inside(const Polyline& line, const Polyline& polygon);
-/// The indices of few points of a line from which all others are no farther than `tolerance` [Douglas and Peucker 1973].
-std::vector<int> FewPoints(const Polyline& line, double tolerance);
 /// The line moved along its normal by amplitude sin(2 pi (waves s + phase)), s from 0 to 1 along it.
 Polyline Waved(const Polyline& line, double amplitude, double waves, double phase);
 

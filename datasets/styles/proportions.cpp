@@ -205,13 +205,19 @@ void PlaceMouth(FaceShape& shape, const Vector2d& middle, double a, double b, co
   const double half = places.mouth_half * a, tilt = Deviate(0.12 * amount, rng), lip = rng.Uniform(0.08, 0.25) * half;
   const Vector2d centre = middle + Vector2d(Deviate(0.08 * amount, rng) * a, places.mouth_y * b);
   const Vector2d right = centre - half * Vector2d(1, tilt), left = centre + half * Vector2d(1, tilt);
-  const double bulge = places.mouth_bulge * a, depth = mouth.is_open ? std::max(places.mouth_depth, 0.06) * a : 0;
+  const double bulge = places.mouth_bulge * a;
+  // An open mouth is flat above and round below; it would be taken for closed lips otherwise.
+  const double depth = mouth.is_open ? std::max(places.mouth_depth * a, 0.35 * half) : 0;
+  const double upper = mouth.is_open ? std::clamp(rng.Uniform(-0.1, 0.5) * bulge, -0.1 * half, 0.2 * half) : bulge;
   constexpr int n = MouthShape::kPoints;
-  const double upper = mouth.is_open ? bulge - 0.5 * depth : bulge, lower = mouth.is_open ? bulge + 0.5 * depth : bulge;
   mouth.inner_top = Arched(right, left, upper, n);
-  mouth.inner_bottom = Arched(right, left, lower, n);
+  mouth.inner_bottom = Arched(right, left, upper + depth, n);
   mouth.top = Arched(right, left, upper - lip, n);
-  mouth.bottom = Arched(right, left, lower + lip, n);
+  mouth.bottom = Arched(right, left, upper + depth + lip, n);
+  for (int i = 0; i < n; ++i) {  // The upper lip is lower in its middle.
+    const double t = (double(i) / (n - 1) - 0.5) / 0.09;
+    mouth.top[size_t(i)].y() += 0.5 * lip * std::exp(-t * t);
+  }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
-constexpr double kSide = render::kSketchCanvas;
+constexpr double kSheetSide = render::kSketchCanvas;
 
 bool IsFace(DrawnPart part) {
   using enum DrawnPart;
@@ -41,15 +41,15 @@ SheetPose DrawSheetPose(const LineSheet& sheet, const PageStyles& page, Rng& rng
     shown = AlignedBox2d((1 - t) * face.min() + t * all.min(), (1 - t) * face.max() + t * all.max());
   }
   const double margin = rng.Uniform(3, 24);
-  const double room = kSide - 2 * margin;
+  const double room = kSheetSide - 2 * margin;
   pose.scale = room / shown.sizes().cwiseMax(1).maxCoeff();
   const bool is_small = Happens(page.small, rng), is_off = Happens(page.off_centre, rng);
   if (is_small)
     pose.scale *= rng.Uniform(0.35, 0.8);
   else if (is_off)
     pose.scale *= rng.Uniform(0.7, 1);
-  const Vector2d sizes = pose.scale * shown.sizes(), slack = (Vector2d::Constant(kSide) - sizes).cwiseMax(0) / 2;
-  Vector2d centre = Vector2d::Constant(kSide / 2);
+  const Vector2d sizes = pose.scale * shown.sizes(), slack = (Vector2d::Constant(kSheetSide) - sizes).cwiseMax(0) / 2;
+  Vector2d centre = Vector2d::Constant(kSheetSide / 2);
   const double roam = is_small || is_off ? 0.95 : 0.25;
   for (int axis = 0; axis < 2; ++axis) centre[axis] += roam * slack[axis] * rng.Uniform(-1, 1);
   Vector2d shift = centre - pose.scale * shown.center();
@@ -57,7 +57,7 @@ SheetPose DrawSheetPose(const LineSheet& sheet, const PageStyles& page, Rng& rng
   for (int axis = 0; axis < 2; ++axis) {
     const double low = pose.scale * face.min()[axis] + shift[axis], high = pose.scale * face.max()[axis] + shift[axis];
     if (low < 2) shift[axis] += 2 - low;
-    if (high > kSide - 2) shift[axis] -= high - (kSide - 2);
+    if (high > kSheetSide - 2) shift[axis] -= high - (kSheetSide - 2);
   }
   pose.shift = {shift.x(), shift.y()};
   return pose;

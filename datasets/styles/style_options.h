@@ -186,7 +186,7 @@ struct ProportionStyles {
 struct HandStyles {
   double width = 1.5, width_spread = 0.35;
   double tremor_px = 0.7, bend_px = 1.2;
-  double double_strokes = 0.15, searching = 0.12, gaps = 0.1, overshoot = 0.35, polygons = 0.25;
+  double double_strokes = 0.15, searching = 0.12, gaps = 0.1, overshoot = 0.35, polygons = 0.1;
 
   template <class V>
   void Visit(V&& visit) {

@@ -9,9 +9,9 @@
 namespace daumier::datasets {
 namespace {
 
-constexpr double kSide = render::kSketchCanvas;
+constexpr double kMirrorWidth = render::kSketchCanvas;
 
-std::array<double, 2> Turned(const std::array<double, 2>& p, double degrees) {
+std::array<double, 2> RotatedBy(const std::array<double, 2>& p, double degrees) {
   const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
   return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
 }
@@ -24,7 +24,7 @@ void Limit(ShownWith<T>& shown, int num_strokes) {
 }  // namespace
 
 std::array<double, 2> SheetPose::Apply(const std::array<double, 2>& p_in_sheet) const {
-  const auto turned = Turned(p_in_sheet, turn_degrees);
+  const auto turned = RotatedBy(p_in_sheet, turn_degrees);
   return {scale * turned[0] + shift[0], scale * turned[1] + shift[1]};
 }
 
@@ -40,7 +40,7 @@ StyledDrawing FirstStrokes(StyledDrawing drawing, int num_strokes) {
 }
 
 StyledDrawing Mirrored(StyledDrawing drawing) {
-  const auto flip = [](std::array<float, 2>& p) { p[0] = static_cast<float>(kSide) - p[0]; };
+  const auto flip = [](std::array<float, 2>& p) { p[0] = static_cast<float>(kMirrorWidth) - p[0]; };
   for (StyledStroke& stroke : drawing.strokes)
     for (auto& point : stroke.points) flip(point);
   const auto points = drawing.points;
@@ -54,9 +54,9 @@ StyledDrawing Mirrored(StyledDrawing drawing) {
   else if (drawing.view.value == DrawnView::kThreeQuarterRight)
     drawing.view.value = DrawnView::kThreeQuarterLeft;
   // M (s R (M p) + t) with M the reflection about x = side / 2.
-  const auto corner = drawing.pose.Apply({kSide, 0});
+  const auto corner = drawing.pose.Apply({kMirrorWidth, 0});
   drawing.pose.turn_degrees = -drawing.pose.turn_degrees;
-  drawing.pose.shift = {kSide - corner[0], corner[1]};
+  drawing.pose.shift = {kMirrorWidth - corner[0], corner[1]};
   return drawing;
 }
 
