@@ -19,7 +19,7 @@ struct NeckLines {
 
 NeckLines DrawNeck(const DrawingContext& drawing) {
   const FaceShape& shape = drawing.shape;
-  const double u = drawing.unit(), length = drawing.Uniform(0.35, 0.9) * u;
+  const double u = drawing.unit(), length = drawing.Uniform(0.25, 0.75) * u;
   const Vector2d chin = shape.outline[size_t(shape.chin)];
   NeckLines neck;
   if (shape.view == DrawnView::kProfile) {

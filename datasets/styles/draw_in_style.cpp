@@ -51,7 +51,8 @@ FeatureStyles ExactFeatures() {
                  .opening = 0,
                  .teeth = 0,
                  .tongue = 0,
-                 .opened = 0};
+                 .opened = 0,
+                 .closed = 0};
   exact.eyes = {.almond = 1,
                 .upper_lid = 0,
                 .circle = 0,

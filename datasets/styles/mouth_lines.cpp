@@ -112,6 +112,19 @@ MouthShape Opened(MouthShape mouth, double depth) {
   return mouth;
 }
 
+/// The lips together, as thick as they are.
+MouthShape Closed(MouthShape mouth) {
+  const Polyline seam = SeamOf(mouth);
+  for (size_t k = 0; k < seam.size(); ++k) {
+    mouth.top[k] += seam[k] - mouth.inner_top[k];
+    mouth.bottom[k] += seam[k] - mouth.inner_bottom[k];
+  }
+  mouth.top.front() = mouth.bottom.front() = seam.front();
+  if (mouth.middle != kLastOfMouth) mouth.top.back() = mouth.bottom.back() = seam.back();
+  mouth.inner_top = mouth.inner_bottom = seam;
+  return mouth;
+}
+
 void DrawTeeth(const DrawingContext& drawing, const MouthShape& mouth) {
   LineSheet& sheet = drawing.sheet;
   const Polyline &top = mouth.inner_top, &bottom = mouth.inner_bottom;
@@ -203,7 +216,10 @@ void DrawOpen(const DrawingContext& drawing, MouthShape mouth) {
 void DrawMouth(const DrawingContext& drawing) {
   const MouthShape& mouth = drawing.shape.mouth;
   if (mouth.top.empty() || drawing.Happens(drawing.styles.mouth.none)) return;
-  if (mouth.is_open) return DrawOpen(drawing, mouth);
+  if (mouth.is_open) {
+    if (drawing.Happens(drawing.styles.mouth.closed)) return DrawClosed(drawing, Closed(mouth));
+    return DrawOpen(drawing, mouth);
+  }
   if (drawing.Happens(drawing.styles.mouth.opened))
     return DrawOpen(drawing, Opened(mouth, drawing.Uniform(0.07, 0.3) * drawing.unit()));
   DrawClosed(drawing, mouth);

@@ -10,10 +10,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Parallel lines inside an oval.
-void HatchOval(const DrawingContext& drawing, const Vector2d& middle, double half_x, double half_y, double angle,
-               int count) {
+enum class HatchPlace { kFace, kNeck };
+
+/// Parallel lines inside an oval: those of the face on the head, those of the neck off it.
+void HatchOval(const DrawingContext& drawing, HatchPlace hatched, const Vector2d& middle, double half_x, double half_y,
+               double angle, int count) {
   const Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
+  const Polyline head = drawing.shape.head();
   for (int i = 0; i < count; ++i) {
     if (drawing.Happens(0.1)) continue;
     const double place = -1 + 2 * (i + 0.5) / count + Deviate(0.15 / count, drawing.rng);
@@ -21,9 +24,10 @@ void HatchOval(const DrawingContext& drawing, const Vector2d& middle, double hal
     const auto stretched = [&](const Vector2d& p) -> Vector2d {
       return middle + Vector2d(half_x * p.x(), half_y * p.y());
     };
-    drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther,
-                          {stretched(place * across - reach * along), stretched(place * across),
-                           stretched(place * across + reach * along)});
+    const Polyline line = {stretched(place * across - reach * along), stretched(place * across),
+                           stretched(place * across + reach * along)};
+    for (const LinePiece& piece : hatched == HatchPlace::kFace ? Inside(line, head) : Outside(line, head))
+      drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther, piece.points);
   }
 }
 
@@ -49,13 +53,18 @@ void DrawHatching(const DrawingContext& drawing) {
   const auto lines = [&](double count) { return std::max(3, static_cast<int>(count * density)); };
   const Vector2d mouth = shape.mouth_middle(), eyes = shape.eyes_middle, chin = shape.outline[size_t(shape.chin)];
   if (drawing.Happens(0.5))
-    HatchOval(drawing, 0.5 * (mouth + eyes) + Vector2d(side * 0.6 * u, 0), 0.16 * u, 0.35 * u, angle, lines(10));
+    HatchOval(drawing, HatchPlace::kFace, 0.5 * (mouth + eyes) + Vector2d(side * 0.6 * u, 0), 0.16 * u, 0.35 * u, angle,
+              lines(10));
   if (drawing.Happens(0.4))
-    HatchOval(drawing, 0.55 * eyes + 0.45 * mouth + Vector2d(side * 0.17 * u, 0), 0.06 * u, 0.2 * u, angle, lines(7));
-  if (drawing.Happens(0.4)) HatchOval(drawing, chin + Vector2d(0, 0.16 * u), 0.4 * u, 0.12 * u, angle, lines(14));
-  if (drawing.Happens(0.3)) HatchOval(drawing, 0.5 * (mouth + chin), 0.18 * u, 0.06 * u, angle, lines(6));
+    HatchOval(drawing, HatchPlace::kFace, 0.55 * eyes + 0.45 * mouth + Vector2d(side * 0.17 * u, 0), 0.06 * u, 0.2 * u,
+              angle, lines(7));
+  if (drawing.Happens(0.4))
+    HatchOval(drawing, HatchPlace::kNeck, chin + Vector2d(0, 0.16 * u), 0.4 * u, 0.12 * u, angle, lines(14));
+  if (drawing.Happens(0.3))
+    HatchOval(drawing, HatchPlace::kFace, 0.5 * (mouth + chin), 0.18 * u, 0.06 * u, angle, lines(6));
   if (drawing.Happens(0.25))
-    HatchOval(drawing, eyes + Vector2d(-side * 0.2 * u, -0.75 * u), 0.3 * u, 0.15 * u, angle, lines(9));
+    HatchOval(drawing, HatchPlace::kFace, eyes + Vector2d(-side * 0.2 * u, -0.75 * u), 0.3 * u, 0.15 * u, angle,
+              lines(9));
 }
 
 void DrawConstruction(const DrawingContext& drawing) {

@@ -13,6 +13,7 @@ FeatureStyles DoodleFeatures() {
                   .teeth = 0.35,
                   .tongue = 0.2,
                   .opened = 0.2,
+                  .closed = 0.25,
                   .none = 0.03};
   doodle.eyes = {.almond = 0.8,
                  .upper_lid = 0.2,

@@ -11,7 +11,7 @@ inline constexpr Range kStyleWeight = {0, 100}, kStyleShare = {0, 1};
 struct MouthStyles {
   double outline_and_middle = 4, outline = 1, middle = 2, upper_and_middle = 1;
   double lips_and_opening = 5, opening = 1.5;
-  double teeth = 0.45, tongue = 0.15, opened = 0.15, none = 0;
+  double teeth = 0.4, tongue = 0.15, opened = 0.15, closed = 0.25, none = 0;
 
   template <class V>
   void Visit(V&& visit) {
@@ -24,6 +24,7 @@ struct MouthStyles {
     visit("teeth", teeth, kStyleShare, "Teeth in an open mouth.");
     visit("tongue", tongue, kStyleShare, "A tongue in an open mouth without teeth.");
     visit("opened", opened, kStyleShare, "A closed mouth is drawn open.");
+    visit("closed", closed, kStyleShare, "An open mouth is drawn closed.");
     visit("none", none, kStyleShare, "No mouth.");
   }
 };
@@ -31,7 +32,7 @@ struct MouthStyles {
 struct EyeStyles {
   double almond = 6, upper_lid = 1, circle = 1, dot = 0.3, dash = 0.1;
   double iris = 0.8, pupil = 0.6, solid_iris = 0.15, lashes = 0.15, double_lid = 0.3, bags = 0.12;
-  double closed = 0.06, wink = 0.04, one_missing = 0;
+  double closed = 0.1, wink = 0.07, one_missing = 0;
 
   template <class V>
   void Visit(V&& visit) {

@@ -91,9 +91,11 @@ TEST(DrawInStyle, AClosedMouthShowsNoOpening) {
   EXPECT_GT(num_closed, kNumDrawings / 4);
 }
 
-TEST(DrawInStyle, AFaceWithItsMouthOpenIsNeverDrawnClosed) {
+TEST(DrawInStyle, AnOpenMouthIsDrawnClosedOnlyWhereTheStylesAllowIt) {
+  StyleOptions options;
+  options.features.mouth.closed = options.doodle_features.mouth.closed = 0;
   for (uint64_t seed = 0; seed < kNumDrawings; seed += 3) {
-    const StyledDrawing drawing = Drawn(seed);
+    const StyledDrawing drawing = Drawn(seed, options);
     if (drawing.mouth.is_shown()) {
       EXPECT_NE(drawing.mouth.value, MouthState::kClosed) << seed;
     }

@@ -40,7 +40,7 @@ TEST(DrawMouth, AClosedMouthHasOneSeamAndNoTeeth) {
 TEST(DrawMouth, AnOpenMouthHasBothEdges) {
   int num_teeth = 0, num_without_lips = 0;
   for (uint64_t seed = 0; seed < 80; ++seed) {
-    const PartDrawing drawing = DrawnMouth(testing::OpenMouthShape(), seed);
+    const PartDrawing drawing = DrawnMouth(testing::OpenMouthShape(), seed, {.closed = 0});
     ASSERT_TRUE(drawing.sheet.mouth);
     EXPECT_NE(*drawing.sheet.mouth, MouthState::kClosed);
     ASSERT_TRUE(drawing.At(kInnerTop) && drawing.At(kInnerBottom));
@@ -59,6 +59,17 @@ TEST(DrawMouth, AClosedMouthMayBeDrawnOpen) {
     const PartDrawing drawing = DrawnMouth(testing::PlainFaceShape(), seed, styles);
     EXPECT_NE(*drawing.sheet.mouth, MouthState::kClosed);
     EXPECT_GT(drawing.At(kInnerBottom)->y() - drawing.At(kInnerTop)->y(), 4);
+  }
+}
+
+TEST(DrawMouth, AnOpenMouthMayBeDrawnClosed) {
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const PartDrawing drawing = DrawnMouth(testing::OpenMouthShape(), seed, {.closed = 1});
+    EXPECT_EQ(drawing.sheet.mouth, MouthState::kClosed);
+    EXPECT_EQ(drawing.At(kInnerTop), drawing.At(kInnerBottom));
+    if (!drawing.At(kLipTop) || !drawing.At(kLipBottom)) continue;
+    // The lips, 6 and 7 thick at their middles, lie against each other.
+    EXPECT_NEAR(drawing.At(kLipBottom)->y() - drawing.At(kLipTop)->y(), 13, 1e-9);
   }
 }
 
