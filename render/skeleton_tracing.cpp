@@ -1,5 +1,7 @@
 #include "render/skeleton_tracing.h"
 
+#include "render/line_reduction.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -179,38 +181,9 @@ Points Smoothed(const Points& line, bool closed) {
   return smoothed;
 }
 
-double DistanceToSegment(const Vector2d& point, const Vector2d& from, const Vector2d& to) {
-  const Vector2d along = to - from;
-  const double length_squared = along.squaredNorm();
-  const double t = length_squared > 0.0 ? std::clamp((point - from).dot(along) / length_squared, 0.0, 1.0) : 0.0;
-  return (point - from - t * along).norm();
-}
-
-/// Keeps of line[first .. last] what lies further than the tolerance from the chord [Douglas and Peucker 1973].
-void KeepCorners(const Points& line, size_t first, size_t last, std::vector<bool>& is_kept) {
-  size_t furthest = first;
-  double distance = kSimplification;
-  for (size_t i = first + 1; i < last; ++i) {
-    const double candidate = DistanceToSegment(line[i], line[first], line[last]);
-    if (candidate > distance) {
-      furthest = i;
-      distance = candidate;
-    }
-  }
-  if (furthest == first) return;
-  is_kept[furthest] = true;
-  KeepCorners(line, first, furthest, is_kept);
-  KeepCorners(line, furthest, last, is_kept);
-}
-
 Points Simplified(const Points& line) {
-  std::vector<bool> is_kept(line.size(), false);
-  is_kept.front() = is_kept.back() = true;
-  KeepCorners(line, 0, line.size() - 1, is_kept);
   Points simplified;
-  for (size_t i = 0; i < line.size(); ++i) {
-    if (is_kept[i]) simplified.push_back(line[i]);
-  }
+  for (const int i : ReducedLine(line, kSimplification)) simplified.push_back(line[size_t(i)]);
   return simplified;
 }
 

@@ -41,6 +41,8 @@ class SketchLines {
 
   /// {name, kind, closed} of each curve, in the order of the strokes.
   const Json& curves() const { return curve_facts_; }
+  /// Of all points of the curves, in their order.
+  const std::vector<int>& curve_vertices() const { return curve_vertices_; }
   int num_curve_points() const { return static_cast<int>(curve_vertices_.size()); }
 
  private:

@@ -32,6 +32,21 @@ render::Camera SketchCamera(const faces::FaceTemplate& face_template, faces::Vie
   return camera((low + high).transpose() / 2, (high.y() - low.y()) / 2 / curve_height, render::kSketchCanvas);
 }
 
+render::Camera TurnedViewCamera(const render::Camera& camera, const TurnedViews& views, const ViewNoise& noise,
+                                Rng& rng) {
+  DAUMIER_CHECK(views.least <= views.greatest, "turned.least is {:g}, expected at most turned.greatest, {:g}",
+                views.least, views.greatest);
+  const double side = rng.Uniform() < 0.5 ? -1 : 1;
+  const double angle = side * rng.Uniform(views.least, views.greatest) * std::numbers::pi / 180;
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  render::Camera turned = camera;
+  turned.camera_from_world = rotation * camera.camera_from_world;
+  turned.translation = rotation * camera.translation;
+  ViewNoise without_yaw = noise;
+  without_yaw.yaw = 0;
+  return NoisyCamera(turned, without_yaw, rng);
+}
+
 render::Camera NoisyCamera(const render::Camera& camera, const ViewNoise& noise, Rng& rng) {
   const auto turn = [&](double deviation, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(Strayed(deviation, rng) * std::numbers::pi / 180, axis);

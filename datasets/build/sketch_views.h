@@ -30,6 +30,27 @@ struct ViewNoise {
   }
 };
 
+/// Views in which a face is turned far to a side.
+struct TurnedViews {
+  int count = 0;
+  double least = 20;
+  double greatest = 50;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("count", count, Range{0, 100},
+          "Further sketches of a face, turned to a random side. Networks that read sketches do not see them; styled "
+          "drawings do.");
+    visit("least", least, Range{0, 80}, "Least turn, degrees.");
+    visit("greatest", greatest, Range{0, 80}, "Greatest turn, degrees.");
+  }
+};
+
+/// The camera with the face turned to one side or the other, by an angle between the two, and then NoisyCamera with the
+/// noise of everything but yaw. @throws Error if the least turn is above the greatest.
+render::Camera TurnedViewCamera(const render::Camera& camera, const TurnedViews& views, const ViewNoise& noise,
+                                Rng& rng);
+
 /// The camera turned about the point that it looks at, scaled and shifted by random amounts; the camera itself where
 /// all noise is 0.
 render::Camera NoisyCamera(const render::Camera& camera, const ViewNoise& noise, Rng& rng);

@@ -15,6 +15,7 @@ struct SketchesOptions {
   double curve_height = 0.62;
   int num_views = 1;
   ViewNoise noise;
+  TurnedViews turned;
   WrinkleOptions wrinkles;
 
   template <class V>
@@ -26,6 +27,7 @@ struct SketchesOptions {
     visit("num_views", num_views, Range{1, 100},
           "Number of sketches of a face; the first view is exact, the others have `noise`.");
     visit("noise", noise, Table{}, "Random deviation of views.");
+    visit("turned", turned, Table{}, "Views from the side.");
     visit("wrinkles", wrinkles, Table{}, "Lines in addition to the annotation's curves.");
   }
 };

@@ -25,7 +25,8 @@ using faces::FaceDatabase;
 constexpr const char* kGalleryKind = "gallery";
 const std::vector<std::string> kFacePictures = {"identities.jpg", "expressions.jpg", "levels.jpg", "caricatures.jpg",
                                                 "curves.jpg"};
-const std::vector<std::string> kSketchPictures = {"sketches.jpg", "line_kinds.jpg", "augmentation.jpg", "contours.jpg"};
+const std::vector<std::string> kSketchPictures = {"sketches.jpg", "line_kinds.jpg", "augmentation.jpg",
+                                                  "contours.jpg", "styled.jpg",     "styled_labels.jpg"};
 using render::SheetCell;
 
 render::Image Identities(const FaceDatabase& database) {

@@ -1,6 +1,7 @@
 #include "datasets/gallery/sketch_gallery.h"
 
 #include "core/error.h"
+#include "datasets/gallery/styled_sheet.h"
 #include "datasets/read/augmentation.h"
 #include "render/contour_strokes.h"
 #include "render/draw.h"
@@ -127,10 +128,15 @@ std::vector<GalleryPicture> SketchPictures(const FaceDatabase& database, const S
   DAUMIER_CHECK(sketches.num_faces() == database.num_faces(),
                 "there are {} sketches for {} faces: they belong to another database", sketches.num_faces(),
                 database.num_faces());
-  return {{"sketches.jpg", [&] { return Sketches(database, sketches); }},
-          {"line_kinds.jpg", [&] { return LineKinds(database, sketches); }},
-          {"augmentation.jpg", [&] { return Augmentation(database, sketches); }},
-          {"contours.jpg", [&] { return Contours(database); }}};
+  std::vector<GalleryPicture> pictures = {{"sketches.jpg", [&] { return Sketches(database, sketches); }},
+                                          {"line_kinds.jpg", [&] { return LineKinds(database, sketches); }},
+                                          {"augmentation.jpg", [&] { return Augmentation(database, sketches); }},
+                                          {"contours.jpg", [&] { return Contours(database); }}};
+  if (sketches.has_facts()) {
+    pictures.push_back({"styled.jpg", [&] { return StyledSheet(sketches); }});
+    pictures.push_back({"styled_labels.jpg", [&] { return StyledLabelSheet(sketches); }});
+  }
+  return pictures;
 }
 
 }  // namespace daumier::datasets

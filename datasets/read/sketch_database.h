@@ -1,6 +1,7 @@
 #pragma once
 #include "core/manifest.h"
 #include "core/safetensors.h"
+#include "datasets/read/sketch_facts.h"
 #include "render/camera.h"
 #include "render/strokes.h"
 
@@ -15,18 +16,27 @@ namespace daumier::datasets {
 /// "sketches", details.faces_data_hash), shards/person-00000.safetensors with `points` (P, 2) float32 on the 256
 /// canvas, `stroke_offsets` (S + 1) int64 into points, `stroke_kinds` (S) int32, `sketch_offsets` (N * views + 1) int64
 /// into strokes. Strokes are the master; rasters are derived. The first num_curves() strokes of any sketch are the
-/// template's curves, each with the same number of points everywhere; wrinkles follow, as many as there are.
+/// template's curves, each with the same number of points everywhere; wrinkles follow, as many as there are. Version 2
+/// (details.version) adds turned views behind the others, and SketchFacts of each sketch; version 1 has neither.
 class SketchDatabase {
  public:
+  static constexpr int kVersion = 2;
+
   explicit SketchDatabase(const std::filesystem::path& directory, Checksums checksums = Checksums::kVerify);
 
   int num_faces() const { return num_faces_; }
-  /// View 0 is the exact one.
+  /// Views as networks read them. View 0 is the exact one.
   int num_views() const { return num_views_; }
+  /// Views behind these in which the face is turned far to a side.
+  int num_turned_views() const { return num_turned_views_; }
   int num_curves() const { return num_curves_; }
   /// The strokes of any sketch that are silhouette or feature lines: the curves less those of IsWrinkleKind, ascending.
   const std::vector<int>& feature_curves() const { return feature_curves_; }
+  /// `view`: below num_views() + num_turned_views(), as everywhere here.
   std::vector<render::Stroke> strokes(int face, int view = 0) const;
+  /// @throws Error if the database is of version 1.
+  SketchFacts facts(int face, int view = 0) const;
+  bool has_facts() const { return version_ >= 2; }
   /// All points of the template's curves in a sketch, one after the other: 2K numbers on the 256 canvas (x0 y0 x1 ...).
   std::vector<float> curve_points(int face, int view = 0) const;
   /// The names of the template's curves, num_curves.
@@ -38,8 +48,18 @@ class SketchDatabase {
   const Manifest& manifest() const { return manifest_; }
 
  private:
+  /// The shard of a sketch and its row there.
+  struct Place {
+    const SafetensorsFile* shard;
+    int64_t row;
+  };
+  Place Find(int face, int view) const;
+  void CheckFacts(const std::filesystem::path& path, const SafetensorsFile& shard, int64_t num_sketches) const;
+
+  std::filesystem::path directory_;
   Manifest manifest_;
-  int num_faces_ = 0, num_views_ = 0, num_curves_ = 0, faces_per_shard_ = 0;
+  int version_ = 1;
+  int num_faces_ = 0, num_views_ = 0, num_turned_views_ = 0, num_curves_ = 0, faces_per_shard_ = 0;
   std::vector<int> feature_curves_;
   std::vector<std::string> kinds_, curve_names_;
   render::Camera camera_;

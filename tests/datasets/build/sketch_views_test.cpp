@@ -83,5 +83,23 @@ TEST(NoisyCamera, ScaleAndShiftMoveThePicture) {
   EXPECT_GT((camera.principal_point - kCamera.principal_point).cwiseAbs().minCoeff(), 0);
 }
 
+TEST(TurnedViewCamera, TurnsToBothSidesWithinItsLimits) {
+  Rng rng(3);
+  int num_left = 0;
+  for (int i = 0; i < 200; ++i) {
+    const render::Camera camera = TurnedViewCamera(kCamera, {.count = 1, .least = 20, .greatest = 50}, kStill, rng);
+    const Eigen::Vector3d forward = camera.camera_from_world.col(2);
+    const double yaw = std::atan2(forward.x(), -forward.z()) * 180 / std::numbers::pi;
+    EXPECT_GE(std::abs(yaw), 20 - 1e-9);
+    EXPECT_LE(std::abs(yaw), 50 + 1e-9);
+    EXPECT_NEAR(forward.y(), 0, 1e-12);
+    num_left += yaw < 0 ? 1 : 0;
+  }
+  EXPECT_GT(num_left, 60);
+  EXPECT_LT(num_left, 140);
+  testing::ExpectError([&] { TurnedViewCamera(kCamera, {.count = 1, .least = 50, .greatest = 20}, kStill, rng); },
+                       "turned.least is 50");
+}
+
 }  // namespace
 }  // namespace daumier::datasets

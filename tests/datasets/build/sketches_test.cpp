@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace daumier::datasets {
 namespace {
@@ -104,6 +105,43 @@ TEST_F(BuildSketchesTest, MoreViewsAddSketchesAndChangeNone) {
     EXPECT_EQ(two.curve_points(face, 1), three.curve_points(face, 1));
     EXPECT_NE(three.curve_points(face, 1), three.curve_points(face, 2));
     EXPECT_NE(three.curve_points(face, 1), three.curve_points(face, 0));
+  }
+}
+
+TEST_F(BuildSketchesTest, TurnedViewsComeLastAndChangeNoOther) {
+  SketchesOptions options;
+  options.faces = (*folder_ / "faces").string();
+  options.num_views = 2;
+  BuildSketches(options, *folder_ / "straight");
+  options.turned = {.count = 2, .least = 30, .greatest = 40};
+  BuildSketches(options, *folder_ / "turned");
+  const SketchDatabase straight(*folder_ / "straight"), turned(*folder_ / "turned");
+  EXPECT_EQ(turned.num_views(), 2);
+  EXPECT_EQ(turned.num_turned_views(), 2);
+  for (const int face : {0, 4}) {
+    EXPECT_EQ(turned.curve_points(face, 1), straight.curve_points(face, 1));
+    EXPECT_LT(std::abs(turned.facts(face, 1).yaw), 10);
+    for (const int view : {2, 3}) {
+      EXPECT_GE(std::abs(turned.facts(face, view).yaw), 29);
+      EXPECT_LE(std::abs(turned.facts(face, view).yaw), 41);
+    }
+  }
+  options.view = "side";
+  ExpectError([&] { BuildSketches(options, *folder_ / "neither"); }, "frontal sketches alone are turned");
+}
+
+TEST_F(BuildSketchesTest, FactsAreProjectedFromTheFace) {
+  const faces::FaceDatabase faces(*folder_ / "faces");
+  const SketchDatabase sketches(*folder_ / "sketches");
+  const auto& landmarks = faces.face_template().annotation.landmarks;
+  for (const int face : {0, 5}) {
+    const geometry::Points pixels = render::Project(sketches.camera(), faces.points(face));
+    const SketchFacts facts = sketches.facts(face);
+    for (size_t i = 0; i < landmarks.size(); ++i) {
+      EXPECT_NEAR(facts.landmarks[i][0], pixels(landmarks[i], 0), 1e-4);
+      EXPECT_NEAR(facts.landmarks[i][1], pixels(landmarks[i], 1), 1e-4);
+    }
+    EXPECT_EQ(facts.visible.size() * 2, sketches.curve_points(face).size());
   }
 }
 

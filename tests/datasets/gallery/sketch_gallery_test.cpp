@@ -26,7 +26,7 @@ TEST_F(SketchGallery, ShowsLinesAndWhatAugmentationMakesOfThem) {
   const faces::FaceDatabase faces(folder_ / "faces");
   const SketchDatabase sketches(folder_ / "sketches");
   const std::vector<GalleryPicture> pictures = SketchPictures(faces, sketches);
-  ASSERT_EQ(pictures.size(), 4u);
+  ASSERT_EQ(pictures.size(), 6u);
   for (const auto& [name, draw] : pictures) {
     const render::Image picture = draw();
     EXPECT_GT(picture.width, 300) << name;

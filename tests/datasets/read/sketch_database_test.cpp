@@ -99,6 +99,35 @@ TEST_F(SketchDatabaseTest, ViewsOfAFaceFollowEachOther) {
   ExpectError([&] { sketches.strokes(0, 2); }, "view 2, of a database of 1 faces in 2 views");
 }
 
+TEST_F(SketchDatabaseTest, VersionOneHasNoFactsAndSaysSo) {
+  const SketchDatabase sketches(directory_.path());
+  EXPECT_FALSE(sketches.has_facts());
+  EXPECT_EQ(sketches.num_turned_views(), 0);
+  ExpectError([&] { sketches.facts(0); }, "sketches of version 1, which lack landmarks");
+}
+
+TEST_F(SketchDatabaseTest, NewerVersionsAreRefused) {
+  manifest_.details["version"] = SketchDatabase::kVersion + 1;
+  WriteManifest(directory_.path(), manifest_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "sketches of version 3, expected 1 to 2");
+}
+
+TEST_F(SketchDatabaseTest, VersionTwoWithoutItsArraysIsRefused) {
+  manifest_.details["version"] = 2;
+  WriteManifest(directory_.path(), manifest_);
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "landmarks");
+}
+
+TEST_F(SketchDatabaseTest, TurnedViewsFollowTheOthers) {
+  manifest_.counts = {{"persons", 1}, {"faces", 1}, {"faces_per_shard", 1}, {"views_per_face", 2}};
+  manifest_.details["turned_views"] = 1;
+  WriteManifest(directory_.path(), manifest_);
+  const SketchDatabase sketches(directory_.path());
+  EXPECT_EQ(sketches.num_views(), 1);
+  EXPECT_EQ(sketches.num_turned_views(), 1);
+  EXPECT_EQ(sketches.strokes(0, 1)[0].points.size(), 3u);
+}
+
 TEST(SketchKinds, LipsAndSuggestiveContoursAreWrinkles) {
   EXPECT_TRUE(IsWrinkleKind("wrinkle"));
   EXPECT_TRUE(IsWrinkleKind("lips"));

@@ -1,0 +1,63 @@
+#include "datasets/styles/styled_drawing.h"
+
+#include "core/error.h"
+#include "render/strokes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace daumier::datasets {
+namespace {
+
+constexpr double kMirrorWidth = render::kSketchCanvas;
+
+std::array<double, 2> RotatedBy(const std::array<double, 2>& p, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
+}
+
+template <class T>
+void Limit(ShownWith<T>& shown, int num_strokes) {
+  if (shown.num_strokes > num_strokes) shown = {};
+}
+
+}  // namespace
+
+std::array<double, 2> SheetPose::Apply(const std::array<double, 2>& p_in_sheet) const {
+  const auto turned = RotatedBy(p_in_sheet, turn_degrees);
+  return {scale * turned[0] + shift[0], scale * turned[1] + shift[1]};
+}
+
+StyledDrawing FirstStrokes(StyledDrawing drawing, int num_strokes) {
+  DAUMIER_CHECK(num_strokes >= 1 && num_strokes <= static_cast<int>(drawing.strokes.size()),
+                "the first {} strokes of a drawing of {}", num_strokes, drawing.strokes.size());
+  drawing.strokes.resize(static_cast<size_t>(num_strokes));
+  for (auto& point : drawing.points) Limit(point, num_strokes);
+  Limit(drawing.mouth, num_strokes);
+  for (auto& eye : drawing.eyes) Limit(eye, num_strokes);
+  Limit(drawing.view, num_strokes);
+  return drawing;
+}
+
+StyledDrawing Mirrored(StyledDrawing drawing) {
+  const auto flip = [](std::array<float, 2>& p) { p[0] = static_cast<float>(kMirrorWidth) - p[0]; };
+  for (StyledStroke& stroke : drawing.strokes)
+    for (auto& point : stroke.points) flip(point);
+  const auto points = drawing.points;
+  for (size_t i = 0; i < points.size(); ++i) {
+    auto& point = drawing.points[size_t(MirroredPoint(FacePoint(i)))] = points[i];
+    if (point.is_shown()) flip(point.value);
+  }
+  std::swap(drawing.eyes[0], drawing.eyes[1]);
+  if (drawing.view.value == DrawnView::kThreeQuarterLeft)
+    drawing.view.value = DrawnView::kThreeQuarterRight;
+  else if (drawing.view.value == DrawnView::kThreeQuarterRight)
+    drawing.view.value = DrawnView::kThreeQuarterLeft;
+  // M (s R (M p) + t) with M the reflection about x = side / 2.
+  const auto corner = drawing.pose.Apply({kMirrorWidth, 0});
+  drawing.pose.turn_degrees = -drawing.pose.turn_degrees;
+  drawing.pose.shift = {kMirrorWidth - corner[0], corner[1]};
+  return drawing;
+}
+
+}  // namespace daumier::datasets
