@@ -24,7 +24,7 @@ class LandmarkRunTest : public ::testing::Test {
   static TrainingSummary Train(const std::string& name, bool resume) {
     const Json config = {{"system", "landmarks"},
                          {"data", {{"portraits", (*folder_ / "portraits").string()}}},
-                         {"network", {{"resolution", 64}, {"width", 8}, {"point_width", 16}}},
+                         {"network", {{"resolution", 64}, {"width", 16}, {"point_width", 16}}},
                          {"split", {{"validation", 0.2}, {"test", 0.2}}},
                          {"epochs", 1},
                          {"batch", 4}};
