@@ -132,6 +132,7 @@ HandHabits HabitsOf(DrawingCharacter character, const HandStyles& styles, double
     habits.searching *= 0.2;
     if (Happens(0.6, rng)) habits.polygon = rng.Uniform(0.8, 2.2);  // As Quick, Draw! stores strokes.
     if (habits.overshoot == 0 && Happens(0.5, rng)) habits.overshoot = rng.Uniform(1, 6);
+    if (Happens(0.2, rng)) habits.overshoot = rng.Uniform(5, 14);
   }
   return habits;
 }

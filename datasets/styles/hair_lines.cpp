@@ -33,7 +33,7 @@ void DrawBorders(const DrawingContext& drawing, const HairMass& mass) {
   for (const bool is_right : {true, false}) {
     const Vector2d& outer = is_right ? mass.outer.front() : mass.outer.back();
     const Vector2d& inner = is_right ? mass.inner.front() : mass.inner.back();
-    if ((outer - inner).norm() < 0.08 * drawing.unit() || drawing.Happens(0.4)) continue;
+    if ((outer - inner).norm() < 0.08 * drawing.unit() || drawing.Happens(0.6)) continue;
     const Vector2d sag(0, drawing.Uniform(-0.05, 0.12) * drawing.unit());
     AddHair(drawing, Smooth({outer, (outer + inner) / 2 + sag, inner}, 7));
   }

@@ -16,6 +16,7 @@ using Eigen::Vector2d;
 constexpr double kSpacing = 3;             ///< Of the points of a stroke, pixels.
 constexpr double kBendLength = 45;         ///< Of the shortest error of a whole line, pixels.
 constexpr double kDoubleLength = 50;       ///< Over which the second line of a pair comes and goes.
+constexpr double kFullOvershoot = 90;      ///< Length of a line whose ends overshoot as far as those of any longer one.
 constexpr double kFarthestFromLine = 3.5;  ///< Of a stroke from its line.
 
 /// Points and their labels.
@@ -65,6 +66,7 @@ LabelledLine Span(const LabelledLine& line, size_t begin, size_t end) {
 /// The ends later or earlier along the line's direction.
 void Overshoot(LabelledLine& line, double deviation, Rng& rng) {
   if (deviation <= 0 || line.points.size() < 4) return;
+  deviation *= std::min(1.0, LengthOf(line.points) / kFullOvershoot);
   for (int end = 0; end < 2; ++end) {
     const double extra = Deviate(deviation, rng);
     if (extra > 0) {

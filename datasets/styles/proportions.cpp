@@ -132,8 +132,9 @@ DoodlePlaces Between(const DoodlePlaces& face, const DoodlePlaces& drawn, double
 class DoodleHead {
  public:
   DoodleHead(const Vector2d& middle, double a, double b, double amount, Rng& rng) : middle_(middle), a_(a), b_(b) {
+    const double uneven = Happens(0.3, rng) ? 0.13 : 0.05;
     for (int i = 0; i < 4; ++i)
-      waves_[size_t(i)] = {amount * Deviate(0.05 / (1 + i), rng), rng.Uniform(0, 2 * std::numbers::pi)};
+      waves_[size_t(i)] = {amount * Deviate(uneven / (1 + i), rng), rng.Uniform(0, 2 * std::numbers::pi)};
     chin_ = amount * rng.Uniform(-0.1, 0.25);
   }
   Vector2d At(double degrees) const {
@@ -159,13 +160,22 @@ class DoodleHead {
   std::array<Wave, 4> waves_;
 };
 
+/// The point, or one nearer to the middle of the head where it is too near to its border or outside.
+Vector2d WellInside(const Polyline& head, const Vector2d& middle, Vector2d point) {
+  Polyline inner = head;
+  for (Vector2d& p : inner) p = middle + 0.85 * (p - middle);
+  for (int i = 0; i < 20 && !IsInside(inner, point); ++i) point = middle + 0.9 * (point - middle);
+  return point;
+}
+
 void PlaceEyes(FaceShape& shape, const Vector2d& middle, double a, double b, const DoodlePlaces& places, double amount,
                Rng& rng) {
   const double brow_half = rng.Uniform(0.9, 1.5), brow_bulge = rng.Uniform(-0.5, 0.15), brow_tilt = Deviate(0.35, rng);
   for (size_t side = 0; side < 2; ++side) {
     const double outward = side == 0 ? -1 : 1;
-    const Vector2d centre = middle + Vector2d(outward * places.eyes_x * a + Deviate(0.04 * amount, rng) * a,
-                                              places.eyes_y * b + Deviate(0.04 * amount, rng) * b);
+    const Vector2d place = middle + Vector2d(outward * places.eyes_x * a + Deviate(0.04 * amount, rng) * a,
+                                             places.eyes_y * b + Deviate(0.04 * amount, rng) * b);
+    const Vector2d centre = WellInside(shape.head(), middle, place);
     const double half = places.eye_size * a * std::exp(Deviate(0.15 * amount, rng)), high = half * places.eye_height;
     EyeShape& eye = shape.eyes[side];
     const Vector2d outer = centre + Vector2d(outward * half, 0), inner = centre - Vector2d(outward * half, 0);
@@ -203,7 +213,8 @@ void PlaceMouth(FaceShape& shape, const Vector2d& middle, double a, double b, co
                 Rng& rng) {
   MouthShape& mouth = shape.mouth;
   const double half = places.mouth_half * a, tilt = Deviate(0.12 * amount, rng), lip = rng.Uniform(0.08, 0.25) * half;
-  const Vector2d centre = middle + Vector2d(Deviate(0.08 * amount, rng) * a, places.mouth_y * b);
+  const Vector2d centre =
+      WellInside(shape.head(), middle, middle + Vector2d(Deviate(0.08 * amount, rng) * a, places.mouth_y * b));
   const Vector2d right = centre - half * Vector2d(1, tilt), left = centre + half * Vector2d(1, tilt);
   const double bulge = places.mouth_bulge * a;
   // An open mouth is flat above and round below; it would be taken for closed lips otherwise.
@@ -269,9 +280,10 @@ FaceShape DoodleShape(const FaceShape& shape, double amount, Rng& rng) {
   doodle.wrinkles.clear();
   doodle.unit = (1 - amount) * shape.unit + amount * 1.2 * a;
   doodle.hairline = middle - Vector2d(0, 0.65 * b);
-  PlaceEyes(doodle, middle, a, b, places, amount, rng);
-  PlaceNose(doodle, middle, a, b, places, amount, rng);
-  PlaceMouth(doodle, middle, a, b, places, amount, rng);
+  const double clumsy = Happens(0.25, rng) ? 3 * amount : amount;
+  PlaceEyes(doodle, middle, a, b, places, clumsy, rng);
+  PlaceNose(doodle, middle, a, b, places, clumsy, rng);
+  PlaceMouth(doodle, middle, a, b, places, clumsy, rng);
   doodle.eyes_middle = (MiddleOf(doodle.eyes[0]) + MiddleOf(doodle.eyes[1])) / 2;
   const double ear_x = rng.Uniform(0.15, 0.4) * a, ear_y = rng.Uniform(0.15, 0.32) * b,
                ear_middle = rng.Uniform(75, 100);
