@@ -45,7 +45,7 @@ TEST(ExportSamples, OfAPortraitNetworkAreItsCropsOfTheRunsPortraits) {
 TEST(ExportSamples, OfALandmarkNetworkShowTheBoxOfTheLandmarks) {
   LandmarkRunFolder run;
   run.directory = testing::SmallPortraitFolder() / "nowhere";
-  run.network_options = {.resolution = 64, .width = 8, .point_width = 16};
+  run.network_options = {.resolution = 64, .width = 16, .point_width = 16};
   run.config = {{"data", {{"portraits", (testing::SmallPortraitFolder() / "portraits").string()}}}};
   run.manifest.details = {{"data", {{"portraits", DataHash(testing::SmallPortraitFolder() / "portraits")}}}};
   exporting::ExportedFunction function = MakeLandmarkFunction(ToJson(run.network_options)).function;
@@ -63,7 +63,7 @@ TEST(ExportSamples, OfALandmarkNetworkShowTheBoxOfTheLandmarks) {
 TEST(ExportSamples, WithoutThePortraitsTheSamplesStayRandom) {
   LandmarkRunFolder run;
   run.directory = testing::SmallPortraitFolder() / "nowhere";
-  run.network_options = {.resolution = 64, .width = 8, .point_width = 16};
+  run.network_options = {.resolution = 64, .width = 16, .point_width = 16};
   run.config = {{"data", {{"portraits", "/no/such/portraits"}}}};
   run.manifest.details = {{"data", {{"portraits", "abc"}}}};
   exporting::ExportedFunction function = MakeLandmarkFunction(ToJson(run.network_options)).function;
