@@ -41,11 +41,11 @@ struct Candidate {
 
 /// The frame enlarged about a point of the canvas that stays.
 Placement Enlarged(const Placement& placement, double factor, const Vector2d& about) {
-  return {factor * placement.scale, factor * (placement.shift - about) + about};
+  return {factor * placement.scale, factor * (placement.shift - about) + about, placement.turn_degrees};
 }
 
 Placement Moved(const Placement& placement, const Vector2d& by) {
-  return {placement.scale, placement.shift + by};
+  return {placement.scale, placement.shift + by, placement.turn_degrees};
 }
 
 /// From 0 to 1; a half if there is one alone.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace daumier::render {
@@ -106,15 +107,55 @@ std::vector<Stroke> FrameStrokes(const Drawing& drawing, const FrameOptions& opt
   return MapToCanvas(framed.strokes, framed.placement);
 }
 
+namespace {
+
+/// Exactly the identity for a turn of 0.
+Eigen::Matrix2d PlacementRotation(const Placement& placement) {
+  const double angle = placement.turn_degrees * std::numbers::pi / 180;
+  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
+
+}  // namespace
+
+Vector2d ToCanvas(const Placement& placement, const Vector2d& p_in_sheet) {
+  return placement.scale * (PlacementRotation(placement) * p_in_sheet) + placement.shift;
+}
+
+Vector2d ToSheet(const Placement& placement, const Vector2d& p_in_canvas) {
+  return PlacementRotation(placement).transpose() * (p_in_canvas - placement.shift) / placement.scale;
+}
+
 std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement) {
+  const Eigen::Matrix2d rotation = PlacementRotation(placement);
   std::vector<Stroke> placed = strokes;
   for (auto& stroke : placed) {
-    for (auto& [x, y] : stroke.points) {
-      x = static_cast<float>(placement.scale * x + placement.shift.x());
-      y = static_cast<float>(placement.scale * y + placement.shift.y());
+    for (auto& point : stroke.points) {
+      const Vector2d on_canvas = placement.scale * (rotation * Vector2d(point[0], point[1])) + placement.shift;
+      point = {static_cast<float>(on_canvas.x()), static_cast<float>(on_canvas.y())};
     }
   }
   return placed;
+}
+
+Json PlacementToJson(const Placement& placement) {
+  Json json = {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}};
+  if (placement.turn_degrees != 0) json["turn_degrees"] = placement.turn_degrees;
+  return json;
+}
+
+Placement PlacementFromJson(const Json& json) {
+  try {
+    const Json& shift = json.at("shift");
+    DAUMIER_CHECK(shift.size() == 2, "the frame's shift has {} numbers, expected 2", shift.size());
+    const Placement placement{json.at("scale").get<double>(),
+                              {shift.at(0).get<double>(), shift.at(1).get<double>()},
+                              json.value("turn_degrees", 0.0)};
+    DAUMIER_CHECK(placement.scale > 0, "the frame's scale is {:g}, expected a number > 0", placement.scale);
+    return placement;
+  } catch (const Json::exception& error) {
+    throw Error(
+        fmt::format("the frame is malformed ({}); expected {{\"scale\": S, \"shift\": [X, Y]}}", TextOf(error)));
+  }
 }
 
 }  // namespace daumier::render

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/json.h"
 #include "render/drawing.h"
 
 #include <Eigen/Core>
@@ -14,13 +15,24 @@ struct FrameOptions {
       0.8;  ///< Greatest width, as a share of the canvas's side; the drawing gets smaller than curve_height for it.
 };
 
-/// Scale and shift of a sheet on the canvas: p_canvas = scale * p_sheet + shift.
+/// Similarity of a sheet and the canvas: p_canvas = scale * R * p_sheet + shift with R = (cos a, -sin a; sin a, cos a),
+/// a = turn_degrees. x is to the right and y down, so that a positive turn is clockwise.
 struct Placement {
   double scale = 1.0;
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  double turn_degrees = 0.0;
 };
 
+Eigen::Vector2d ToCanvas(const Placement& placement, const Eigen::Vector2d& p_in_sheet);
+/// Undoes ToCanvas.
+Eigen::Vector2d ToSheet(const Placement& placement, const Eigen::Vector2d& p_in_canvas);
+/// ToCanvas of every point.
 std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement);
+
+/// For manifests of predictions: {scale, shift (2), turn_degrees}; a turn of 0 is left out.
+Json PlacementToJson(const Placement& placement);
+/// Undoes PlacementToJson. @throws Error if scale or shift is missing or no number, or the scale is not positive.
+Placement PlacementFromJson(const Json& json);
 
 /// A drawing without marks that do not belong to it, and its placement.
 struct FramedDrawing {

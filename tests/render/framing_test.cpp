@@ -1,6 +1,7 @@
 #include "render/framing.h"
 
 #include "core/error.h"
+#include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
 
@@ -115,6 +116,39 @@ TEST(MapToCanvas, ScalesThenShifts) {
   EXPECT_EQ(placed[0].kind, 3);
   EXPECT_EQ(placed[0].points[0], (std::array<float, 2>{25, 33}));
   EXPECT_EQ(placed[0].points[1], (std::array<float, 2>{3, -7}));
+}
+
+TEST(MapToCanvas, TurnsClockwiseBeforeItShifts) {
+  const auto placed = MapToCanvas({{0, {{10, 20}, {0, 0}}}}, {2, {5, -7}, 90});
+  EXPECT_NEAR(placed[0].points[0][0], -35, 1e-5) << "x, to the right, becomes y, downwards";
+  EXPECT_NEAR(placed[0].points[0][1], 13, 1e-5);
+  EXPECT_EQ(placed[0].points[1], (std::array<float, 2>{5, -7}));
+}
+
+TEST(ToSheet, UndoesToCanvas) {
+  const Placement placement{0.37, {31, -12}, 17};
+  const Eigen::Vector2d point(412.5, 77.25);
+  EXPECT_LT((ToSheet(placement, ToCanvas(placement, point)) - point).norm(), 1e-9);
+  const auto placed = MapToCanvas({{0, {{412.5F, 77.25F}}}}, placement);
+  EXPECT_NEAR(placed[0].points[0][0], ToCanvas(placement, point).x(), 1e-4);
+  EXPECT_NEAR(placed[0].points[0][1], ToCanvas(placement, point).y(), 1e-4);
+}
+
+TEST(PlacementToJson, IsUndoneAndLeavesOutNoTurn) {
+  const Placement turned{0.37, {31, -12}, 17};
+  const Placement read = PlacementFromJson(PlacementToJson(turned));
+  EXPECT_EQ(read.scale, turned.scale);
+  EXPECT_EQ(read.shift, turned.shift);
+  EXPECT_EQ(read.turn_degrees, turned.turn_degrees);
+  EXPECT_FALSE(PlacementToJson({2, {0, 0}}).contains("turn_degrees"));
+  EXPECT_EQ(PlacementFromJson(Json::parse(R"({"scale": 2, "shift": [3, 4]})")).turn_degrees, 0);
+}
+
+TEST(PlacementToJson, MalformedFramesAreRefused) {
+  testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": 2})")); }, "the frame is malformed");
+  testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": 2, "shift": [1]})")); }, "expected 2");
+  testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": "a", "shift": [1, 2]})")); }, "malformed");
+  testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": 0, "shift": [1, 2]})")); }, "> 0");
 }
 
 TEST(FrameStrokes, DotsAndStraightLinesHaveAFrameToo) {
