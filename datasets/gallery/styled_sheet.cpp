@@ -59,9 +59,9 @@ render::Image StyledSheet(const SketchDatabase& sketches) {
 render::Image StyledLabelSheet(const SketchDatabase& sketches) {
   std::vector<render::SheetCell> cells;
   for (const StyledDrawing& drawing : DrawingsOfSheet(sketches, kNumStyled)) {
-    const std::string caption =
-        fmt::format("{} {} {} {}", NameOf(drawing.mouth, kMouthStateNames), NameOf(drawing.eyes[0], kEyeStateNames),
-                    NameOf(drawing.eyes[1], kEyeStateNames), NameOf(drawing.view, kDrawnViewNames));
+    const std::string caption = fmt::format(
+        "{} {} {} {}", NameOf(drawing.mouth, faces::kMouthStateNames), NameOf(drawing.eyes[0], faces::kEyeStateNames),
+        NameOf(drawing.eyes[1], faces::kEyeStateNames), NameOf(drawing.view, faces::kDrawnViewNames));
     cells.push_back({Bordered(ColouredDrawing(drawing, kStyledCell)), caption});
   }
   return render::MakeSheet(cells, kStyledInARow, CloseCells());

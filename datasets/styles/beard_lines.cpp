@@ -8,11 +8,11 @@ namespace {
 using Eigen::Vector2d;
 
 StyledLine& AddBeard(const DrawingContext& drawing, Polyline line) {
-  return drawing.sheet.Add(DrawnPart::kHair, LineLabel::kHair, std::move(line));
+  return drawing.sheet.Add(DrawnPart::kHair, faces::LineLabel::kHair, std::move(line));
 }
 
 void AddBeardMark(const DrawingContext& drawing, const Vector2d& root, const Vector2d& tip) {
-  drawing.sheet.AddMark(DrawnPart::kHair, LineLabel::kHair, {root, (root + tip) / 2, tip});
+  drawing.sheet.AddMark(DrawnPart::kHair, faces::LineLabel::kHair, {root, (root + tip) / 2, tip});
 }
 
 /// Short strokes along the jaw, and over the mouth.
@@ -96,7 +96,7 @@ void DrawFullBeard(const DrawingContext& drawing) {
 
 void DrawBeard(const DrawingContext& drawing) {
   const HairStyles& styles = drawing.styles.hair;
-  if (drawing.shape.view == DrawnView::kProfile || !drawing.sheet.mouth) return;
+  if (drawing.shape.view == faces::DrawnView::kProfile || !drawing.sheet.mouth) return;
   if (drawing.is_front() && drawing.Happens(styles.beard)) DrawFullBeard(drawing);
   if (drawing.Happens(styles.moustache)) DrawMoustache(drawing);
   if (drawing.Happens(styles.stubble)) DrawStubble(drawing);

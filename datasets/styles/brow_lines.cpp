@@ -4,7 +4,7 @@ namespace daumier::datasets {
 namespace {
 
 using Eigen::Vector2d;
-using enum FacePoint;
+using enum faces::FacePoint;
 
 constexpr int kLastOfBrow = BrowShape::kPoints - 1;
 
@@ -18,7 +18,7 @@ void DrawHairs(const DrawingContext& drawing, const BrowShape& brow, size_t side
     const double share = double(i) / (count - 1);
     const double tip = std::clamp(share - lean * drawing.Uniform(0.5, 1.2), 0.0, 1.0);
     const Vector2d root = AtShare(brow.lower, share), end = AtShare(brow.upper, tip);
-    StyledLine& hair = drawing.sheet.AddMark(DrawnPart::kBrows, LineLabel::kBrow, {root, (root + end) / 2, end});
+    StyledLine& hair = drawing.sheet.AddMark(DrawnPart::kBrows, faces::LineLabel::kBrow, {root, (root + end) / 2, end});
     if (i == 0) hair.anchors.push_back({EndsOf(side, 0)[0].point, 1});
     if (i == count - 1) hair.anchors.push_back({EndsOf(side, 0)[1].point, 1});
   }
@@ -44,19 +44,22 @@ void DrawBrows(const DrawingContext& drawing) {
       case 0:
         if (is_open) {  // Not joined at the outer end.
           std::vector<LineAnchor> ends = EndsOf(side, kLastOfBrow);
-          drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, brow.upper, ends);
-          drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, Part(brow.lower, drawing.Uniform(0, 0.2), 1, 9));
+          drawing.sheet.Add(DrawnPart::kBrows, faces::LineLabel::kBrow, brow.upper, ends);
+          drawing.sheet.Add(DrawnPart::kBrows, faces::LineLabel::kBrow,
+                            Part(brow.lower, drawing.Uniform(0, 0.2), 1, 9));
         } else {
-          drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, loop, EndsOf(side, kLastOfBrow));
+          drawing.sheet.Add(DrawnPart::kBrows, faces::LineLabel::kBrow, loop, EndsOf(side, kLastOfBrow));
         }
         break;
       case 1:
         drawing.sheet
-            .Add(DrawnPart::kBrows, LineLabel::kBrow, Mixed(brow.upper, brow.lower, between), EndsOf(side, kLastOfBrow))
+            .Add(DrawnPart::kBrows, faces::LineLabel::kBrow, Mixed(brow.upper, brow.lower, between),
+                 EndsOf(side, kLastOfBrow))
             .width = width;
         break;
       case 2: {
-        StyledLine& area = drawing.sheet.Add(DrawnPart::kBrows, LineLabel::kBrow, loop, EndsOf(side, kLastOfBrow));
+        StyledLine& area =
+            drawing.sheet.Add(DrawnPart::kBrows, faces::LineLabel::kBrow, loop, EndsOf(side, kLastOfBrow));
         area.filled = true;
         area.care = LineCare::kShort;
         break;

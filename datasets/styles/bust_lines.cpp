@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-StyledLine& AddBustLine(const DrawingContext& drawing, LineLabel label, Polyline line) {
+StyledLine& AddBustLine(const DrawingContext& drawing, faces::LineLabel label, Polyline line) {
   return drawing.sheet.Add(DrawnPart::kBust, label, std::move(line));
 }
 
@@ -22,12 +22,13 @@ NeckLines DrawNeck(const DrawingContext& drawing) {
   const double u = drawing.unit(), length = drawing.Uniform(0.25, 0.75) * u;
   const Vector2d chin = shape.outline[size_t(shape.chin)];
   NeckLines neck;
-  if (shape.view == DrawnView::kProfile) {
+  if (shape.view == faces::DrawnView::kProfile) {
     const Vector2d nape = shape.skull.front(), throat = shape.outline.back();
     neck.ends = {nape + Vector2d(-drawing.Uniform(0, 0.15) * u, length),
                  throat + Vector2d(drawing.Uniform(-0.1, 0.15) * u, length)};
-    AddBustLine(drawing, LineLabel::kNeck, Smooth({nape, nape + Vector2d(0.05 * u, 0.5 * length), neck.ends[0]}, 11));
-    AddBustLine(drawing, LineLabel::kNeck, Smooth({throat, 0.5 * (throat + neck.ends[1]), neck.ends[1]}, 11));
+    AddBustLine(drawing, faces::LineLabel::kNeck,
+                Smooth({nape, nape + Vector2d(0.05 * u, 0.5 * length), neck.ends[0]}, 11));
+    AddBustLine(drawing, faces::LineLabel::kNeck, Smooth({throat, 0.5 * (throat + neck.ends[1]), neck.ends[1]}, 11));
     return neck;
   }
   const double inset = drawing.Uniform(0.18, 0.36), flare = drawing.Uniform(-0.02, 0.15) * u;
@@ -39,7 +40,7 @@ NeckLines DrawNeck(const DrawingContext& drawing) {
     const double bottom = chin.y() + length;
     neck.ends[side] = {from.x() + outward * flare, bottom};
     const double waist = drawing.Uniform(-0.04, 0.03) * u;
-    AddBustLine(drawing, LineLabel::kNeck,
+    AddBustLine(drawing, faces::LineLabel::kNeck,
                 Smooth({from, {from.x() + outward * waist, 0.5 * (from.y() + bottom)}, neck.ends[side]}, 15));
   }
   return neck;
@@ -57,7 +58,7 @@ void DrawShoulders(const DrawingContext& drawing, const NeckLines& neck) {
                         edge - Vector2d(outward * 0.1 * w, 0.2 * round)};
     if (arm > 0) through.push_back(edge + Vector2d(outward * 0.1 * arm, 0.3 * arm));
     through.push_back(edge + Vector2d(outward * 0.2 * arm, arm));
-    AddBustLine(drawing, LineLabel::kNeck, Smooth(through, 21));
+    AddBustLine(drawing, faces::LineLabel::kNeck, Smooth(through, 21));
   }
 }
 
@@ -66,7 +67,7 @@ void DrawCollar(const DrawingContext& drawing, const NeckLines& neck) {
   const auto& [right, left] = neck.ends;
   const Vector2d middle = (right + left) / 2;
   const double half = (left - right).norm() / 2;
-  const auto add = [&](Polyline line) { AddBustLine(drawing, LineLabel::kOther, std::move(line)); };
+  const auto add = [&](Polyline line) { AddBustLine(drawing, faces::LineLabel::kOther, std::move(line)); };
   switch (drawing.Count(0, 3)) {
     case 0: {  // A round neckline, once or twice.
       const double deep = drawing.Uniform(0.1, 0.4) * u, wide = half * drawing.Uniform(1.05, 1.4);
@@ -110,7 +111,7 @@ void DrawBust(const DrawingContext& drawing) {
   const NeckLines neck = DrawNeck(drawing);
   if (drawing.Happens(styles.shoulders)) {
     DrawShoulders(drawing, neck);
-    if (drawing.shape.view != DrawnView::kProfile && drawing.Happens(styles.collar)) DrawCollar(drawing, neck);
+    if (drawing.shape.view != faces::DrawnView::kProfile && drawing.Happens(styles.collar)) DrawCollar(drawing, neck);
   }
   sheet.CutInside(drawing.shape.head(), begin, sheet.lines.size());
 }
@@ -125,9 +126,11 @@ void DrawEarrings(const DrawingContext& drawing) {
     const Vector2d lobe = *std::max_element(line.points.begin(), line.points.end(),
                                             [](const Vector2d& a, const Vector2d& b) { return a.y() < b.y(); });
     const Vector2d middle = lobe + Vector2d(0, hangs ? 2.2 * size : 0.4 * size);
-    if (hangs) drawing.sheet.AddMark(DrawnPart::kEars, LineLabel::kOther, {lobe, middle - Vector2d(0, 1.4 * size)});
+    if (hangs)
+      drawing.sheet.AddMark(DrawnPart::kEars, faces::LineLabel::kOther, {lobe, middle - Vector2d(0, 1.4 * size)});
     drawing.sheet
-        .Add(DrawnPart::kEars, LineLabel::kOther, EllipseArc(middle, size, hangs ? 1.4 * size : size, -90, 275, 13))
+        .Add(DrawnPart::kEars, faces::LineLabel::kOther,
+             EllipseArc(middle, size, hangs ? 1.4 * size : size, -90, 275, 13))
         .care = LineCare::kShort;
   }
 }

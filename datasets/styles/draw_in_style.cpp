@@ -34,7 +34,7 @@ constexpr size_t kPartsOfView = 3;
 DrawingCharacter DrawCharacter(const FaceShape& shape, const StyleOptions& options, Rng& rng) {
   const double draw = rng.Uniform();
   if (draw < options.doodles)
-    return shape.view == DrawnView::kFront ? DrawingCharacter::kDoodle : DrawingCharacter::kCareful;
+    return shape.view == faces::DrawnView::kFront ? DrawingCharacter::kDoodle : DrawingCharacter::kCareful;
   if (draw < options.doodles + options.cartoons) return DrawingCharacter::kCartoon;
   return draw < options.doodles + options.cartoons + options.exact ? DrawingCharacter::kExact
                                                                    : DrawingCharacter::kCareful;
@@ -140,7 +140,7 @@ HandHabits HabitsOf(DrawingCharacter character, const HandStyles& styles, double
 /// The strokes of all lines, and what they show.
 class DrawingMaker {
  public:
-  DrawingMaker(const LineSheet& sheet, DrawnView view, const SheetPose& pose) : sheet_(sheet) {
+  DrawingMaker(const LineSheet& sheet, faces::DrawnView view, const SheetPose& pose) : sheet_(sheet) {
     drawing_.pose = pose;
     drawing_.view.value = view;
   }
@@ -171,7 +171,7 @@ class DrawingMaker {
 
  private:
   /// At the place of the first of a line's strokes that comes near to the point.
-  void ShowPoint(FacePoint point, const Vector2d& at, size_t first) {
+  void ShowPoint(faces::FacePoint point, const Vector2d& at, size_t first) {
     auto& shown = drawing_.points[size_t(point)];
     if (shown.is_shown()) return;
     for (size_t i = first; i < drawing_.strokes.size(); ++i) {
@@ -184,7 +184,8 @@ class DrawingMaker {
     }
   }
   void ShowCentre(size_t side, const Vector2d& at, int num_strokes) {
-    auto& shown = drawing_.points[size_t(side == 0 ? FacePoint::kEyeRightCentre : FacePoint::kEyeLeftCentre)];
+    auto& shown =
+        drawing_.points[size_t(side == 0 ? faces::FacePoint::kEyeRightCentre : faces::FacePoint::kEyeLeftCentre)];
     const bool is_on_canvas = at.minCoeff() >= 0 && at.maxCoeff() <= render::kSketchCanvas;
     if (!shown.is_shown() && is_on_canvas)
       shown = {{static_cast<float>(at.x()), static_cast<float>(at.y())}, num_strokes};
@@ -219,7 +220,7 @@ StyledDrawing DrawInStyle(const FaceShape& shape, const StyleOptions& options, R
   for (const StyledLine& line : sheet.lines) maker.AddLine(line, habits, rng);
   StyledDrawing drawing = std::move(maker).Take();
   DAUMIER_CHECK(!drawing.strokes.empty(), "a styled drawing of {} lines has none on the canvas", sheet.lines.size());
-  if (drawn.view == DrawnView::kProfile && Happens(0.5, rng)) drawing = Mirrored(std::move(drawing));
+  if (drawn.view == faces::DrawnView::kProfile && Happens(0.5, rng)) drawing = Mirrored(std::move(drawing));
   if (Happens(options.page.prefix, rng))
     drawing = FirstStrokes(std::move(drawing), 1 + static_cast<int>(rng.Below(drawing.strokes.size())));
   return drawing;

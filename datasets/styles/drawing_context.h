@@ -25,7 +25,7 @@ struct DrawingContext {
   bool Happens(double probability) const { return rng.Uniform() < probability; }
   double Uniform(double low, double high) const { return rng.Uniform(low, high); }
   int Count(int least, int most) const { return least + static_cast<int>(rng.Below(uint64_t(most - least + 1))); }
-  bool is_front() const { return shape.view == DrawnView::kFront; }
+  bool is_front() const { return shape.view == faces::DrawnView::kFront; }
 };
 
 /// An index drawn in proportion to weights; 0 if all are 0.

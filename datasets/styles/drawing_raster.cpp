@@ -112,13 +112,13 @@ std::vector<int8_t> RasteriseLabels(const StyledDrawing& drawing, int side) {
 render::Image ColouredDrawing(const StyledDrawing& drawing, int size) {
   render::Image image(size, size, 3, 255);
   const std::vector<render::Stroke> strokes = LabelledStrokes(drawing);
-  for (int label = 0; label < kNumLineLabels; ++label) {
+  for (int label = 0; label < faces::kNumLineLabels; ++label) {
     std::vector<render::Stroke> some;
     std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(some),
                  [&](const auto& stroke) { return stroke.kind == label; });
     if (some.empty()) continue;
     const render::Image mask = render::RasteriseStrokes(some, size, {.width = 1.8});
-    const render::Rgb colour = ColourOf(LineLabel(label));
+    const render::Rgb colour = ColourOf(faces::LineLabel(label));
     for (size_t pixel = 0; pixel < mask.pixels.size(); ++pixel) {
       if (mask.pixels[pixel] == 255) continue;
       const int paper = mask.pixels[pixel];

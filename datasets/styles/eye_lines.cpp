@@ -8,12 +8,12 @@ namespace daumier::datasets {
 namespace {
 
 using Eigen::Vector2d;
-using enum FacePoint;
+using enum faces::FacePoint;
 
 constexpr int kLastOfEye = EyeShape::kPoints - 1, kMiddleOfEye = EyeShape::kMiddle;
 
 /// The points of an eye by side: outer, inner, top, bottom.
-constexpr std::array<std::array<FacePoint, 4>, 2> kEyePoints = {
+constexpr std::array<std::array<faces::FacePoint, 4>, 2> kEyePoints = {
     {{kEyeRightOuter, kEyeRightInner, kEyeRightTop, kEyeRightBottom},
      {kEyeLeftOuter, kEyeLeftInner, kEyeLeftTop, kEyeLeftBottom}}};
 
@@ -79,7 +79,7 @@ void DrawLashes(const DrawingContext& drawing, const Polyline& lid, double down,
     const Vector2d root = AtShare(lid, drawing.Uniform(0, 0.12) + 0.6 * i / count);
     const Vector2d out = (root - middle).normalized() * 0.6 + Vector2d(0, down);
     const double length = width * drawing.Uniform(0.1, 0.22);
-    drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther, {root, root + length * out.normalized()});
+    drawing.sheet.AddMark(DrawnPart::kSkin, faces::LineLabel::kOther, {root, root + length * out.normalized()});
   }
 }
 
@@ -92,9 +92,9 @@ void DrawClosedEye(const DrawingContext& drawing, const EyeShape& eye, const Eye
     const double bulge = WidthOf(eye) * drawing.Uniform(0.05, 0.25) * (is_laughing ? -1 : 1);
     for (int i = 0; i <= kLastOfEye; ++i) line[size_t(i)].y() += bulge * std::sin(std::numbers::pi * i / kLastOfEye);
   }
-  drawing.sheet.Add(EyePart(side), LineLabel::kUpperLid, line,
+  drawing.sheet.Add(EyePart(side), faces::LineLabel::kUpperLid, line,
                     {{outer, 0}, {inner, kLastOfEye}, {top, kMiddleOfEye}, {bottom, kMiddleOfEye}});
-  drawing.sheet.eyes[side] = EyeState::kClosed;
+  drawing.sheet.eyes[side] = faces::EyeState::kClosed;
   drawing.sheet.eye_centres[side] = (line.front() + line.back() + 2 * line[kMiddleOfEye]) / 4;
   if (!is_laughing && (style.has_lashes || drawing.Happens(0.3)))
     DrawLashes(drawing, line, 0.8, WidthOf(eye), style.num_lashes);
@@ -106,13 +106,13 @@ void DrawLidLines(const DrawingContext& drawing, const EyeShape& eye, const EyeS
   if (style.has_double_lid) {
     Polyline crease = Part(eye.upper, 0.08, drawing.Uniform(0.75, 0.95), 9);
     for (size_t i = 0; i < crease.size(); ++i) crease[i].y() -= width * style.crease * (1 + 0.5 * double(i) / 8);
-    drawing.sheet.Add(DrawnPart::kSkin, LineLabel::kWrinkle, crease);
+    drawing.sheet.Add(DrawnPart::kSkin, faces::LineLabel::kWrinkle, crease);
   }
   if (style.has_bags) {
     const double from = drawing.Uniform(0.1, 0.5);
     Polyline bag = Part(eye.lower, from, drawing.Uniform(0.7, 0.95), 7);
     for (Vector2d& point : bag) point.y() += width * (0.12 + style.crease);
-    drawing.sheet.Add(DrawnPart::kSkin, LineLabel::kWrinkle, bag);
+    drawing.sheet.Add(DrawnPart::kSkin, faces::LineLabel::kWrinkle, bag);
   }
 }
 
@@ -125,22 +125,22 @@ void DrawIris(const DrawingContext& drawing, const Polyline& opening, const Vect
   if (style.has_solid_iris) {
     Polyline disc;
     for (const LinePiece& piece : Inside(circle, opening)) disc = Joined(std::move(disc), piece.points);
-    StyledLine& iris = drawing.sheet.AddMark(part, LineLabel::kIris, disc);
+    StyledLine& iris = drawing.sheet.AddMark(part, faces::LineLabel::kIris, disc);
     iris.filled = true;
     return;
   }
   for (const LinePiece& piece : Inside(circle, opening))
-    drawing.sheet.Add(part, LineLabel::kIris, piece.points).care = LineCare::kShort;
+    drawing.sheet.Add(part, faces::LineLabel::kIris, piece.points).care = LineCare::kShort;
   if (!style.has_pupil) return;
   const double pupil = radius * drawing.Uniform(0.3, 0.55);
-  StyledLine& dot = drawing.sheet.AddMark(part, LineLabel::kIris, EllipseArc(middle, pupil, pupil, 0, 360, 11));
+  StyledLine& dot = drawing.sheet.AddMark(part, faces::LineLabel::kIris, EllipseArc(middle, pupil, pupil, 0, 360, 11));
   dot.filled = drawing.Happens(0.7);
 }
 
 void DrawLids(const DrawingContext& drawing, const EyeShape& eye, const EyeStyle& style, size_t side) {
   const auto [outer, inner, top, bottom] = kEyePoints[side];
   LineSheet& sheet = drawing.sheet;
-  const bool sees_inner = drawing.shape.view != DrawnView::kProfile;
+  const bool sees_inner = drawing.shape.view != faces::DrawnView::kProfile;
   std::vector<LineAnchor> on_upper = {{outer, 0}, {top, kMiddleOfEye}};
   if (sees_inner) on_upper.push_back({inner, kLastOfEye});
   const bool is_whole = style.lower_from == 0 && style.lower_to == 1;
@@ -149,10 +149,10 @@ void DrawLids(const DrawingContext& drawing, const EyeShape& eye, const EyeStyle
     Polyline loop = eye.upper;
     loop.insert(loop.end(), back.begin() + 1, back.end());
     on_upper.push_back({bottom, kLastOfEye + kLastOfEye - kMiddleOfEye});
-    StyledLine& line = sheet.Add(EyePart(side), LineLabel::kUpperLid, std::move(loop), on_upper);
-    std::fill(line.labels.begin() + kLastOfEye, line.labels.end(), LineLabel::kLowerLid);
+    StyledLine& line = sheet.Add(EyePart(side), faces::LineLabel::kUpperLid, std::move(loop), on_upper);
+    std::fill(line.labels.begin() + kLastOfEye, line.labels.end(), faces::LineLabel::kLowerLid);
   } else {
-    sheet.Add(EyePart(side), LineLabel::kUpperLid, eye.upper, on_upper).width = drawing.Happens(0.3) ? 1.6 : 1;
+    sheet.Add(EyePart(side), faces::LineLabel::kUpperLid, eye.upper, on_upper).width = drawing.Happens(0.3) ? 1.6 : 1;
     if (style.kind == EyeStyle::Kind::kAlmond) {
       const auto from = static_cast<size_t>(std::lround(style.lower_from * kLastOfEye));
       const auto to = static_cast<size_t>(std::lround(style.lower_to * kLastOfEye));
@@ -160,10 +160,10 @@ void DrawLids(const DrawingContext& drawing, const EyeShape& eye, const EyeStyle
       std::vector<LineAnchor> on_lower = {{bottom, kMiddleOfEye - static_cast<int>(from)}};
       if (from == 0) on_lower.push_back({outer, 0});
       if (to == kLastOfEye && sees_inner) on_lower.push_back({inner, static_cast<int>(lower.size()) - 1});
-      sheet.Add(EyePart(side), LineLabel::kLowerLid, lower, on_lower);
+      sheet.Add(EyePart(side), faces::LineLabel::kLowerLid, lower, on_lower);
     }
   }
-  sheet.eyes[side] = EyeState::kOpen;
+  sheet.eyes[side] = faces::EyeState::kOpen;
   sheet.eye_centres[side] = CentreOf(eye);
   if (style.has_iris) DrawIris(drawing, OpeningOf(eye), CentreOf(eye), WidthOf(eye), style, side);
   if (style.has_lashes) DrawLashes(drawing, eye.upper, -0.8, WidthOf(eye), style.num_lashes);
@@ -180,10 +180,10 @@ void DrawRoundEye(const DrawingContext& drawing, const EyeShape& eye, const EyeS
   const bool is_right = eye.upper.front().x() < eye.upper.back().x();
   const Polyline oval =
       is_right ? EllipseArc(centre, half_x, half_y, -180, 180, 25) : EllipseArc(centre, half_x, half_y, 0, -360, 25);
-  StyledLine& line =
-      drawing.sheet.Add(EyePart(side), LineLabel::kUpperLid, oval, {{outer, 0}, {top, 6}, {inner, 12}, {bottom, 18}});
-  std::fill(line.labels.begin() + 12, line.labels.end(), LineLabel::kLowerLid);
-  drawing.sheet.eyes[side] = EyeState::kOpen;
+  StyledLine& line = drawing.sheet.Add(EyePart(side), faces::LineLabel::kUpperLid, oval,
+                                       {{outer, 0}, {top, 6}, {inner, 12}, {bottom, 18}});
+  std::fill(line.labels.begin() + 12, line.labels.end(), faces::LineLabel::kLowerLid);
+  drawing.sheet.eyes[side] = faces::EyeState::kOpen;
   drawing.sheet.eye_centres[side] = centre;
   if (style.has_iris) {
     // Somewhere inside, as a doodle has it.
@@ -202,14 +202,15 @@ void DrawMarkEye(const DrawingContext& drawing, const EyeShape& eye, const EyeSt
   const Vector2d centre = CentreOf(eye);
   const double size = style.mark_size * drawing.unit() * drawing.Uniform(0.85, 1.15);
   if (style.kind == EyeStyle::Kind::kDot) {
-    StyledLine& dot = drawing.sheet.AddMark(EyePart(side), LineLabel::kIris,
+    StyledLine& dot = drawing.sheet.AddMark(EyePart(side), faces::LineLabel::kIris,
                                             EllipseArc(centre, size, size * drawing.Uniform(0.8, 1.3),
                                                        drawing.Uniform(0, 180), drawing.Uniform(340, 700), 13));
     dot.filled = drawing.Happens(0.7);
   } else {
     const double angle = (style.dash_angle + Deviate(6, drawing.rng)) * std::numbers::pi / 180;
     const Vector2d arm = 2.2 * size * Vector2d(std::cos(angle), std::sin(angle));
-    drawing.sheet.Add(EyePart(side), LineLabel::kIris, {centre - arm, centre, centre + arm}).care = LineCare::kShort;
+    drawing.sheet.Add(EyePart(side), faces::LineLabel::kIris, {centre - arm, centre, centre + arm}).care =
+        LineCare::kShort;
   }
   drawing.sheet.eye_centres[side] = centre;
 }
@@ -231,7 +232,7 @@ void DrawEyes(const DrawingContext& drawing) {
       DrawClosedEye(drawing, eye, style, side);
     else if (is_mark)
       DrawMarkEye(drawing, eye, style, side);
-    else if (style.kind == kCircle && drawing.shape.view != DrawnView::kProfile)
+    else if (style.kind == kCircle && drawing.shape.view != faces::DrawnView::kProfile)
       DrawRoundEye(drawing, eye, style, side);
     else
       DrawLids(drawing, eye, style, side);

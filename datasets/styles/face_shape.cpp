@@ -279,7 +279,7 @@ void ReadFrontal(const SketchView& sketch, FaceShape& shape) {
   }
   ReadFrontalNose(sketch, shape.unit, shape.nose);
   ReadFrontalMouth(sketch, shape.mouth);
-  if (shape.view == DrawnView::kFront) return ReadFrontalOutline(sketch, shape);
+  if (shape.view == faces::DrawnView::kFront) return ReadFrontalOutline(sketch, shape);
   for (const auto& point : sketch.facts().nose_contour) shape.nose.contour.push_back(ToPlane(point));
   ReadTurnedOutline(sketch, shape);
 }
@@ -369,7 +369,7 @@ FaceShape ShapeOf(const SketchDatabase& sketches, int face, int view) {
   const double yaw = std::abs(facts.yaw);
   shape.unit = kUnitOfEyesToChin * (shape.eyes_middle - sketch.landmark(8)).norm();
   if (sketch.is_side()) {
-    shape.view = DrawnView::kProfile;
+    shape.view = faces::DrawnView::kProfile;
     ReadProfile(sketch, shape);
   } else {
     DAUMIER_CHECK(yaw < kLeastProfileYaw,
@@ -378,7 +378,7 @@ FaceShape ShapeOf(const SketchDatabase& sketches, int face, int view) {
     if (yaw <= kGreatestFrontalYaw)
       shape.unit = (sketch.landmark(36) - sketch.landmark(45)).norm();
     else
-      shape.view = facts.yaw < 0 ? DrawnView::kThreeQuarterLeft : DrawnView::kThreeQuarterRight;
+      shape.view = facts.yaw < 0 ? faces::DrawnView::kThreeQuarterLeft : faces::DrawnView::kThreeQuarterRight;
     ReadFrontal(sketch, shape);
   }
   shape.wrinkles = std::move(sketch.wrinkles());

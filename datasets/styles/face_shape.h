@@ -1,7 +1,7 @@
 #pragma once
 #include "datasets/read/sketch_database.h"
-#include "datasets/styles/drawing_terms.h"
 #include "datasets/styles/polylines.h"
+#include "faces/drawing_terms.h"
 
 #include <array>
 #include <functional>
@@ -52,7 +52,7 @@ struct EarShape {
 
 struct FaceShape {
   static constexpr int kOutlinePoints = 49, kSkullPoints = 41;
-  DrawnView view = DrawnView::kFront;
+  faces::DrawnView view = faces::DrawnView::kFront;
   /// The border of the face without hair: from the right ear down and round the chin to the left ear. Of a profile from
   /// the forehead down the face to the neck.
   Polyline outline;

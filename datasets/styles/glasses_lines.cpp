@@ -28,9 +28,9 @@ Polyline LensLine(const Vector2d& middle, double half_x, double half_y, double s
 void DrawGlasses(const DrawingContext& drawing) {
   const FaceShape& shape = drawing.shape;
   if (!drawing.Happens(drawing.styles.extras.glasses)) return;
-  if (shape.view == DrawnView::kProfile || !shape.eyes[0].is_seen() || !shape.eyes[1].is_seen()) return;
+  if (shape.view == faces::DrawnView::kProfile || !shape.eyes[0].is_seen() || !shape.eyes[1].is_seen()) return;
   const auto add = [&](Polyline line) -> StyledLine& {
-    return drawing.sheet.Add(DrawnPart::kGlasses, LineLabel::kOther, std::move(line));
+    return drawing.sheet.Add(DrawnPart::kGlasses, faces::LineLabel::kOther, std::move(line));
   };
   std::array<Vector2d, 2> middles;
   for (size_t side = 0; side < 2; ++side) {

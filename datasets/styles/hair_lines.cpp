@@ -13,11 +13,11 @@ using Eigen::Vector2d;
 using Kind = HairChoice::Kind;
 
 StyledLine& AddHair(const DrawingContext& drawing, Polyline line) {
-  return drawing.sheet.Add(DrawnPart::kHair, LineLabel::kHair, std::move(line));
+  return drawing.sheet.Add(DrawnPart::kHair, faces::LineLabel::kHair, std::move(line));
 }
 
 StyledLine& AddHairMark(const DrawingContext& drawing, Polyline line) {
-  return drawing.sheet.AddMark(DrawnPart::kHair, LineLabel::kHair, std::move(line));
+  return drawing.sheet.AddMark(DrawnPart::kHair, faces::LineLabel::kHair, std::move(line));
 }
 
 /// The borders of a mass as one line or as some, here and there with an open end.
@@ -76,7 +76,7 @@ void DrawShortStrokes(const DrawingContext& drawing) {
   const int count = drawing.Count(30, 110);
   const double reach = drawing.Uniform(60, 110), length = drawing.Uniform(0.06, 0.2), lean = drawing.Uniform(-30, 30);
   const double low = drawing.Uniform(0.78, 0.95), high = drawing.Uniform(1.0, 1.12);
-  const bool is_profile = drawing.shape.view == DrawnView::kProfile;
+  const bool is_profile = drawing.shape.view == faces::DrawnView::kProfile;
   const double from = is_profile ? -130 : -reach, to = is_profile ? 45 : reach;
   for (int i = 0; i < count; ++i) {
     const double angle = drawing.Uniform(from, to), tip_angle = angle + (lean + Deviate(25, drawing.rng)) * length;
@@ -165,7 +165,7 @@ void DrawTails(const DrawingContext& drawing) {
   const HeadRing ring(drawing.shape);
   const bool is_plait = drawing.Happens(0.5);
   const double angle = drawing.Uniform(80, 120);
-  if (drawing.shape.view != DrawnView::kProfile) DrawTail(drawing, ring.At(angle, 1.05), 1, is_plait);
+  if (drawing.shape.view != faces::DrawnView::kProfile) DrawTail(drawing, ring.At(angle, 1.05), 1, is_plait);
   DrawTail(drawing, ring.At(-angle, 1.05), -1, is_plait);
 }
 
@@ -175,7 +175,8 @@ void DrawBun(const DrawingContext& drawing) {
   plan.ears = drawing.Uniform(70, 90);
   const HeadRing ring(drawing.shape);
   const double size = drawing.Uniform(0.2, 0.38) * ring.Radius(0),
-               angle = drawing.shape.view == DrawnView::kProfile ? drawing.Uniform(-70, -20) : drawing.Uniform(-25, 25);
+               angle = drawing.shape.view == faces::DrawnView::kProfile ? drawing.Uniform(-70, -20)
+                                                                        : drawing.Uniform(-25, 25);
   const Vector2d middle =
       ring.At(angle, 1.03 + plan.thickness) + 0.75 * size * (ring.At(angle, 1) - ring.middle()).normalized();
   DrawMass(drawing, MakeHairMass(drawing.shape, plan, drawing.rng));

@@ -193,7 +193,7 @@ HairPlan DrawHairPlan(HairLength length, Hairline hairline, Rng& rng) {
 }
 
 HairMass MakeHairMass(const FaceShape& shape, const HairPlan& plan, Rng& rng) {
-  if (shape.view == DrawnView::kProfile) return ProfileMass(shape, plan, rng);
+  if (shape.view == faces::DrawnView::kProfile) return ProfileMass(shape, plan, rng);
   const HeadRing ring(shape);
   const Unevenness uneven(0.025, rng), uneven_line(0.02, rng);
   const double square = rng.Uniform() < 0.25 ? rng.Uniform(0.03, 0.1) : 0, lean = Deviate(0.3, rng);

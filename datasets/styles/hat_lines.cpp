@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 StyledLine& AddHat(const DrawingContext& drawing, Polyline line) {
-  return drawing.sheet.Add(DrawnPart::kHat, LineLabel::kOther, std::move(line));
+  return drawing.sheet.Add(DrawnPart::kHat, faces::LineLabel::kOther, std::move(line));
 }
 
 /// The lower border of a hat across the forehead, from right to left.
@@ -26,7 +26,7 @@ Polyline HatBorder(const HeadRing& ring, double angle, double share, double sag)
 }  // namespace
 
 void DrawHat(const DrawingContext& drawing) {
-  if (!drawing.Happens(drawing.styles.extras.hat) || drawing.shape.view == DrawnView::kProfile) return;
+  if (!drawing.Happens(drawing.styles.extras.hat) || drawing.shape.view == faces::DrawnView::kProfile) return;
   const HeadRing ring(drawing.shape);
   LineSheet& sheet = drawing.sheet;
   const double r = ring.Radius(0), angle = drawing.Uniform(62, 84), share = drawing.Uniform(0.42, 0.62);
@@ -84,7 +84,7 @@ void DrawHat(const DrawingContext& drawing) {
       if (drawing.Happens(0.5)) {
         const int count = drawing.Count(6, 16);
         for (int i = 1; i < count; ++i)
-          sheet.AddMark(DrawnPart::kHat, LineLabel::kOther,
+          sheet.AddMark(DrawnPart::kHat, faces::LineLabel::kOther,
                         {AtShare(border, double(i) / count), AtShare(roll, double(i) / count)});
       }
       if (drawing.Happens(0.4)) {

@@ -7,7 +7,7 @@ namespace daumier::datasets {
 namespace {
 
 using Eigen::Vector2d;
-using enum FacePoint;
+using enum faces::FacePoint;
 
 /// The point between two indices whose height is nearest to y.
 int AtHeight(const Polyline& line, int begin, int end, double y) {
@@ -31,7 +31,7 @@ int NoseBottomOf(const FaceShape& shape) {
 }
 
 std::vector<LineAnchor> OutlineAnchors(const FaceShape& shape, int offset) {
-  if (shape.view == DrawnView::kProfile)
+  if (shape.view == faces::DrawnView::kProfile)
     return {{kChin, shape.chin + offset}, {kNoseBottom, NoseBottomOf(shape) + offset}};
   const double y = shape.mouth_middle().y();
   const int last = static_cast<int>(shape.outline.size());
@@ -41,12 +41,12 @@ std::vector<LineAnchor> OutlineAnchors(const FaceShape& shape, int offset) {
 }
 
 StyledLine& AddSilhouette(const DrawingContext& drawing, Polyline line, std::vector<LineAnchor> anchors = {}) {
-  return drawing.sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, std::move(line), std::move(anchors));
+  return drawing.sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, std::move(line), std::move(anchors));
 }
 
 /// A short curve near a point of the face.
 void AddFold(const DrawingContext& drawing, const Polyline& through) {
-  drawing.sheet.Add(DrawnPart::kSkin, LineLabel::kWrinkle, Smooth(through, 9));
+  drawing.sheet.Add(DrawnPart::kSkin, faces::LineLabel::kWrinkle, Smooth(through, 9));
 }
 
 void DrawFolds(const DrawingContext& drawing) {
@@ -73,7 +73,7 @@ void DrawFolds(const DrawingContext& drawing) {
       AddFold(drawing, {middle - Vector2d(half, bend), middle, middle + Vector2d(half, -bend)});
     }
   }
-  if (drawing.Happens(0.35) && shape.view != DrawnView::kProfile) {  // Below the mouth.
+  if (drawing.Happens(0.35) && shape.view != faces::DrawnView::kProfile) {  // Below the mouth.
     const Vector2d middle = shape.mouth_middle() + 0.55 * (shape.outline[size_t(shape.chin)] - shape.mouth_middle());
     const double half = drawing.Uniform(0.08, 0.25) * u, bend = drawing.Uniform(-0.06, 0.06) * u;
     AddFold(drawing, {middle - Vector2d(half, bend), middle, middle + Vector2d(half, -bend)});
@@ -97,7 +97,7 @@ void DrawFreckles(const DrawingContext& drawing) {
   for (int i = 0; i < count; ++i) {
     const Vector2d spot = 0.6 * shape.eyes_middle + 0.4 * shape.mouth_middle() +
                           u * Vector2d(drawing.Uniform(-0.6, 0.6), drawing.Uniform(-0.2, 0.3));
-    drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther, EllipseArc(spot, 0.01 * u, 0.01 * u, 0, 360, 5));
+    drawing.sheet.AddMark(DrawnPart::kSkin, faces::LineLabel::kOther, EllipseArc(spot, 0.01 * u, 0.01 * u, 0, 360, 5));
   }
 }
 
@@ -109,13 +109,13 @@ void DrawCheeks(const DrawingContext& drawing) {
   for (const double side : {-1.0, 1.0}) {
     const Vector2d cheek = 0.45 * shape.eyes_middle + 0.55 * shape.mouth_middle() + Vector2d(side * 0.62 * u, 0);
     if (!is_hatched) {
-      drawing.sheet.Add(DrawnPart::kSkin, LineLabel::kOther, EllipseArc(cheek, size, 0.8 * size, 0, 370, 17)).care =
-          LineCare::kShort;
+      drawing.sheet.Add(DrawnPart::kSkin, faces::LineLabel::kOther, EllipseArc(cheek, size, 0.8 * size, 0, 370, 17))
+          .care = LineCare::kShort;
       continue;
     }
     for (int i = -2; i <= 2; ++i) {
       const Vector2d middle = cheek + Vector2d(0.4 * size * i, 0);
-      drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther,
+      drawing.sheet.AddMark(DrawnPart::kSkin, faces::LineLabel::kOther,
                             {middle + Vector2d(-0.2 * size, 0.5 * size), middle + Vector2d(0.2 * size, -0.5 * size)});
     }
   }
@@ -129,7 +129,7 @@ void DrawOutline(const DrawingContext& drawing, HeadBorder border) {
     AddSilhouette(drawing, shape.outline, OutlineAnchors(shape, 0));
     return;
   }
-  if (shape.view == DrawnView::kProfile) {
+  if (shape.view == faces::DrawnView::kProfile) {
     AddSilhouette(drawing, shape.outline, OutlineAnchors(shape, 0));
     AddSilhouette(drawing, shape.skull);
     return;
@@ -151,8 +151,8 @@ void DrawEars(const DrawingContext& drawing) {
   if (!drawing.Happens(drawing.styles.head.ears)) return;
   const bool has_inner = drawing.Happens(drawing.styles.head.inner_ears);
   for (const EarShape& ear : drawing.shape.ears) {
-    drawing.sheet.Add(DrawnPart::kEars, LineLabel::kEar, ear.outer);
-    if (has_inner) drawing.sheet.Add(DrawnPart::kEars, LineLabel::kEar, ear.inner).care = LineCare::kShort;
+    drawing.sheet.Add(DrawnPart::kEars, faces::LineLabel::kEar, ear.outer);
+    if (has_inner) drawing.sheet.Add(DrawnPart::kEars, faces::LineLabel::kEar, ear.inner).care = LineCare::kShort;
   }
 }
 
@@ -161,7 +161,7 @@ void DrawSkin(const DrawingContext& drawing) {
   if (drawing.Happens(styles.wrinkles)) {
     const double share = drawing.Uniform(0.3, 1);
     for (const Polyline& wrinkle : drawing.shape.wrinkles)
-      if (drawing.Happens(share)) drawing.sheet.Add(DrawnPart::kSkin, LineLabel::kWrinkle, wrinkle);
+      if (drawing.Happens(share)) drawing.sheet.Add(DrawnPart::kSkin, faces::LineLabel::kWrinkle, wrinkle);
   }
   if (drawing.Happens(styles.folds)) DrawFolds(drawing);
   if (drawing.Happens(styles.freckles)) DrawFreckles(drawing);

@@ -8,7 +8,7 @@ namespace daumier::datasets {
 namespace {
 
 using Eigen::Vector2d;
-using enum FacePoint;
+using enum faces::FacePoint;
 
 constexpr int kLastOfMouth = MouthShape::kPoints - 1;
 
@@ -20,11 +20,12 @@ std::vector<LineAnchor> WithCorners(const MouthShape& mouth, std::vector<LineAnc
 }
 
 void DrawUpperLip(const DrawingContext& drawing, const MouthShape& mouth) {
-  drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kUpperLip, mouth.top, WithCorners(mouth, {{kLipTop, mouth.middle}}));
+  drawing.sheet.Add(DrawnPart::kMouth, faces::LineLabel::kUpperLip, mouth.top,
+                    WithCorners(mouth, {{kLipTop, mouth.middle}}));
 }
 
 void DrawLowerLip(const DrawingContext& drawing, const MouthShape& mouth) {
-  drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kLowerLip, mouth.bottom,
+  drawing.sheet.Add(DrawnPart::kMouth, faces::LineLabel::kLowerLip, mouth.bottom,
                     WithCorners(mouth, {{kLipBottom, mouth.middle}}));
 }
 
@@ -39,9 +40,9 @@ void DrawBothLips(const DrawingContext& drawing, const MouthShape& mouth) {
   Polyline loop = mouth.top;
   loop.insert(loop.end(), bottom.begin() + 1, bottom.end());
   StyledLine& line = drawing.sheet.Add(
-      DrawnPart::kMouth, LineLabel::kUpperLip, std::move(loop),
+      DrawnPart::kMouth, faces::LineLabel::kUpperLip, std::move(loop),
       WithCorners(mouth, {{kLipTop, mouth.middle}, {kLipBottom, kLastOfMouth + kLastOfMouth - mouth.middle}}));
-  std::fill(line.labels.begin() + kLastOfMouth, line.labels.end(), LineLabel::kLowerLip);
+  std::fill(line.labels.begin() + kLastOfMouth, line.labels.end(), faces::LineLabel::kLowerLip);
 }
 
 Polyline SeamOf(const MouthShape& mouth) {
@@ -52,7 +53,7 @@ Polyline SeamOf(const MouthShape& mouth) {
 }
 
 void DrawSeam(const DrawingContext& drawing, const MouthShape& mouth) {
-  drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kInnerMouth, SeamOf(mouth),
+  drawing.sheet.Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, SeamOf(mouth),
                     WithCorners(mouth, {{kInnerTop, mouth.middle}, {kInnerBottom, mouth.middle}}));
 }
 
@@ -64,21 +65,21 @@ void DrawHints(const DrawingContext& drawing, const MouthShape& mouth) {
     Polyline mark = Part(mouth.bottom, 0.5 - half, 0.5 + half, 7);
     const double shift = drawing.Uniform(-0.02, 0.05) * drawing.unit();
     for (Vector2d& point : mark) point += shift * down;
-    drawing.sheet.Add(DrawnPart::kSkin, LineLabel::kWrinkle, mark);
+    drawing.sheet.Add(DrawnPart::kSkin, faces::LineLabel::kWrinkle, mark);
   }
   if (!drawing.Happens(0.15)) return;
   const double size = drawing.Uniform(0.03, 0.08) * drawing.unit();
   for (const Vector2d& corner : {mouth.top.front(), mouth.top.back()}) {
     const double lean = drawing.Uniform(-0.4, 0.4) * size;
     drawing.sheet.Add(
-        DrawnPart::kSkin, LineLabel::kWrinkle,
+        DrawnPart::kSkin, faces::LineLabel::kWrinkle,
         Smooth({corner + Vector2d(lean, -size), corner + Vector2d(-lean / 2, 0), corner + Vector2d(lean, size)}, 5));
   }
 }
 
 void DrawClosed(const DrawingContext& drawing, const MouthShape& mouth) {
   const MouthStyles& styles = drawing.styles.mouth;
-  drawing.sheet.mouth = MouthState::kClosed;
+  drawing.sheet.mouth = faces::MouthState::kClosed;
   switch (DrawByWeight<4>({styles.outline_and_middle, styles.outline, styles.middle, styles.upper_and_middle},
                           drawing.rng)) {
     case 0:
@@ -135,14 +136,14 @@ void DrawTeeth(const DrawingContext& drawing, const MouthShape& mouth) {
   const Polyline edge = Mixed(top, bottom, low);
   if (kind != 2) {
     const double inset = drawing.Uniform(0.02, 0.12);
-    sheet.Add(DrawnPart::kMouth, LineLabel::kInnerMouth, Part(edge, inset, 1 - inset, 11));
+    sheet.Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, Part(edge, inset, 1 - inset, 11));
   }
   if (kind == 0) return;
   const int count = drawing.Count(3, 8);
   for (int i = 1; i <= count; ++i) {
     const double share = (i + drawing.Uniform(-0.15, 0.15)) / (count + 1);
     const Vector2d from = AtShare(top, share), to = AtShare(kind == 3 ? bottom : edge, share);
-    sheet.AddMark(DrawnPart::kMouth, LineLabel::kInnerMouth, {from, (from + to) / 2, to});
+    sheet.AddMark(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, {from, (from + to) / 2, to});
   }
 }
 
@@ -152,7 +153,7 @@ void DrawTongue(const DrawingContext& drawing, const MouthShape& mouth) {
   const Vector2d from = AtShare(mouth.inner_bottom, middle - half), to = AtShare(mouth.inner_bottom, middle + half);
   const Vector2d peak = (1 - height) * AtShare(mouth.inner_bottom, middle) + height * AtShare(mouth.inner_top, middle);
   drawing.sheet
-      .Add(DrawnPart::kMouth, LineLabel::kInnerMouth,
+      .Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth,
            Smooth({from, (from + 2 * peak) / 3, peak, (to + 2 * peak) / 3, to}, 11))
       .care = LineCare::kShort;
 }
@@ -161,11 +162,11 @@ void DrawOpening(const DrawingContext& drawing, const MouthShape& mouth, LineCar
   const bool is_profile = mouth.middle == kLastOfMouth;
   if (is_profile || drawing.Happens(0.5)) {
     drawing.sheet
-        .Add(DrawnPart::kMouth, LineLabel::kInnerMouth, mouth.inner_top,
+        .Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, mouth.inner_top,
              WithCorners(mouth, {{kInnerTop, mouth.middle}}))
         .care = care;
     drawing.sheet
-        .Add(DrawnPart::kMouth, LineLabel::kInnerMouth, mouth.inner_bottom,
+        .Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, mouth.inner_bottom,
              WithCorners(mouth, {{kInnerBottom, mouth.middle}}))
         .care = care;
     return;
@@ -174,7 +175,7 @@ void DrawOpening(const DrawingContext& drawing, const MouthShape& mouth, LineCar
   Polyline loop = mouth.inner_top;
   loop.insert(loop.end(), bottom.begin() + 1, bottom.end());
   StyledLine& line = drawing.sheet.Add(
-      DrawnPart::kMouth, LineLabel::kInnerMouth, std::move(loop),
+      DrawnPart::kMouth, faces::LineLabel::kInnerMouth, std::move(loop),
       WithCorners(mouth, {{kInnerTop, mouth.middle}, {kInnerBottom, kLastOfMouth + kLastOfMouth - mouth.middle}}));
   line.care = care;
 }
@@ -192,20 +193,20 @@ void DrawOpen(const DrawingContext& drawing, MouthShape mouth) {
   // The corners are those of the lips where there are lips.
   if (has_lips) {
     for (StyledLine& line : drawing.sheet.lines) {
-      if (line.part != DrawnPart::kMouth || line.labels.front() != LineLabel::kInnerMouth) continue;
+      if (line.part != DrawnPart::kMouth || line.labels.front() != faces::LineLabel::kInnerMouth) continue;
       std::erase_if(line.anchors, [](const LineAnchor& a) { return a.point == kMouthRight || a.point == kMouthLeft; });
     }
   }
-  drawing.sheet.mouth = MouthState::kOpen;
+  drawing.sheet.mouth = faces::MouthState::kOpen;
   const size_t m = static_cast<size_t>(mouth.middle);
   const double gap = mouth.inner_bottom[m].y() - mouth.inner_top[m].y();
   if (drawing.Happens(styles.teeth) && gap > 0.04 * drawing.unit()) {
-    drawing.sheet.mouth = MouthState::kTeeth;
+    drawing.sheet.mouth = faces::MouthState::kTeeth;
     DrawTeeth(drawing, mouth);
   } else if (drawing.Happens(styles.tongue) && gap > 0.1 * drawing.unit()) {
     DrawTongue(drawing, mouth);
   } else if (drawing.Happens(0.08)) {
-    StyledLine& dark = drawing.sheet.AddMark(DrawnPart::kMouth, LineLabel::kInnerMouth,
+    StyledLine& dark = drawing.sheet.AddMark(DrawnPart::kMouth, faces::LineLabel::kInnerMouth,
                                              Joined(mouth.inner_top, Reversed(mouth.inner_bottom)));
     dark.filled = true;
   }

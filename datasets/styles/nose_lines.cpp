@@ -6,9 +6,9 @@ namespace daumier::datasets {
 namespace {
 
 using Eigen::Vector2d;
-using enum FacePoint;
+using enum faces::FacePoint;
 
-FacePoint WingPoint(size_t side) {
+faces::FacePoint WingPoint(size_t side) {
   return side == 0 ? kNoseWingRight : kNoseWingLeft;
 }
 
@@ -27,7 +27,7 @@ int Outermost(const Polyline& line, size_t side) {
 }
 
 StyledLine& AddNoseLine(const DrawingContext& drawing, Polyline line, std::vector<LineAnchor> anchors = {}) {
-  return drawing.sheet.Add(DrawnPart::kNose, LineLabel::kNose, std::move(line), std::move(anchors));
+  return drawing.sheet.Add(DrawnPart::kNose, faces::LineLabel::kNose, std::move(line), std::move(anchors));
 }
 
 /// Where the side of the nose that is drawn comes down: the bridge, or the contour of a turned face's far side.
@@ -78,8 +78,8 @@ void DrawNostrils(const DrawingContext& drawing, bool as_dots) {
   for (const double share : {0.22, 0.78}) {
     const Vector2d centre = AtShare(base, share) - Vector2d(0, 0.4 * size);
     if (as_dots) {
-      StyledLine& dot =
-          drawing.sheet.AddMark(DrawnPart::kNose, LineLabel::kNose, EllipseArc(centre, size, 0.7 * size, 0, 360, 9));
+      StyledLine& dot = drawing.sheet.AddMark(DrawnPart::kNose, faces::LineLabel::kNose,
+                                              EllipseArc(centre, size, 0.7 * size, 0, 360, 9));
       dot.filled = drawing.Happens(0.7);
     } else {
       const double side = share < 0.5 ? -1 : 1;
@@ -152,12 +152,12 @@ void DrawNose(const DrawingContext& drawing) {
   const NoseStyles& styles = drawing.styles.nose;
   const NoseShape& nose = drawing.shape.nose;
   if (drawing.Happens(styles.none)) return;
-  if (drawing.shape.view == DrawnView::kProfile) return DrawProfileNose(drawing);
+  if (drawing.shape.view == faces::DrawnView::kProfile) return DrawProfileNose(drawing);
   if (nose.base.empty()) return;
   // A turned face shows the far side's contour.
   size_t side = drawing.rng.Below(2);
-  if (drawing.shape.view == DrawnView::kThreeQuarterLeft) side = 0;
-  if (drawing.shape.view == DrawnView::kThreeQuarterRight) side = 1;
+  if (drawing.shape.view == faces::DrawnView::kThreeQuarterLeft) side = 0;
+  if (drawing.shape.view == faces::DrawnView::kThreeQuarterRight) side = 1;
   const double from = drawing.Happens(0.5) ? drawing.Uniform(0, 0.25) : drawing.Uniform(0.25, 0.75);
   switch (DrawByWeight<8>({styles.one_side, styles.both_sides, styles.wings, styles.nostrils, styles.hook,
                            styles.bridge, styles.round, styles.dot},
@@ -200,7 +200,7 @@ void DrawNose(const DrawingContext& drawing) {
       break;
     default: {
       const double size = drawing.Uniform(0.015, 0.05) * drawing.unit();
-      StyledLine& dot = drawing.sheet.AddMark(DrawnPart::kNose, LineLabel::kNose,
+      StyledLine& dot = drawing.sheet.AddMark(DrawnPart::kNose, faces::LineLabel::kNose,
                                               EllipseArc(nose.base[NoseShape::kBaseMiddle], size, size, 90, 450, 9));
       dot.anchors = {{kNoseBottom, 0}};
       dot.filled = drawing.Happens(0.6);

@@ -27,7 +27,7 @@ void HatchOval(const DrawingContext& drawing, HatchPlace hatched, const Vector2d
     const Polyline line = {stretched(place * across - reach * along), stretched(place * across),
                            stretched(place * across + reach * along)};
     for (const LinePiece& piece : hatched == HatchPlace::kFace ? Inside(line, head) : Outside(line, head))
-      drawing.sheet.AddMark(DrawnPart::kSkin, LineLabel::kOther, piece.points);
+      drawing.sheet.AddMark(DrawnPart::kSkin, faces::LineLabel::kOther, piece.points);
   }
 }
 
@@ -40,7 +40,7 @@ void AddWriting(const DrawingContext& drawing, const Vector2d& from, double size
     writing.push_back(from +
                       size * Vector2d(0.13 * i + 0.35 * std::cos(turn), drawing.Uniform(0.3, 0.8) * std::sin(turn)));
   }
-  drawing.sheet.Add(DrawnPart::kPage, LineLabel::kOther, Smooth(writing, 18 * count)).care = LineCare::kShort;
+  drawing.sheet.Add(DrawnPart::kPage, faces::LineLabel::kOther, Smooth(writing, 18 * count)).care = LineCare::kShort;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ void DrawConstruction(const DrawingContext& drawing) {
   if (!drawing.Happens(drawing.styles.extras.construction)) return;
   const HeadRing ring(drawing.shape);
   const auto add = [&](Polyline line) {
-    drawing.sheet.Add(DrawnPart::kPage, LineLabel::kOther, std::move(line)).width = 0.7;
+    drawing.sheet.Add(DrawnPart::kPage, faces::LineLabel::kOther, std::move(line)).width = 0.7;
   };
   const Vector2d mouth = drawing.shape.mouth_middle();
   if (drawing.Happens(0.8)) add(Smooth({ring.At(0, 1.03), 0.5 * (ring.middle() + mouth), ring.At(180, 1.05)}, 15));
@@ -93,7 +93,7 @@ void DrawPageMarks(const DrawingContext& drawing) {
   switch (drawing.Count(0, 3)) {
     case 0:  // A frame.
       drawing.sheet.Add(
-          DrawnPart::kPage, LineLabel::kOther,
+          DrawnPart::kPage, faces::LineLabel::kOther,
           Joined(Joined(Resampled({low, {high.x(), low.y()}}, 9), Resampled({{high.x(), low.y()}, high}, 9)),
                  Joined(Resampled({high, {low.x(), high.y()}}, 9), Resampled({{low.x(), high.y()}, low}, 9))));
       return;
@@ -102,7 +102,7 @@ void DrawPageMarks(const DrawingContext& drawing) {
                         {drawing.Uniform(low.x(), 0.5 * (low.x() + high.x())), high.y() - drawing.Uniform(0, 0.2) * u},
                         drawing.Uniform(0.1, 0.2) * u);
     case 2:  // A line across the page.
-      drawing.sheet.Add(DrawnPart::kPage, LineLabel::kOther,
+      drawing.sheet.Add(DrawnPart::kPage, faces::LineLabel::kOther,
                         {{low.x(), high.y()}, {0.5 * (low.x() + high.x()), high.y()}, high});
       return;
     default: {
@@ -111,7 +111,7 @@ void DrawPageMarks(const DrawingContext& drawing) {
         const Vector2d spot(drawing.Uniform(low.x(), high.x()), drawing.Uniform(low.y(), high.y()));
         const double angle = drawing.Uniform(0, 2 * std::numbers::pi),
                      size = drawing.Happens(0.6) ? 0.01 * u : drawing.Uniform(0.02, 0.15) * u;
-        drawing.sheet.AddMark(DrawnPart::kPage, LineLabel::kOther,
+        drawing.sheet.AddMark(DrawnPart::kPage, faces::LineLabel::kOther,
                               {spot, spot + size * Vector2d(std::cos(angle), std::sin(angle))});
       }
     }

@@ -22,7 +22,7 @@ constexpr double kFarthestFromLine = 3.5;  ///< Of a stroke from its line.
 /// Points and their labels.
 struct LabelledLine {
   Polyline points;
-  std::vector<LineLabel> labels;
+  std::vector<faces::LineLabel> labels;
 };
 
 /// The line with points at most kSpacing apart; a new point has the label of the one before it.
@@ -60,7 +60,7 @@ void AddNoise(Polyline& points, double rms, double length, Rng& rng) {
 LabelledLine Span(const LabelledLine& line, size_t begin, size_t end) {
   const auto b = static_cast<ptrdiff_t>(begin), e = static_cast<ptrdiff_t>(end);
   return {Polyline(line.points.begin() + b, line.points.begin() + e),
-          std::vector<LineLabel>(line.labels.begin() + b, line.labels.begin() + e)};
+          std::vector<faces::LineLabel>(line.labels.begin() + b, line.labels.begin() + e)};
 }
 
 /// The ends later or earlier along the line's direction.
@@ -122,7 +122,7 @@ LabelledLine Polygonal(const LabelledLine& line, double tolerance) {
 void AddOnCanvas(const LabelledLine& line, float width, bool filled, std::vector<StyledStroke>& strokes) {
   constexpr double kSide = render::kSketchCanvas;
   static const Polyline kWholeCanvas = {{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}};
-  const auto add = [&](const Polyline& points, const std::vector<LineLabel>& labels) {
+  const auto add = [&](const Polyline& points, const std::vector<faces::LineLabel>& labels) {
     StyledStroke& stroke = strokes.emplace_back(StyledStroke{width, filled, {}, labels});
     for (const Vector2d& point : points) stroke.points.push_back(ToPoint(point.cwiseMax(0).cwiseMin(kSide)));
   };
@@ -135,8 +135,8 @@ void AddOnCanvas(const LabelledLine& line, float width, bool filled, std::vector
     return;
   }
   for (const LinePiece& piece : Inside(line.points, kWholeCanvas)) {
-    std::vector<LineLabel> labels;
-    LineLabel label = line.labels.front();
+    std::vector<faces::LineLabel> labels;
+    faces::LineLabel label = line.labels.front();
     for (size_t i = piece.origin.size(); i-- > 0;)
       if (piece.origin[i] >= 0) label = line.labels[size_t(piece.origin[i])];
     for (const int origin : piece.origin) {

@@ -238,7 +238,7 @@ FaceShape WithErrors(FaceShape shape, double parts, DrawingCharacter character, 
   const double u = shape.unit, size = is_cartoon ? 2 * parts : parts;
   ChangeEyes(shape, size, is_cartoon, rng);
   NoseShape& nose = shape.nose;
-  if (!nose.base.empty() && shape.view != DrawnView::kProfile) {
+  if (!nose.base.empty() && shape.view != faces::DrawnView::kProfile) {
     PartChange change{nose.base[NoseShape::kBaseMiddle],
                       Vector2d(Deviate(0.15 * size, rng), Deviate(0.5 * size, rng)) * u};
     change.scale_x = std::exp(Deviate(1.5 * size, rng));
@@ -246,7 +246,7 @@ FaceShape WithErrors(FaceShape shape, double parts, DrawingCharacter character, 
     change.Apply({&nose.base, &nose.contour, &nose.wings[0], &nose.wings[1], &nose.bridges[0], &nose.bridges[1]});
   }
   MouthShape& mouth = shape.mouth;
-  if (shape.view != DrawnView::kProfile) {
+  if (shape.view != faces::DrawnView::kProfile) {
     PartChange change{shape.mouth_middle(), Vector2d(Deviate(0.15 * size, rng), Deviate(0.5 * size, rng)) * u};
     change.scale_x = std::exp(Deviate(1.2 * size, rng));
     change.scale_y = std::exp(Deviate(1.5 * size, rng));
@@ -264,8 +264,8 @@ FaceShape WithErrors(FaceShape shape, double parts, DrawingCharacter character, 
 }
 
 FaceShape DoodleShape(const FaceShape& shape, double amount, Rng& rng) {
-  DAUMIER_CHECK(shape.view == DrawnView::kFront, "a doodle of a face in the view '{}', expected 'front'",
-                kDrawnViewNames[size_t(shape.view)]);
+  DAUMIER_CHECK(shape.view == faces::DrawnView::kFront, "a doodle of a face in the view '{}', expected 'front'",
+                faces::kDrawnViewNames[size_t(shape.view)]);
   const Eigen::AlignedBox2d box = BoxOf(shape.head());
   const Vector2d middle = box.center();
   const double half_x = box.sizes().x() / 2, half_y = box.sizes().y() / 2;

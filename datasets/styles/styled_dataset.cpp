@@ -19,8 +19,9 @@ int64_t ClassOf(const ShownWith<T>& state) {
 
 }  // namespace
 
-StyledDataset::StyledDataset(std::vector<StyledSource> sources, const StyledReading& reading, uint64_t seed)
-    : sources_(std::move(sources)), reading_(reading), seed_(seed) {
+StyledDataset::StyledDataset(std::vector<StyledSource> sources, const StyledReading& reading, uint64_t seed,
+                             const StyledSides& sides)
+    : sources_(std::move(sources)), reading_(reading), sides_(sides), seed_(seed) {
   for (const StyledSource& source : sources_) {
     if (!source.faces.empty()) (void)source.sketches.facts(source.faces.front());
     for (const int face : source.faces) {
@@ -50,8 +51,9 @@ StyledDrawing StyledDataset::Drawing(int sample, int64_t epoch) const {
 
 SampleBatch StyledDataset::Get(std::span<const int> samples, int64_t epoch) const {
   const auto count = static_cast<int64_t>(samples.size());
-  const int r = reading_.resolution, l = reading_.label_side;
-  FloatArray pictures({count, 1, r, r}), points({count, kNumFacePoints, 2}), weights({count, kNumFacePoints});
+  const int r = sides_.picture, l = sides_.labels;
+  FloatArray pictures({count, 1, r, r}), points({count, faces::kNumFacePoints, 2}),
+      weights({count, faces::kNumFacePoints});
   Array<int64_t> labels({count, l, l}), states({count, int64_t(kDrawingStateNames.size())});
   OnAllCores(count, [&](int64_t row) {
     const int sample = samples[size_t(row)];
@@ -60,7 +62,7 @@ SampleBatch StyledDataset::Get(std::span<const int> samples, int64_t epoch) cons
     const PenView pen = rng.Uniform() < reading_.as_drawn ? PenView::kAsDrawn : PenView::kTraced;
     const render::Image image = RasteriseDrawing(drawing, r, pen, reading_.traced_width);
     std::ranges::transform(image.pixels, pictures.row(row), [](uint8_t grey) { return float(255 - grey) / 255.0f; });
-    const float cells = float(reading_.map_side) / render::kSketchCanvas;
+    const float cells = float(sides_.map) / render::kSketchCanvas;
     for (size_t i = 0; i < drawing.points.size(); ++i) {
       const auto& point = drawing.points[i];
       if (!point.is_shown()) continue;

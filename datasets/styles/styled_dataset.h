@@ -9,11 +9,15 @@
 
 namespace daumier::datasets {
 
-/// What a parser of drawings reads, and learns.
+/// Sizes of what a parser of drawings reads and learns.
+struct StyledSides {
+  int picture = 256;  ///< R
+  int map = 64;       ///< M of the heat maps, whose cells are the unit of the points.
+  int labels = 128;   ///< L
+};
+
+/// Which drawings it reads.
 struct StyledReading {
-  int resolution = 256;       ///< R of the picture.
-  int map_side = 64;          ///< M of the heat maps, whose cells are the unit of the points.
-  int label_side = 128;       ///< L of the labels.
   double turned = 0.3;        ///< Share of turned views where a database has them.
   double mirrored = 0.5;      ///< Share of mirror images.
   double as_drawn = 0;        ///< Share of pictures with the drawing's own pens and black areas; all others are traced.
@@ -22,9 +26,6 @@ struct StyledReading {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("resolution", resolution, Range{32, 1024}, "Side of the square picture, in pixels.");
-    visit("map_side", map_side, Range{8, 512}, "Side of the heat maps, in cells.");
-    visit("label_side", label_side, Range{8, 512}, "Side of the grid of labels, in cells.");
     visit("turned", turned, Range{0, 1}, "Share of views that are turned, where a folder of sketches has some.");
     visit("mirrored", mirrored, Range{0, 1}, "Share of mirror images.");
     visit("as_drawn", as_drawn, Range{0, 1},
@@ -45,8 +46,8 @@ struct StyledSource {
 inline constexpr int64_t kUnknownClass = -100;
 /// The states of a drawing in their order, and the number of classes of each.
 inline constexpr std::array<std::string_view, 4> kDrawingStateNames = {"mouth", "eye_right", "eye_left", "view"};
-inline constexpr std::array<int, 4> kDrawingStateClasses = {kNumMouthStates, kNumEyeStates, kNumEyeStates,
-                                                            kNumDrawnViews};
+inline constexpr std::array<int, 4> kDrawingStateClasses = {faces::kNumMouthStates, faces::kNumEyeStates,
+                                                            faces::kNumEyeStates, faces::kNumDrawnViews};
 
 /// Drawings of stored faces in styles, another one in each epoch, made by all cores when they are read. A sample is a
 /// function of the reading, the seed, its index and the epoch alone.
@@ -54,7 +55,8 @@ class StyledDataset {
  public:
   /// Samples are the faces of the sources, one source after the other. @throws Error if a source has no facts, or no
   /// such face.
-  StyledDataset(std::vector<StyledSource> sources, const StyledReading& reading, uint64_t seed);
+  StyledDataset(std::vector<StyledSource> sources, const StyledReading& reading, uint64_t seed,
+                const StyledSides& sides = {});
 
   int size() const { return first_.back(); }
   /// The source and the face of a sample. @throws Error if there is no such sample.
@@ -76,6 +78,7 @@ class StyledDataset {
  private:
   std::vector<StyledSource> sources_;
   StyledReading reading_;
+  StyledSides sides_;
   uint64_t seed_;
   std::vector<int> first_ = {0};  ///< The first sample of each source, then the number of all.
 };

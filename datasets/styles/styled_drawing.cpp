@@ -45,14 +45,14 @@ StyledDrawing Mirrored(StyledDrawing drawing) {
     for (auto& point : stroke.points) flip(point);
   const auto points = drawing.points;
   for (size_t i = 0; i < points.size(); ++i) {
-    auto& point = drawing.points[size_t(MirroredPoint(FacePoint(i)))] = points[i];
+    auto& point = drawing.points[size_t(MirroredPoint(faces::FacePoint(i)))] = points[i];
     if (point.is_shown()) flip(point.value);
   }
   std::swap(drawing.eyes[0], drawing.eyes[1]);
-  if (drawing.view.value == DrawnView::kThreeQuarterLeft)
-    drawing.view.value = DrawnView::kThreeQuarterRight;
-  else if (drawing.view.value == DrawnView::kThreeQuarterRight)
-    drawing.view.value = DrawnView::kThreeQuarterLeft;
+  if (drawing.view.value == faces::DrawnView::kThreeQuarterLeft)
+    drawing.view.value = faces::DrawnView::kThreeQuarterRight;
+  else if (drawing.view.value == faces::DrawnView::kThreeQuarterRight)
+    drawing.view.value = faces::DrawnView::kThreeQuarterLeft;
   // M (s R (M p) + t) with M the reflection about x = side / 2.
   const auto corner = drawing.pose.Apply({kMirrorWidth, 0});
   drawing.pose.turn_degrees = -drawing.pose.turn_degrees;

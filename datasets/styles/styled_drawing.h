@@ -1,5 +1,5 @@
 #pragma once
-#include "datasets/styles/drawing_terms.h"
+#include "faces/drawing_terms.h"
 
 #include <array>
 #include <optional>
@@ -12,7 +12,7 @@ struct StyledStroke {
   float width = 1.5f;   ///< Pixels.
   bool filled = false;  ///< The area inside is ink too; the last point is joined to the first.
   std::vector<std::array<float, 2>> points;
-  std::vector<LineLabel> labels;  ///< Of each point: one stroke may go round the upper and the lower lip.
+  std::vector<faces::LineLabel> labels;  ///< Of each point: one stroke may go round the upper and the lower lip.
 
   bool operator==(const StyledStroke&) const = default;
 };
@@ -43,11 +43,13 @@ struct SheetPose {
 struct StyledDrawing {
   static constexpr double kLandmarkTolerance = 4;
 
-  std::vector<StyledStroke> strokes;                                   ///< In the order in which they are drawn.
-  std::array<ShownWith<std::array<float, 2>>, kNumFacePoints> points;  ///< By FacePoint, pixels of the canvas.
-  ShownWith<MouthState> mouth;
-  std::array<ShownWith<EyeState>, 2> eyes;  ///< Right, left. An eye that is a mark (a dot, a dash) shows no state.
-  ShownWith<DrawnView> view;
+  std::vector<StyledStroke> strokes;  ///< In the order in which they are drawn.
+  std::array<ShownWith<std::array<float, 2>>, faces::kNumFacePoints>
+      points;  ///< By faces::FacePoint, pixels of the canvas.
+  ShownWith<faces::MouthState> mouth;
+  std::array<ShownWith<faces::EyeState>, 2>
+      eyes;  ///< Right, left. An eye that is a mark (a dot, a dash) shows no state.
+  ShownWith<faces::DrawnView> view;
   SheetPose pose;
 
   bool operator==(const StyledDrawing&) const = default;

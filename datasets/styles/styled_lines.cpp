@@ -10,7 +10,7 @@ std::vector<StyledLine> LinesOf(const StyledLine& line, const std::vector<LinePi
   std::vector<StyledLine> lines;
   for (const LinePiece& piece : pieces) {
     StyledLine kept{line.part, piece.points, {}, {}, line.care, line.width, false};
-    LineLabel label = line.labels.front();
+    faces::LineLabel label = line.labels.front();
     // A cut has the label of the point behind it.
     for (size_t i = piece.origin.size(); i-- > 0;)
       if (piece.origin[i] >= 0) label = line.labels[size_t(piece.origin[i])];
@@ -27,14 +27,14 @@ std::vector<StyledLine> LinesOf(const StyledLine& line, const std::vector<LinePi
 
 }  // namespace
 
-StyledLine& LineSheet::Add(DrawnPart part, LineLabel label, Polyline points, std::vector<LineAnchor> anchors) {
+StyledLine& LineSheet::Add(DrawnPart part, faces::LineLabel label, Polyline points, std::vector<LineAnchor> anchors) {
   if (points.size() < 2) return unused_ = {};
-  std::vector<LineLabel> labels(points.size(), label);
+  std::vector<faces::LineLabel> labels(points.size(), label);
   lines.push_back({part, std::move(points), std::move(labels), std::move(anchors)});
   return lines.back();
 }
 
-StyledLine& LineSheet::AddMark(DrawnPart part, LineLabel label, Polyline points) {
+StyledLine& LineSheet::AddMark(DrawnPart part, faces::LineLabel label, Polyline points) {
   StyledLine& line = Add(part, label, std::move(points));
   line.care = LineCare::kMark;
   return line;

@@ -1,6 +1,6 @@
 #pragma once
-#include "datasets/styles/drawing_terms.h"
 #include "datasets/styles/polylines.h"
+#include "faces/drawing_terms.h"
 
 #include <array>
 #include <functional>
@@ -29,7 +29,7 @@ inline constexpr int kNumDrawnParts = 13;
 
 /// A point of a line that is a point of the face.
 struct LineAnchor {
-  FacePoint point;
+  faces::FacePoint point;
   int index;
 };
 
@@ -40,7 +40,7 @@ enum class LineCare { kFree, kShort, kMark };
 struct StyledLine {
   DrawnPart part;
   Polyline points;
-  std::vector<LineLabel> labels;  ///< Of each point.
+  std::vector<faces::LineLabel> labels;  ///< Of each point.
   std::vector<LineAnchor> anchors = {};
   LineCare care = LineCare::kFree;
   double width = 1;  ///< In widths of the pen.
@@ -50,14 +50,14 @@ struct StyledLine {
 /// The lines of a drawing while it is made, in the order in which they are added, and what they show.
 struct LineSheet {
   std::vector<StyledLine> lines;
-  std::optional<MouthState> mouth;
-  std::array<std::optional<EyeState>, 2> eyes;                ///< Right, left.
+  std::optional<faces::MouthState> mouth;
+  std::array<std::optional<faces::EyeState>, 2> eyes;         ///< Right, left.
   std::array<std::optional<Eigen::Vector2d>, 2> eye_centres;  ///< Of those that are drawn.
 
   /// A line of one label; lines of fewer than two points are left out. The result is valid until the next call.
-  StyledLine& Add(DrawnPart part, LineLabel label, Polyline points, std::vector<LineAnchor> anchors = {});
+  StyledLine& Add(DrawnPart part, faces::LineLabel label, Polyline points, std::vector<LineAnchor> anchors = {});
   /// A mark or hair: LineCare::kMark.
-  StyledLine& AddMark(DrawnPart part, LineLabel label, Polyline points);
+  StyledLine& AddMark(DrawnPart part, faces::LineLabel label, Polyline points);
   /// Removes what lies inside a polygon from the lines `begin` to `end`; anchors there are lost, and eye centres too
   /// where the eye's lines are among them.
   void CutInside(const Polyline& polygon, size_t begin, size_t end);

@@ -71,17 +71,17 @@ struct PartDrawing {
 
   datasets::DrawingContext context() { return {shape, styles, character, rng, sheet}; }
   /// The point of the face on the first line that has it; nothing if none has.
-  std::optional<Eigen::Vector2d> At(datasets::FacePoint point) const {
+  std::optional<Eigen::Vector2d> At(faces::FacePoint point) const {
     for (const datasets::StyledLine& line : sheet.lines)
       for (const datasets::LineAnchor& anchor : line.anchors)
         if (anchor.point == point) return line.points[size_t(anchor.index)];
     return std::nullopt;
   }
-  int NumLines(datasets::LineLabel label) const {
+  int NumLines(faces::LineLabel label) const {
     int count = 0;
     for (const datasets::StyledLine& line : sheet.lines) {
       bool has = false;
-      for (const datasets::LineLabel of_point : line.labels) has = has || of_point == label;
+      for (const faces::LineLabel of_point : line.labels) has = has || of_point == label;
       count += has ? 1 : 0;
     }
     return count;

@@ -11,9 +11,10 @@ PartDrawing DrawnBeard(double HairStyles::*kind, uint64_t seed) {
   PartDrawing drawing{.rng = Rng(seed)};
   drawing.styles.hair.beard = drawing.styles.hair.moustache = drawing.styles.hair.stubble = 0;
   drawing.styles.hair.*kind = 1;
-  drawing.sheet.mouth = MouthState::kClosed;
-  drawing.sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, drawing.shape.outline, {{FacePoint::kChin, 24}});
-  drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kInnerMouth, drawing.shape.mouth.inner_top);
+  drawing.sheet.mouth = faces::MouthState::kClosed;
+  drawing.sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, drawing.shape.outline,
+                    {{faces::FacePoint::kChin, 24}});
+  drawing.sheet.Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, drawing.shape.mouth.inner_top);
   DrawBeard(drawing.context());
   testing::ExpectWholeLines(drawing.sheet);
   return drawing;
@@ -22,9 +23,9 @@ PartDrawing DrawnBeard(double HairStyles::*kind, uint64_t seed) {
 TEST(DrawBeard, ABeardHidesTheChinAndNotTheMouth) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const PartDrawing drawing = DrawnBeard(&HairStyles::beard, seed);
-    EXPECT_FALSE(drawing.At(FacePoint::kChin)) << seed;
-    EXPECT_EQ(drawing.NumLines(LineLabel::kInnerMouth), 1) << seed;
-    EXPECT_GE(drawing.NumLines(LineLabel::kHair), 2);
+    EXPECT_FALSE(drawing.At(faces::FacePoint::kChin)) << seed;
+    EXPECT_EQ(drawing.NumLines(faces::LineLabel::kInnerMouth), 1) << seed;
+    EXPECT_GE(drawing.NumLines(faces::LineLabel::kHair), 2);
   }
 }
 
@@ -32,8 +33,8 @@ TEST(DrawBeard, MoustachesAndStubbleHideNothing) {
   for (double HairStyles::*kind : {&HairStyles::moustache, &HairStyles::stubble}) {
     for (uint64_t seed = 0; seed < 20; ++seed) {
       const PartDrawing drawing = DrawnBeard(kind, seed);
-      EXPECT_TRUE(drawing.At(FacePoint::kChin));
-      EXPECT_GE(drawing.NumLines(LineLabel::kHair), 2);
+      EXPECT_TRUE(drawing.At(faces::FacePoint::kChin));
+      EXPECT_GE(drawing.NumLines(faces::LineLabel::kHair), 2);
     }
   }
 }

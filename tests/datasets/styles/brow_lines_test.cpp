@@ -5,7 +5,7 @@
 namespace daumier::datasets {
 namespace {
 
-using enum FacePoint;
+using enum faces::FacePoint;
 using testing::PartDrawing;
 
 TEST(DrawBrows, EveryStyleHasBothEndsOfBothBrows) {
@@ -20,10 +20,10 @@ TEST(DrawBrows, EveryStyleHasBothEndsOfBothBrows) {
                                      {kBrowRightInner, 118.0},
                                      {kBrowLeftInner, 138.0},
                                      {kBrowLeftOuter, 164.0}}) {
-        ASSERT_TRUE(drawing.At(point)) << kFacePointNames[size_t(point)];
-        EXPECT_NEAR(drawing.At(point)->x(), x, 3.0) << kFacePointNames[size_t(point)];
+        ASSERT_TRUE(drawing.At(point)) << faces::kFacePointNames[size_t(point)];
+        EXPECT_NEAR(drawing.At(point)->x(), x, 3.0) << faces::kFacePointNames[size_t(point)];
       }
-      EXPECT_EQ(drawing.NumLines(LineLabel::kBrow), int(drawing.sheet.lines.size()));
+      EXPECT_EQ(drawing.NumLines(faces::LineLabel::kBrow), int(drawing.sheet.lines.size()));
     }
   }
 }

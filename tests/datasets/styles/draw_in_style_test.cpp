@@ -19,14 +19,14 @@ StyledDrawing Drawn(uint64_t seed, const StyleOptions& options = {}) {
   return DrawInStyle(seed % 3 == 0 ? testing::OpenMouthShape() : testing::PlainFaceShape(), options, rng);
 }
 
-bool HasLabel(const StyledStroke& stroke, LineLabel label) {
+bool HasLabel(const StyledStroke& stroke, faces::LineLabel label) {
   return std::find(stroke.labels.begin(), stroke.labels.end(), label) != stroke.labels.end();
 }
 
 /// Labels of the strokes on which a point of the face may lie.
-std::set<LineLabel> LabelsOf(FacePoint point) {
-  using enum FacePoint;
-  using enum LineLabel;
+std::set<faces::LineLabel> LabelsOf(faces::FacePoint point) {
+  using enum faces::FacePoint;
+  using enum faces::LineLabel;
   if (point <= kEyeLeftBottom) return {kUpperLid, kLowerLid};
   if (point <= kBrowLeftOuter) return {kBrow};
   if (point <= kNoseWingLeft) return {kNose, kSilhouette};
@@ -34,11 +34,12 @@ std::set<LineLabel> LabelsOf(FacePoint point) {
   return {kSilhouette};
 }
 
-double DistanceToLabels(const StyledDrawing& drawing, const std::set<LineLabel>& labels,
+double DistanceToLabels(const StyledDrawing& drawing, const std::set<faces::LineLabel>& labels,
                         const std::array<float, 2>& at) {
   double nearest = 1e9;
   for (const StyledStroke& stroke : drawing.strokes) {
-    if (std::none_of(labels.begin(), labels.end(), [&](LineLabel label) { return HasLabel(stroke, label); })) continue;
+    if (std::none_of(labels.begin(), labels.end(), [&](faces::LineLabel label) { return HasLabel(stroke, label); }))
+      continue;
     Polyline line;
     for (const auto& p : stroke.points) line.emplace_back(p[0], p[1]);
     nearest = std::min(nearest, DistanceTo(line, {at[0], at[1]}));
@@ -64,12 +65,12 @@ TEST(DrawInStyle, ShownPointsLieOnTheirStrokes) {
   int num_shown = 0;
   for (uint64_t seed = 0; seed < kNumDrawings; ++seed) {
     const StyledDrawing drawing = Drawn(seed);
-    for (int i = 0; i < kNumLandmarkPoints; ++i) {
+    for (int i = 0; i < faces::kNumLandmarkPoints; ++i) {
       const auto& point = drawing.points[size_t(i)];
       if (!point.is_shown()) continue;
       ++num_shown;
-      EXPECT_LT(DistanceToLabels(drawing, LabelsOf(FacePoint(i)), point.value), 1e-3)
-          << "drawing " << seed << ", " << kFacePointNames[size_t(i)];
+      EXPECT_LT(DistanceToLabels(drawing, LabelsOf(faces::FacePoint(i)), point.value), 1e-3)
+          << "drawing " << seed << ", " << faces::kFacePointNames[size_t(i)];
     }
   }
   EXPECT_GT(num_shown, 8 * kNumDrawings);
@@ -81,10 +82,10 @@ TEST(DrawInStyle, AClosedMouthShowsNoOpening) {
   int num_closed = 0;
   for (uint64_t seed = 0; seed < kNumDrawings; ++seed) {
     const StyledDrawing drawing = Drawn(seed, options);
-    if (!drawing.mouth.is_shown() || drawing.mouth.value != MouthState::kClosed) continue;
+    if (!drawing.mouth.is_shown() || drawing.mouth.value != faces::MouthState::kClosed) continue;
     ++num_closed;
-    const auto &top = drawing.points[size_t(FacePoint::kInnerTop)],
-               &bottom = drawing.points[size_t(FacePoint::kInnerBottom)];
+    const auto &top = drawing.points[size_t(faces::FacePoint::kInnerTop)],
+               &bottom = drawing.points[size_t(faces::FacePoint::kInnerBottom)];
     EXPECT_EQ(top.value, bottom.value);
     EXPECT_EQ(top.is_shown(), bottom.is_shown());
   }
@@ -97,7 +98,7 @@ TEST(DrawInStyle, AnOpenMouthIsDrawnClosedOnlyWhereTheStylesAllowIt) {
   for (uint64_t seed = 0; seed < kNumDrawings; seed += 3) {
     const StyledDrawing drawing = Drawn(seed, options);
     if (drawing.mouth.is_shown()) {
-      EXPECT_NE(drawing.mouth.value, MouthState::kClosed) << seed;
+      EXPECT_NE(drawing.mouth.value, faces::MouthState::kClosed) << seed;
     }
   }
 }
@@ -145,37 +146,37 @@ TEST(DrawInStyle, ExactDrawingsHaveTheLinesOfTheFaceInTheirPose) {
     Rng rng(seed);
     const FaceShape shape = testing::PlainFaceShape();
     const StyledDrawing drawing = DrawInStyle(shape, options, rng);
-    const auto near = [&](FacePoint point, const Eigen::Vector2d& on_sheet) {
+    const auto near = [&](faces::FacePoint point, const Eigen::Vector2d& on_sheet) {
       const auto at = drawing.pose.Apply({on_sheet.x(), on_sheet.y()});
       const auto& shown = drawing.points[size_t(point)];
       EXPECT_TRUE(shown.is_shown());
       EXPECT_NEAR(shown.value[0], at[0], 0.01);
       EXPECT_NEAR(shown.value[1], at[1], 0.01);
     };
-    near(FacePoint::kChin, {128, 195});
-    near(FacePoint::kEyeLeftOuter, {161, 120});
-    near(FacePoint::kMouthRight, {108, 165});
-    EXPECT_EQ(drawing.view.value, DrawnView::kFront);
-    for (const StyledStroke& stroke : drawing.strokes) EXPECT_FALSE(HasLabel(stroke, LineLabel::kHair));
+    near(faces::FacePoint::kChin, {128, 195});
+    near(faces::FacePoint::kEyeLeftOuter, {161, 120});
+    near(faces::FacePoint::kMouthRight, {108, 165});
+    EXPECT_EQ(drawing.view.value, faces::DrawnView::kFront);
+    for (const StyledStroke& stroke : drawing.strokes) EXPECT_FALSE(HasLabel(stroke, faces::LineLabel::kHair));
   }
 }
 
 TEST(DrawInStyle, EveryLabelAndStateOccurs) {
-  std::set<LineLabel> labels;
-  std::set<MouthState> mouths;
-  std::set<EyeState> eyes;
+  std::set<faces::LineLabel> labels;
+  std::set<faces::MouthState> mouths;
+  std::set<faces::EyeState> eyes;
   int num_marks = 0;
   for (uint64_t seed = 0; seed < kNumDrawings; ++seed) {
     const StyledDrawing drawing = Drawn(seed);
     for (const StyledStroke& stroke : drawing.strokes) labels.insert(stroke.labels.begin(), stroke.labels.end());
     if (drawing.mouth.is_shown()) mouths.insert(drawing.mouth.value);
     if (drawing.eyes[0].is_shown()) eyes.insert(drawing.eyes[0].value);
-    const bool has_centre = drawing.points[size_t(FacePoint::kEyeRightCentre)].is_shown();
+    const bool has_centre = drawing.points[size_t(faces::FacePoint::kEyeRightCentre)].is_shown();
     num_marks += has_centre && !drawing.eyes[0].is_shown() ? 1 : 0;
   }
-  EXPECT_EQ(labels.size(), size_t(kNumLineLabels));
-  EXPECT_EQ(mouths.size(), size_t(kNumMouthStates));
-  EXPECT_EQ(eyes.size(), size_t(kNumEyeStates));
+  EXPECT_EQ(labels.size(), size_t(faces::kNumLineLabels));
+  EXPECT_EQ(mouths.size(), size_t(faces::kNumMouthStates));
+  EXPECT_EQ(eyes.size(), size_t(faces::kNumEyeStates));
   EXPECT_GT(num_marks, 5);
 }
 

@@ -13,7 +13,7 @@ TEST(DrawingOrder, PartsStayTogetherAndLinesOfAPartInTheirOrder) {
     LineSheet sheet;
     for (int round = 0; round < 3; ++round)
       for (int part = 0; part < kNumDrawnParts; ++part)
-        sheet.Add(DrawnPart(part), LineLabel::kOther, {{double(round), 0}, {1, 1}});
+        sheet.Add(DrawnPart(part), faces::LineLabel::kOther, {{double(round), 0}, {1, 1}});
     Rng rng(seed);
     SortAsDrawn(sheet, rng);
     ASSERT_EQ(sheet.lines.size(), size_t(3 * kNumDrawnParts));

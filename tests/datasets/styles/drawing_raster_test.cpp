@@ -9,10 +9,11 @@ namespace {
 
 StyledDrawing Box(bool filled) {
   StyledDrawing drawing;
-  drawing.strokes.push_back({4,
-                             filled,
-                             {{64, 64}, {192, 64}, {192, 192}, {64, 192}},
-                             {LineLabel::kHair, LineLabel::kHair, LineLabel::kNeck, LineLabel::kNeck}});
+  drawing.strokes.push_back(
+      {4,
+       filled,
+       {{64, 64}, {192, 64}, {192, 192}, {64, 192}},
+       {faces::LineLabel::kHair, faces::LineLabel::kHair, faces::LineLabel::kNeck, faces::LineLabel::kNeck}});
   return drawing;
 }
 
@@ -47,17 +48,17 @@ TEST(DrawingRaster, LabelsLieWhereTheInkIs) {
     EXPECT_LT(ink.pixels[cell], 255) << cell;
   }
   EXPECT_NEAR(num_labelled, 3 * 64, 6);
-  EXPECT_EQ(labels[size_t(32 * 128 + 64)], int8_t(LineLabel::kHair));
-  EXPECT_EQ(labels[size_t(96 * 128 + 64)], int8_t(LineLabel::kNeck));
+  EXPECT_EQ(labels[size_t(32 * 128 + 64)], int8_t(faces::LineLabel::kHair));
+  EXPECT_EQ(labels[size_t(96 * 128 + 64)], int8_t(faces::LineLabel::kNeck));
   EXPECT_EQ(labels[size_t(64 * 128 + 64)], kNoLineLabel);
 }
 
 TEST(DrawingRaster, StrokesAreDividedWhereTheirLabelChanges) {
   const std::vector<render::Stroke> strokes = LabelledStrokes(Box(false));
   ASSERT_EQ(strokes.size(), 2u);
-  EXPECT_EQ(strokes[0].kind, int(LineLabel::kHair));
+  EXPECT_EQ(strokes[0].kind, int(faces::LineLabel::kHair));
   EXPECT_EQ(strokes[0].points.back(), strokes[1].points.front()) << "no piece is lost";
-  EXPECT_EQ(strokes[1].kind, int(LineLabel::kNeck));
+  EXPECT_EQ(strokes[1].kind, int(faces::LineLabel::kNeck));
   EXPECT_EQ(LabelledStrokes(Box(true)).back().points.back(), (std::array<float, 2>{64, 64}));
 }
 
@@ -65,7 +66,7 @@ TEST(DrawingRaster, ColoursAreThoseOfTheLabels) {
   StyledDrawing drawing = Box(false);
   drawing.points[0] = {{20, 20}, 1};
   const render::Image image = ColouredDrawing(drawing, 256);
-  const render::Rgb hair = ColourOf(LineLabel::kHair);
+  const render::Rgb hair = ColourOf(faces::LineLabel::kHair);
   EXPECT_NEAR(image.at(63, 128, 0), hair[0], 40);
   EXPECT_EQ(image.at(20, 20, 1), 0) << "a point of the face";
   EXPECT_EQ(image.at(150, 150, 0), 255);

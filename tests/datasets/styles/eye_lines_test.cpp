@@ -5,7 +5,7 @@
 namespace daumier::datasets {
 namespace {
 
-using enum FacePoint;
+using enum faces::FacePoint;
 using testing::PartDrawing;
 
 constexpr EyeStyles kNoEyes = {.almond = 0, .upper_lid = 0, .circle = 0, .dot = 0, .dash = 0, .closed = 0, .wink = 0};
@@ -28,8 +28,8 @@ TEST(DrawEyes, LidsCarryTheFourPoints) {
     EXPECT_EQ(*drawing.At(kEyeLeftOuter), Eigen::Vector2d(161, 120));
     EXPECT_EQ(*drawing.At(kEyeLeftTop), Eigen::Vector2d(150, 115));
     EXPECT_EQ(*drawing.At(kEyeRightBottom), Eigen::Vector2d(106, 124));
-    EXPECT_EQ(drawing.sheet.eyes[0], EyeState::kOpen);
-    EXPECT_GT(drawing.NumLines(LineLabel::kLowerLid), 1);
+    EXPECT_EQ(drawing.sheet.eyes[0], faces::EyeState::kOpen);
+    EXPECT_GT(drawing.NumLines(faces::LineLabel::kLowerLid), 1);
   }
 }
 
@@ -38,17 +38,17 @@ TEST(DrawEyes, AClosedEyeIsOneLineAtWhichTopAndBottomAre) {
   styles.almond = styles.closed = 1;
   for (uint64_t seed = 0; seed < 40; ++seed) {
     const PartDrawing drawing = DrawnEyes(styles, seed);
-    for (size_t side = 0; side < 2; ++side) EXPECT_EQ(drawing.sheet.eyes[side], EyeState::kClosed);
+    for (size_t side = 0; side < 2; ++side) EXPECT_EQ(drawing.sheet.eyes[side], faces::EyeState::kClosed);
     EXPECT_EQ(drawing.At(kEyeRightTop), drawing.At(kEyeRightBottom));
-    EXPECT_EQ(drawing.NumLines(LineLabel::kLowerLid) + drawing.NumLines(LineLabel::kIris), 0);
-    EXPECT_EQ(drawing.NumLines(LineLabel::kUpperLid), 2);
+    EXPECT_EQ(drawing.NumLines(faces::LineLabel::kLowerLid) + drawing.NumLines(faces::LineLabel::kIris), 0);
+    EXPECT_EQ(drawing.NumLines(faces::LineLabel::kUpperLid), 2);
   }
   FaceShape blinking = testing::PlainFaceShape();
   blinking.eyes[1].is_closed = true;
   styles.closed = 0;
   const PartDrawing drawing = DrawnEyes(styles, 1, blinking);
-  EXPECT_EQ(drawing.sheet.eyes[0], EyeState::kOpen);
-  EXPECT_EQ(drawing.sheet.eyes[1], EyeState::kClosed);
+  EXPECT_EQ(drawing.sheet.eyes[0], faces::EyeState::kOpen);
+  EXPECT_EQ(drawing.sheet.eyes[1], faces::EyeState::kClosed);
 }
 
 TEST(DrawEyes, AWinkClosesOneEye) {
@@ -67,7 +67,7 @@ TEST(DrawEyes, MarksHaveACentreAloneAndNoState) {
     const PartDrawing drawing = DrawnEyes(styles, 2);
     EXPECT_FALSE(drawing.sheet.eyes[0] || drawing.sheet.eyes[1]);
     EXPECT_LT((*drawing.sheet.eye_centres[0] - Eigen::Vector2d(106, 120)).norm(), 2);
-    for (const FacePoint point : {kEyeRightOuter, kEyeRightInner, kEyeRightTop, kEyeRightBottom})
+    for (const faces::FacePoint point : {kEyeRightOuter, kEyeRightInner, kEyeRightTop, kEyeRightBottom})
       EXPECT_FALSE(drawing.At(point));
     EXPECT_EQ(drawing.sheet.lines.size(), 2u);
   }
@@ -95,7 +95,7 @@ TEST(DrawEyes, IrisesLieBetweenTheLids) {
   for (uint64_t seed = 0; seed < 30; ++seed) {
     const PartDrawing drawing = DrawnEyes(styles, seed);
     for (const StyledLine& line : drawing.sheet.lines) {
-      if (line.labels.front() != LineLabel::kIris || line.care == LineCare::kMark) continue;
+      if (line.labels.front() != faces::LineLabel::kIris || line.care == LineCare::kMark) continue;
       for (const Eigen::Vector2d& point : line.points) {
         EXPECT_GE(point.y(), 115 - 1e-6);
         EXPECT_LE(point.y(), 124 + 1e-6);

@@ -43,7 +43,7 @@ class FaceShapeTest : public ::testing::Test {
 TEST_F(FaceShapeTest, MarkedPlacesLieAtTheLandmarks) {
   for (const int face : {0, 3, 9}) {
     const FaceShape shape = ShapeOf(*sketches_, face);
-    EXPECT_EQ(shape.view, DrawnView::kFront);
+    EXPECT_EQ(shape.view, faces::DrawnView::kFront);
     EXPECT_LT((shape.eyes[0].upper.front() - Landmark(face, 0, 36)).norm(), 1);
     EXPECT_LT((shape.eyes[1].upper.back() - Landmark(face, 0, 42)).norm(), 1);
     EXPECT_LT((shape.mouth.top.front() - Landmark(face, 0, 48)).norm(), 1);
@@ -83,7 +83,7 @@ TEST_F(FaceShapeTest, TurnedViewsSayWhereTheyLook) {
     for (int view = 1; view < 3; ++view) {
       const double yaw = sketches_->facts(face, view).yaw;
       const FaceShape shape = ShapeOf(*sketches_, face, view);
-      EXPECT_EQ(shape.view, yaw < 0 ? DrawnView::kThreeQuarterLeft : DrawnView::kThreeQuarterRight);
+      EXPECT_EQ(shape.view, yaw < 0 ? faces::DrawnView::kThreeQuarterLeft : faces::DrawnView::kThreeQuarterRight);
       EXPECT_FALSE(shape.nose.contour.empty());
     }
   }

@@ -16,7 +16,7 @@ TEST(DrawGlasses, LensesSurroundTheEyes) {
     ASSERT_GE(drawing.sheet.lines.size(), 3u);
     EXPECT_TRUE(IsInside(drawing.sheet.lines[0].points, {106, 120}));
     EXPECT_TRUE(IsInside(drawing.sheet.lines[1].points, {150, 120}));
-    EXPECT_EQ(drawing.NumLines(LineLabel::kOther), int(drawing.sheet.lines.size()));
+    EXPECT_EQ(drawing.NumLines(faces::LineLabel::kOther), int(drawing.sheet.lines.size()));
   }
 }
 

@@ -20,16 +20,16 @@ TEST(DrawHair, EveryKindHasItsLinesAndHidesTheCrown) {
       drawing.styles.hair = kNoHair;
       drawing.styles.hair.*kind = 1;
       const HairChoice choice = ChooseHair(drawing.context());
-      drawing.sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, drawing.shape.skull);
-      drawing.sheet.Add(DrawnPart::kMouth, LineLabel::kInnerMouth, {{120, 165}, {130, 165}});
+      drawing.sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, drawing.shape.skull);
+      drawing.sheet.Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, {{120, 165}, {130, 165}});
       DrawHair(drawing.context(), choice);
       testing::ExpectWholeLines(drawing.sheet);
       double shown = 0;
       for (const StyledLine& line : drawing.sheet.lines)
-        if (line.labels.front() == LineLabel::kSilhouette) shown += LengthOf(line.points);
+        if (line.labels.front() == faces::LineLabel::kSilhouette) shown += LengthOf(line.points);
       EXPECT_LT(shown, 0.45 * LengthOf(drawing.shape.skull)) << "hair leaves the skull bare";
-      EXPECT_EQ(drawing.NumLines(LineLabel::kInnerMouth), 1) << "hair hides the mouth";
-      EXPECT_GE(drawing.NumLines(LineLabel::kHair), 1);
+      EXPECT_EQ(drawing.NumLines(faces::LineLabel::kInnerMouth), 1) << "hair hides the mouth";
+      EXPECT_GE(drawing.NumLines(faces::LineLabel::kHair), 1);
     }
   }
 }
@@ -41,11 +41,11 @@ TEST(DrawHair, StrokesAndFewLinesHideNothing) {
       drawing.styles.hair = kNoHair;
       drawing.styles.hair.*kind = 1;
       const HairChoice choice = ChooseHair(drawing.context());
-      drawing.sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, {{128, 70}, {128, 66}});
+      drawing.sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, {{128, 70}, {128, 66}});
       DrawHair(drawing.context(), choice);
       testing::ExpectWholeLines(drawing.sheet);
-      EXPECT_EQ(drawing.NumLines(LineLabel::kSilhouette), 1);
-      EXPECT_GE(drawing.NumLines(LineLabel::kHair), 1);
+      EXPECT_EQ(drawing.NumLines(faces::LineLabel::kSilhouette), 1);
+      EXPECT_GE(drawing.NumLines(faces::LineLabel::kHair), 1);
     }
   }
 }

@@ -58,7 +58,7 @@ TEST(HairMass, SpikesStandOut) {
 
 TEST(HairMass, OfAProfileLiesBehindTheForehead) {
   FaceShape shape = testing::PlainFaceShape();
-  shape.view = DrawnView::kProfile;
+  shape.view = faces::DrawnView::kProfile;
   shape.outline = Resampled({{165, 90}, {170, 115}, {185, 140}, {170, 150}, {172, 180}, {150, 195}}, 49);
   shape.skull = Smooth({{90, 170}, {75, 120}, {90, 80}, {130, 65}, {165, 90}}, 41);
   shape.ears = {};

@@ -7,7 +7,7 @@
 namespace daumier::datasets {
 namespace {
 
-using enum FacePoint;
+using enum faces::FacePoint;
 using testing::PartDrawing;
 
 TEST(DrawOutline, ChinAndContourLieOnTheHeadAtTheHeightOfTheMouth) {
@@ -20,7 +20,7 @@ TEST(DrawOutline, ChinAndContourLieOnTheHeadAtTheHeightOfTheMouth) {
     EXPECT_NEAR(drawing.At(kContourRight)->y(), 165.25, 3);
     EXPECT_NEAR(drawing.At(kContourRight)->x(), 86, 3);
     EXPECT_NEAR(drawing.At(kContourLeft)->x(), 170, 3);
-    EXPECT_EQ(drawing.NumLines(LineLabel::kSilhouette), int(drawing.sheet.lines.size()));
+    EXPECT_EQ(drawing.NumLines(faces::LineLabel::kSilhouette), int(drawing.sheet.lines.size()));
   }
 }
 
@@ -39,7 +39,7 @@ TEST(DrawOutline, AnOpenTopLeavesTheSkullOut) {
 
 TEST(DrawOutline, OfAProfileTheNoseMeetsTheLip) {
   PartDrawing drawing;
-  drawing.shape.view = DrawnView::kProfile;
+  drawing.shape.view = faces::DrawnView::kProfile;
   // Forehead, nose out to the right, lip, chin, neck.
   drawing.shape.outline =
       Resampled({{150, 80}, {155, 115}, {175, 140}, {158, 148}, {162, 158}, {158, 180}, {140, 200}}, 49);
@@ -55,7 +55,7 @@ TEST(DrawEars, AreThereInnerOnesToo) {
   PartDrawing drawing;
   drawing.styles.head.ears = drawing.styles.head.inner_ears = 1;
   DrawEars(drawing.context());
-  EXPECT_EQ(drawing.NumLines(LineLabel::kEar), 4);
+  EXPECT_EQ(drawing.NumLines(faces::LineLabel::kEar), 4);
   drawing = {};
   drawing.styles.head.ears = 0;
   DrawEars(drawing.context());
@@ -67,7 +67,7 @@ TEST(DrawSkin, FoldsAreWrinklesAndFrecklesAreNot) {
   drawing.styles.head = {.wrinkles = 1, .folds = 1, .freckles = 1, .cheeks = 1};
   DrawSkin(drawing.context());
   testing::ExpectWholeLines(drawing.sheet);
-  EXPECT_GT(drawing.NumLines(LineLabel::kOther), 1);
+  EXPECT_GT(drawing.NumLines(faces::LineLabel::kOther), 1);
   for (const StyledLine& line : drawing.sheet.lines) EXPECT_EQ(line.part, DrawnPart::kSkin);
 }
 

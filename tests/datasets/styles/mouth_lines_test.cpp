@@ -5,7 +5,7 @@
 namespace daumier::datasets {
 namespace {
 
-using enum FacePoint;
+using enum faces::FacePoint;
 using testing::PartDrawing;
 
 PartDrawing DrawnMouth(FaceShape shape, uint64_t seed, const MouthStyles& styles = {}) {
@@ -21,9 +21,9 @@ TEST(DrawMouth, AClosedMouthHasOneSeamAndNoTeeth) {
   styles.opened = 0;
   for (uint64_t seed = 0; seed < 50; ++seed) {
     const PartDrawing drawing = DrawnMouth(testing::PlainFaceShape(), seed, styles);
-    EXPECT_EQ(drawing.sheet.mouth, MouthState::kClosed);
-    EXPECT_LE(drawing.NumLines(LineLabel::kInnerMouth), 1);
-    EXPECT_EQ(drawing.At(kInnerTop).has_value(), drawing.NumLines(LineLabel::kInnerMouth) == 1);
+    EXPECT_EQ(drawing.sheet.mouth, faces::MouthState::kClosed);
+    EXPECT_LE(drawing.NumLines(faces::LineLabel::kInnerMouth), 1);
+    EXPECT_EQ(drawing.At(kInnerTop).has_value(), drawing.NumLines(faces::LineLabel::kInnerMouth) == 1);
     EXPECT_EQ(drawing.At(kInnerTop), drawing.At(kInnerBottom));
     ASSERT_TRUE(drawing.At(kMouthRight) && drawing.At(kMouthLeft));
     EXPECT_LT((*drawing.At(kMouthRight) - Eigen::Vector2d(108, 165)).norm(), 1e-9);
@@ -42,10 +42,10 @@ TEST(DrawMouth, AnOpenMouthHasBothEdges) {
   for (uint64_t seed = 0; seed < 80; ++seed) {
     const PartDrawing drawing = DrawnMouth(testing::OpenMouthShape(), seed, {.closed = 0});
     ASSERT_TRUE(drawing.sheet.mouth);
-    EXPECT_NE(*drawing.sheet.mouth, MouthState::kClosed);
+    EXPECT_NE(*drawing.sheet.mouth, faces::MouthState::kClosed);
     ASSERT_TRUE(drawing.At(kInnerTop) && drawing.At(kInnerBottom));
     EXPECT_NEAR(drawing.At(kInnerBottom)->y() - drawing.At(kInnerTop)->y(), 12, 1e-9);
-    num_teeth += *drawing.sheet.mouth == MouthState::kTeeth ? 1 : 0;
+    num_teeth += *drawing.sheet.mouth == faces::MouthState::kTeeth ? 1 : 0;
     num_without_lips += drawing.At(kLipTop) ? 0 : 1;
   }
   EXPECT_GT(num_teeth, 15);
@@ -57,7 +57,7 @@ TEST(DrawMouth, AClosedMouthMayBeDrawnOpen) {
   styles.opened = 1;
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const PartDrawing drawing = DrawnMouth(testing::PlainFaceShape(), seed, styles);
-    EXPECT_NE(*drawing.sheet.mouth, MouthState::kClosed);
+    EXPECT_NE(*drawing.sheet.mouth, faces::MouthState::kClosed);
     EXPECT_GT(drawing.At(kInnerBottom)->y() - drawing.At(kInnerTop)->y(), 4);
   }
 }
@@ -65,7 +65,7 @@ TEST(DrawMouth, AClosedMouthMayBeDrawnOpen) {
 TEST(DrawMouth, AnOpenMouthMayBeDrawnClosed) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const PartDrawing drawing = DrawnMouth(testing::OpenMouthShape(), seed, {.closed = 1});
-    EXPECT_EQ(drawing.sheet.mouth, MouthState::kClosed);
+    EXPECT_EQ(drawing.sheet.mouth, faces::MouthState::kClosed);
     EXPECT_EQ(drawing.At(kInnerTop), drawing.At(kInnerBottom));
     if (!drawing.At(kLipTop) || !drawing.At(kLipBottom)) continue;
     // The lips, 6 and 7 thick at their middles, lie against each other.
@@ -85,7 +85,7 @@ TEST(DrawMouth, EachWeightSelectsItsStyle) {
   drawing = DrawnMouth(testing::PlainFaceShape(), 3, styles);
   EXPECT_TRUE(drawing.At(kLipTop) && drawing.At(kLipBottom));
   EXPECT_FALSE(drawing.At(kInnerTop));
-  EXPECT_EQ(drawing.NumLines(LineLabel::kInnerMouth), 0);
+  EXPECT_EQ(drawing.NumLines(faces::LineLabel::kInnerMouth), 0);
   styles = none;
   styles.none = 1;
   EXPECT_FALSE(DrawnMouth(testing::PlainFaceShape(), 3, styles).sheet.mouth.has_value());

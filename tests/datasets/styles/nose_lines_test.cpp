@@ -5,7 +5,7 @@
 namespace daumier::datasets {
 namespace {
 
-using enum FacePoint;
+using enum faces::FacePoint;
 using testing::PartDrawing;
 
 constexpr NoseStyles kNoNose = {
@@ -26,7 +26,7 @@ TEST(DrawNose, TheBottomIsWhereItIsDrawn) {
       const PartDrawing drawing = DrawnNose(kind, seed);
       ASSERT_TRUE(drawing.At(kNoseBottom));
       EXPECT_LT((*drawing.At(kNoseBottom) - Eigen::Vector2d(128, 148)).norm(), 8);
-      EXPECT_EQ(drawing.NumLines(LineLabel::kNose), int(drawing.sheet.lines.size()));
+      EXPECT_EQ(drawing.NumLines(faces::LineLabel::kNose), int(drawing.sheet.lines.size()));
     }
   }
 }
@@ -50,7 +50,7 @@ TEST(DrawNose, NostrilsAndABridgeAloneCarryNoPoint) {
 
 TEST(DrawNose, ATurnedFaceShowsTheContourOfTheFarSide) {
   FaceShape shape = testing::PlainFaceShape();
-  shape.view = DrawnView::kThreeQuarterLeft;
+  shape.view = faces::DrawnView::kThreeQuarterLeft;
   shape.nose.bridges[0] = shape.nose.wings[0] = {};
   for (int i = 0; i < 16; ++i) shape.nose.contour.push_back({112.0 - i % 2, 114 + 2.0 * i});
   const PartDrawing drawing = DrawnNose(&NoseStyles::one_side, 1, shape);

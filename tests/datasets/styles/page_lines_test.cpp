@@ -13,11 +13,11 @@ TEST(PageLines, AreAllOfTheLabelOther) {
     drawing.styles.extras.hatching = drawing.styles.extras.construction = drawing.styles.extras.page_marks = 1;
     DrawHatching(drawing.context());
     DrawConstruction(drawing.context());
-    drawing.sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, drawing.shape.outline);
+    drawing.sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, drawing.shape.outline);
     DrawPageMarks(drawing.context());
     testing::ExpectWholeLines(drawing.sheet);
-    EXPECT_GE(drawing.NumLines(LineLabel::kOther), 1);
-    EXPECT_EQ(drawing.NumLines(LineLabel::kOther), int(drawing.sheet.lines.size()) - 1);
+    EXPECT_GE(drawing.NumLines(faces::LineLabel::kOther), 1);
+    EXPECT_EQ(drawing.NumLines(faces::LineLabel::kOther), int(drawing.sheet.lines.size()) - 1);
   }
 }
 

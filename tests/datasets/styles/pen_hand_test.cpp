@@ -15,8 +15,8 @@ Polyline ToPolyline(const StyledStroke& stroke) {
 
 StyledLine LongLine() {
   StyledLine line{DrawnPart::kOutline, Resampled({{40, 60}, {120, 90}, {200, 60}}, 41), {}};
-  line.labels.assign(21, LineLabel::kUpperLip);
-  line.labels.resize(41, LineLabel::kLowerLip);
+  line.labels.assign(21, faces::LineLabel::kUpperLip);
+  line.labels.resize(41, faces::LineLabel::kLowerLip);
   return line;
 }
 
@@ -48,10 +48,10 @@ TEST(DrawByHand, StrokesStayNearTheLineAndKeepItsLabels) {
         const Eigen::Vector2d point(stroke.points[i][0], stroke.points[i][1]);
         EXPECT_LT(DistanceTo(line.points, point), 3.5 + 2 * habits.polygon + 2 * 6 + 1);
         if (point.x() < 105) {
-          EXPECT_EQ(stroke.labels[i], LineLabel::kUpperLip);
+          EXPECT_EQ(stroke.labels[i], faces::LineLabel::kUpperLip);
         }
         if (point.x() > 135) {
-          EXPECT_EQ(stroke.labels[i], LineLabel::kLowerLip);
+          EXPECT_EQ(stroke.labels[i], faces::LineLabel::kLowerLip);
         }
       }
     }
@@ -72,8 +72,9 @@ TEST(DrawByHand, HabitsChangeTheNumberOfStrokes) {
 }
 
 TEST(DrawByHand, WhatLeavesTheCanvasIsCut) {
-  StyledLine line{
-      DrawnPart::kBust, {{-50, 100}, {100, 100}, {300, 120}, {100, 140}}, std::vector<LineLabel>(4, LineLabel::kNeck)};
+  StyledLine line{DrawnPart::kBust,
+                  {{-50, 100}, {100, 100}, {300, 120}, {100, 140}},
+                  std::vector<faces::LineLabel>(4, faces::LineLabel::kNeck)};
   Rng rng(1);
   const auto strokes = DrawByHand(line, {}, rng);
   ASSERT_EQ(strokes.size(), 2u);

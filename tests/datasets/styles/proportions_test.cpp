@@ -59,7 +59,7 @@ TEST(Proportions, ADoodleOfNoAmountHasThePlacesOfTheFace) {
 
 TEST(Proportions, TurnedFacesAreNoDoodles) {
   FaceShape shape = testing::PlainFaceShape();
-  shape.view = DrawnView::kThreeQuarterLeft;
+  shape.view = faces::DrawnView::kThreeQuarterLeft;
   Rng rng(1);
   testing::ExpectError([&] { DoodleShape(shape, 1, rng); }, "three-quarter-left");
 }

@@ -10,8 +10,8 @@ namespace {
 LineSheet FaceAndShoulders() {
   LineSheet sheet;
   const FaceShape shape = testing::PlainFaceShape();
-  sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, shape.head());
-  sheet.Add(DrawnPart::kBust, LineLabel::kNeck, {{10, 260}, {128, 220}, {246, 260}});
+  sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, shape.head());
+  sheet.Add(DrawnPart::kBust, faces::LineLabel::kNeck, {{10, 260}, {128, 220}, {246, 260}});
   return sheet;
 }
 

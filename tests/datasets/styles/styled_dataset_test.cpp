@@ -80,10 +80,11 @@ TEST_F(StyledDatasetTest, TurnedViewsHaveTheirShare) {
   std::vector<int> faces(16);
   std::iota(faces.begin(), faces.end(), 0);
   const StyledDataset dataset({{*sketches_, faces}}, reading, 1);
-  std::set<DrawnView> views;
+  std::set<faces::DrawnView> views;
   for (int i = 0; i < dataset.size(); ++i)
     if (const auto view = dataset.Drawing(i, 0).view; view.is_shown()) views.insert(view.value);
-  EXPECT_EQ(views, (std::set<DrawnView>{DrawnView::kThreeQuarterLeft, DrawnView::kThreeQuarterRight}));
+  EXPECT_EQ(views,
+            (std::set<faces::DrawnView>{faces::DrawnView::kThreeQuarterLeft, faces::DrawnView::kThreeQuarterRight}));
 }
 
 TEST_F(StyledDatasetTest, WrongFacesAndSamplesAreRefused) {

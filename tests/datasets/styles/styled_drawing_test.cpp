@@ -11,13 +11,14 @@ StyledDrawing ThreeStrokes() {
   StyledDrawing drawing;
   for (int i = 0; i < 3; ++i) {
     const auto y = float(10 * i);
-    drawing.strokes.push_back({1.5f, false, {{1, y}, {20, y}}, {LineLabel::kUpperLid, LineLabel::kUpperLid}});
+    drawing.strokes.push_back(
+        {1.5f, false, {{1, y}, {20, y}}, {faces::LineLabel::kUpperLid, faces::LineLabel::kUpperLid}});
   }
-  drawing.points[size_t(FacePoint::kEyeRightOuter)] = {{1, 0}, 1};
-  drawing.points[size_t(FacePoint::kChin)] = {{128, 200}, 3};
-  drawing.mouth = {MouthState::kTeeth, 2};
-  drawing.eyes[0] = {EyeState::kClosed, 1};
-  drawing.view = {DrawnView::kThreeQuarterLeft, 3};
+  drawing.points[size_t(faces::FacePoint::kEyeRightOuter)] = {{1, 0}, 1};
+  drawing.points[size_t(faces::FacePoint::kChin)] = {{128, 200}, 3};
+  drawing.mouth = {faces::MouthState::kTeeth, 2};
+  drawing.eyes[0] = {faces::EyeState::kClosed, 1};
+  drawing.view = {faces::DrawnView::kThreeQuarterLeft, 3};
   drawing.pose = {1.5, 20, {10, -30}};
   return drawing;
 }
@@ -27,8 +28,8 @@ TEST(StyledDrawing, FirstStrokesShowWhatTheyCarry) {
   EXPECT_EQ(FirstStrokes(all, 3), all);
   const StyledDrawing two = FirstStrokes(all, 2);
   EXPECT_EQ(two.strokes.size(), 2u);
-  EXPECT_TRUE(two.points[size_t(FacePoint::kEyeRightOuter)].is_shown());
-  EXPECT_FALSE(two.points[size_t(FacePoint::kChin)].is_shown());
+  EXPECT_TRUE(two.points[size_t(faces::FacePoint::kEyeRightOuter)].is_shown());
+  EXPECT_FALSE(two.points[size_t(faces::FacePoint::kChin)].is_shown());
   EXPECT_TRUE(two.mouth.is_shown());
   EXPECT_FALSE(two.view.is_shown());
   EXPECT_FALSE(FirstStrokes(all, 1).mouth.is_shown());
@@ -39,11 +40,11 @@ TEST(StyledDrawing, FirstStrokesShowWhatTheyCarry) {
 
 TEST(StyledDrawing, MirroredSwapsSidesAndIsItsOwnInverse) {
   const StyledDrawing drawing = ThreeStrokes(), mirrored = Mirrored(drawing);
-  EXPECT_EQ(mirrored.points[size_t(FacePoint::kEyeLeftOuter)].value, (std::array<float, 2>{255, 0}));
-  EXPECT_FALSE(mirrored.points[size_t(FacePoint::kEyeRightOuter)].is_shown());
-  EXPECT_EQ(mirrored.points[size_t(FacePoint::kChin)].value[0], 128);
-  EXPECT_EQ(mirrored.eyes[1].value, EyeState::kClosed);
-  EXPECT_EQ(mirrored.view.value, DrawnView::kThreeQuarterRight);
+  EXPECT_EQ(mirrored.points[size_t(faces::FacePoint::kEyeLeftOuter)].value, (std::array<float, 2>{255, 0}));
+  EXPECT_FALSE(mirrored.points[size_t(faces::FacePoint::kEyeRightOuter)].is_shown());
+  EXPECT_EQ(mirrored.points[size_t(faces::FacePoint::kChin)].value[0], 128);
+  EXPECT_EQ(mirrored.eyes[1].value, faces::EyeState::kClosed);
+  EXPECT_EQ(mirrored.view.value, faces::DrawnView::kThreeQuarterRight);
   const StyledDrawing back = Mirrored(mirrored);
   EXPECT_EQ(back.strokes, drawing.strokes);
   EXPECT_EQ(back.points, drawing.points);

@@ -9,26 +9,28 @@ const Polyline kBox = {{10, -5}, {20, -5}, {20, 5}, {10, 5}};
 
 TEST(LineSheet, CutsWhatIsInsideWithItsAnchors) {
   LineSheet sheet;
-  StyledLine& line = sheet.Add(DrawnPart::kOutline, LineLabel::kSilhouette, {{0, 0}, {8, 0}, {15, 0}, {25, 0}, {30, 0}},
-                               {{FacePoint::kChin, 2}, {FacePoint::kContourLeft, 4}});
-  line.labels[4] = LineLabel::kNeck;
-  sheet.Add(DrawnPart::kMouth, LineLabel::kInnerMouth, {{12, 0}, {14, 0}}, {{FacePoint::kMouthLeft, 0}});
+  StyledLine& line =
+      sheet.Add(DrawnPart::kOutline, faces::LineLabel::kSilhouette, {{0, 0}, {8, 0}, {15, 0}, {25, 0}, {30, 0}},
+                {{faces::FacePoint::kChin, 2}, {faces::FacePoint::kContourLeft, 4}});
+  line.labels[4] = faces::LineLabel::kNeck;
+  sheet.Add(DrawnPart::kMouth, faces::LineLabel::kInnerMouth, {{12, 0}, {14, 0}}, {{faces::FacePoint::kMouthLeft, 0}});
   sheet.CutInside(kBox, 0, sheet.lines.size());
   ASSERT_EQ(sheet.lines.size(), 2u);
   EXPECT_EQ(sheet.lines[0].points, (Polyline{{0, 0}, {8, 0}, {10, 0}}));
   EXPECT_TRUE(sheet.lines[0].anchors.empty());
   EXPECT_EQ(sheet.lines[1].points, (Polyline{{20, 0}, {25, 0}, {30, 0}}));
   ASSERT_EQ(sheet.lines[1].anchors.size(), 1u);
-  EXPECT_EQ(sheet.lines[1].anchors[0].point, FacePoint::kContourLeft);
+  EXPECT_EQ(sheet.lines[1].anchors[0].point, faces::FacePoint::kContourLeft);
   EXPECT_EQ(sheet.lines[1].anchors[0].index, 2);
   EXPECT_EQ(sheet.lines[1].labels,
-            (std::vector<LineLabel>{LineLabel::kSilhouette, LineLabel::kSilhouette, LineLabel::kNeck}));
+            (std::vector<faces::LineLabel>{faces::LineLabel::kSilhouette, faces::LineLabel::kSilhouette,
+                                           faces::LineLabel::kNeck}));
 }
 
 TEST(LineSheet, LinesAfterTheEndOfACutStay) {
   LineSheet sheet;
-  sheet.Add(DrawnPart::kHair, LineLabel::kHair, {{12, 0}, {14, 0}});
-  sheet.Add(DrawnPart::kHat, LineLabel::kOther, {{12, 1}, {14, 1}});
+  sheet.Add(DrawnPart::kHair, faces::LineLabel::kHair, {{12, 0}, {14, 0}});
+  sheet.Add(DrawnPart::kHat, faces::LineLabel::kOther, {{12, 1}, {14, 1}});
   sheet.CutInside(kBox, 0, 1);
   ASSERT_EQ(sheet.lines.size(), 1u);
   EXPECT_EQ(sheet.lines[0].part, DrawnPart::kHat);
@@ -38,8 +40,8 @@ TEST(LineSheet, AnEyeThatIsCutAwayHasNeitherCentreNorState) {
   LineSheet sheet;
   for (size_t side = 0; side < 2; ++side) {
     const double x = side == 0 ? 15 : 40;
-    sheet.Add(EyePart(side), LineLabel::kUpperLid, {{x - 2, 0}, {x + 2, 0}});
-    sheet.eyes[side] = EyeState::kOpen;
+    sheet.Add(EyePart(side), faces::LineLabel::kUpperLid, {{x - 2, 0}, {x + 2, 0}});
+    sheet.eyes[side] = faces::EyeState::kOpen;
     sheet.eye_centres[side] = Eigen::Vector2d(x, 0);
   }
   sheet.CutInside(kBox, 0, sheet.lines.size());
@@ -50,8 +52,8 @@ TEST(LineSheet, AnEyeThatIsCutAwayHasNeitherCentreNorState) {
 
 TEST(LineSheet, AreasGoAsWholes) {
   LineSheet sheet;
-  sheet.AddMark(DrawnPart::kBrows, LineLabel::kBrow, {{12, 0}, {14, 0}, {14, 2}, {30, 2}}).filled = true;
-  sheet.AddMark(DrawnPart::kBrows, LineLabel::kBrow, {{12, 0}, {34, 0}, {34, 2}, {30, 2}}).filled = true;
+  sheet.AddMark(DrawnPart::kBrows, faces::LineLabel::kBrow, {{12, 0}, {14, 0}, {14, 2}, {30, 2}}).filled = true;
+  sheet.AddMark(DrawnPart::kBrows, faces::LineLabel::kBrow, {{12, 0}, {34, 0}, {34, 2}, {30, 2}}).filled = true;
   sheet.CutInside(kBox, 0, sheet.lines.size());
   ASSERT_EQ(sheet.lines.size(), 1u);
   EXPECT_EQ(sheet.lines[0].points.size(), 4u);
@@ -59,8 +61,8 @@ TEST(LineSheet, AreasGoAsWholes) {
 
 TEST(LineSheet, LinesOfOnePointAreLeftOutAndAllIsMoved) {
   LineSheet sheet;
-  sheet.Add(DrawnPart::kNose, LineLabel::kNose, {{1, 1}});
-  sheet.Add(DrawnPart::kNose, LineLabel::kNose, {{1, 1}, {2, 2}});
+  sheet.Add(DrawnPart::kNose, faces::LineLabel::kNose, {{1, 1}});
+  sheet.Add(DrawnPart::kNose, faces::LineLabel::kNose, {{1, 1}, {2, 2}});
   sheet.eye_centres[1] = Eigen::Vector2d(5, 5);
   sheet.Move([](const Eigen::Vector2d& p) { return Eigen::Vector2d(2 * p); });
   ASSERT_EQ(sheet.lines.size(), 1u);

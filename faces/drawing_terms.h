@@ -5,7 +5,7 @@
 #include <string_view>
 
 /// The words of parsed drawings: what a line shows, the points of a face, states and views.
-namespace daumier::datasets {
+namespace daumier::faces {
 
 /// What a line of a drawing shows. Outer contours of the lips are kUpperLip and kLowerLip; the line between closed
 /// lips, the inner contours of open ones, teeth and tongue are kInnerMouth. A closed eye's line is kUpperLid. Lines of
@@ -83,4 +83,4 @@ extern const std::array<std::string_view, kNumMouthStates> kMouthStateNames;
 extern const std::array<std::string_view, kNumEyeStates> kEyeStateNames;
 extern const std::array<std::string_view, kNumDrawnViews> kDrawnViewNames;
 
-}  // namespace daumier::datasets
+}  // namespace daumier::faces

@@ -1,6 +1,6 @@
-#include "datasets/styles/drawing_terms.h"
+#include "faces/drawing_terms.h"
 
-namespace daumier::datasets {
+namespace daumier::faces {
 
 const std::array<std::string_view, kNumLineLabels> kLineLabelNames = {
     "silhouette", "ear",       "brow",        "upper_lid", "lower_lid", "iris", "nose",
@@ -91,4 +91,4 @@ FacePoint MirroredPoint(FacePoint point) {
   }
 }
 
-}  // namespace daumier::datasets
+}  // namespace daumier::faces

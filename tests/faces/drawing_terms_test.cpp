@@ -1,4 +1,4 @@
-#include "datasets/styles/drawing_terms.h"
+#include "faces/drawing_terms.h"
 
 #include "core/json.h"
 #include "tests/support/paths.h"
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-namespace daumier::datasets {
+namespace daumier::faces {
 namespace {
 
 TEST(DrawingTerms, MirroringPointsIsAnInvolutionThatSwapsSides) {
@@ -52,4 +52,4 @@ TEST(DrawingTerms, PointsStatesAndViewsAreThoseOfLabelledDrawings) {
 }
 
 }  // namespace
-}  // namespace daumier::datasets
+}  // namespace daumier::faces
