@@ -9,14 +9,23 @@
 namespace daumier::testing {
 namespace {
 
-const std::vector<std::string> kCommands = {"dataset faces",  "dataset sketches",
-                                            "dataset points", "dataset portraits",
-                                            "dataset model",  "dataset gallery",
-                                            "dataset stats",  "dataset controls",
-                                            "register",       "train",
-                                            "eval",           "ablate",
-                                            "predict",        "draw",
-                                            "export",         "info"};
+const std::vector<std::string> kCommands = {"dataset faces",
+                                            "dataset sketches",
+                                            "dataset points",
+                                            "dataset portraits",
+                                            "dataset model",
+                                            "dataset gallery",
+                                            "dataset stats",
+                                            "dataset controls",
+                                            "register",
+                                            "train",
+                                            "eval",
+                                            "ablate",
+                                            "predict",
+                                            "score",
+                                            "draw",
+                                            "export",
+                                            "info"};
 
 std::vector<std::string> Words(const std::string& text) {
   std::istringstream stream(text);

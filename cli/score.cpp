@@ -1,0 +1,113 @@
+#include "cli/score_template.h"
+#include "cli/verb.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "eval/drawing_labels.h"
+#include "eval/drawing_score.h"
+#include "eval/drawing_table.h"
+#include "eval/mesh_score.h"
+#include "eval/predicted_meshes.h"
+#include "faces/face_database.h"
+#include "reports/report_table.h"
+
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace daumier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ScoreArguments {
+  fs::path predictions, labels, truth;
+  std::string face_template;
+  bool as_json = false;
+};
+
+void ScoreLabelledDrawings(const ScoreArguments& arguments) {
+  const std::vector<eval::LabelledDrawing> drawings = eval::ReadDrawingLabels(arguments.labels);
+  const ScoreTemplate of = ReadScoreTemplate(arguments.face_template, arguments.predictions);
+  const eval::DrawnPredictions predictions =
+      eval::ReadDrawnPredictions(arguments.predictions, drawings, of.face_template);
+  const std::vector<eval::DrawingScore> scores =
+      eval::ScoreDrawings({of.face_template, of.camera}, drawings, predictions.of_labelled);
+  std::vector<std::string> missing;
+  for (const eval::DrawingScore& score : scores)
+    if (!score.is_predicted) missing.push_back(score.name);
+  if (!missing.empty()) log::Info("Without a prediction, and counted as the mean face: {}", fmt::join(missing, ", "));
+  if (!predictions.unlabelled.empty())
+    log::Info("Without labels, and not scored: {}", fmt::join(predictions.unlabelled, ", "));
+  if (arguments.as_json) {
+    PrintResult(eval::DrawingScoresToJson(scores), true);
+    return;
+  }
+  fmt::print(
+      "NME: mean distance of points and labels, in per cent of the distance of the outer corners of the eyes.\n"
+      "Placed best: after the similarity that brings a face nearest to the labels.\n\n{}\n{}",
+      reports::TableText(eval::DrawingTable(scores)),
+      reports::TableText(eval::DrawingGroupTable(eval::GroupScores(scores))));
+}
+
+void ScorePredictedMeshes(const ScoreArguments& arguments) {
+  const bool is_database = fs::exists(arguments.truth / "template.json");
+  std::vector<eval::MeshScore> scores;
+  if (is_database) {
+    scores = eval::ScoreMeshes(arguments.predictions, faces::FaceDatabase(arguments.truth));
+  } else {
+    const ScoreTemplate of = ReadScoreTemplate(arguments.face_template, arguments.predictions);
+    scores = eval::ScoreMeshes(arguments.predictions, arguments.truth, of.face_template);
+  }
+  if (arguments.as_json) {
+    PrintResult(eval::MeshScoresToJson(scores), true);
+    return;
+  }
+  fmt::print("{}faces: {}\n", reports::TableText(eval::MeshScoreTable(scores)), scores.size());
+}
+
+void Score(const ScoreArguments& arguments) {
+  if (arguments.labels.empty() == arguments.truth.empty())
+    throw UsageError("score needs either --labels FILE (of drawings) or --truth FOLDER (of faces)");
+  if (!arguments.labels.empty()) {
+    ScoreLabelledDrawings(arguments);
+  } else {
+    ScorePredictedMeshes(arguments);
+  }
+}
+
+}  // namespace
+
+Verb ScoreVerb() {
+  return {"score", "Errors of predicted meshes: on drawings with labelled points, or against true faces",
+          [](CLI::App& command) {
+            auto arguments = std::make_shared<ScoreArguments>();
+            command
+                .add_option("predictions", arguments->predictions,
+                            "Folder of meshes NAME.obj (or .ply). With --labels also manifest.json, as `daumier "
+                            "predict --out` writes it: details.drawings.NAME.frame = {scale, shift, turn_degrees}")
+                ->required()
+                ->check(CLI::ExistingDirectory);
+            command
+                .add_option("--labels", arguments->labels,
+                            "JSON file of points that people set on drawings: {\"drawings\": {NAME: {file, "
+                            "interocular, points: {POINT: [x, y]}, mouth, eyes, usable, line}}}. A usable drawing "
+                            "without a prediction counts as the mean face in the frame of its extents")
+                ->check(CLI::ExistingFile);
+            command
+                .add_option("--truth", arguments->truth,
+                            "Folder of faces that `daumier dataset faces` wrote (NAME is face-00012, "
+                            "person-00003-level-1-smile, or a person of an imported folder), or folder of meshes of "
+                            "the same names and vertex order")
+                ->check(CLI::ExistingDirectory);
+            command.add_option("--template", arguments->face_template,
+                               "Run, weights or folder of faces with the template of the meshes; without it the "
+                               "weights that the predictions name. Not read with a folder of faces as truth");
+            command.add_flag("--json", arguments->as_json, "Print the result as JSON");
+            return [arguments] { Score(*arguments); };
+          },
+          /*keeps_freed_memory=*/false};
+}
+
+}  // namespace daumier::cli
