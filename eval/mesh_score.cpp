@@ -7,6 +7,7 @@
 #include "geometry/alignment.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 #include <utility>
 
@@ -69,13 +70,20 @@ MeshScore ScoreMesh(const std::string& name, const geometry::Points& predicted, 
 }
 
 std::optional<int> FaceNamed(const faces::FaceDatabase& database, const std::string& name) {
-  for (int face = 0; face < database.num_faces(); ++face)
-    if (name == fmt::format("face-{:05}", face)) return face;
-  for (int face = 0; face < database.num_grid_faces(); ++face)
-    if (name == GridName(database, face)) return face;
+  int face = -1, person = -1, level = -1;
+  if (std::sscanf(name.c_str(), "face-%9d", &face) == 1 && face >= 0 && face < database.num_faces() &&
+      name == fmt::format("face-{:05}", face))
+    return face;
+  if (std::sscanf(name.c_str(), "person-%9d-level-%9d-", &person, &level) == 2 && person >= 0 && level >= 1 &&
+      person < database.num_persons() && level <= database.num_levels()) {
+    for (int expression = 0; expression < database.num_expressions(); ++expression) {
+      face = database.index({person, level - 1, expression});
+      if (name == GridName(database, face)) return face;
+    }
+  }
   const auto persons = database.manifest().details.value("names", std::vector<std::string>{});
-  for (size_t person = 0; person < persons.size() && int(person) < database.num_persons(); ++person)
-    if (name == DashedName(persons[person])) return database.index({int(person), 0, 0});
+  for (int i = 0; i < std::min(int(persons.size()), database.num_persons()); ++i)
+    if (name == DashedName(persons[size_t(i)])) return database.index({i, 0, 0});
   return std::nullopt;
 }
 

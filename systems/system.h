@@ -5,6 +5,7 @@
 #include "core/task.h"
 #include "core/training.h"
 #include "reports/evaluation.h"
+#include "systems/picture_content.h"
 #include "systems/predictor.h"
 
 #include <filesystem>
@@ -59,6 +60,9 @@ struct System {
   std::vector<std::string> input_extensions = {};
   /// Where no run is named, of the shipped weights that read the inputs those of the task of the largest rank are used.
   int shipped_rank = 0;
+  /// What the pictures among its inputs show: where no run is named and weights of several tasks read a picture, those of
+  /// the task that it suits are used.
+  PictureContent picture_content = {};
   /// What a result NAME may consist of: NAME.obj and so on.
   std::vector<std::string> result_files = {".obj", ".mtl", ".png", ".svg"};
 };

@@ -34,6 +34,7 @@ systems::System PortraitSystem() {
       .read_inputs = ReadPicture,
       .input_extensions = PictureExtensions(),
       .shipped_rank = 2,
+      .picture_content = systems::Portraits(),
   };
 }
 

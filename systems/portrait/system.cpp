@@ -37,6 +37,7 @@ systems::System LandmarkSystem() {
       .read_inputs = ReadPicture,
       .input_extensions = PictureExtensions(),
       .shipped_rank = 1,
+      .picture_content = systems::Portraits(),
       .result_files = {".png", ".pts", ".json", "_mask.png"},
   };
 }

@@ -77,7 +77,10 @@ TEST(FaceNamed, KnowsIndicesPlacesAndImportedPersons) {
   EXPECT_EQ(FaceNamed(database, "person-00001-level-2-smile"), 7);
   EXPECT_EQ(FaceNamed(database, "Bob-C1"), 0);
   EXPECT_EQ(FaceNamed(database, "Eve"), 4);
-  EXPECT_FALSE(FaceNamed(database, "face-00008").has_value());
+  for (const char* name :
+       {"face-00008", "face-5", "face-00005x", "person-00001-level-3-smile", "person-00001-level-0-smile",
+        "person-00002-level-1-smile", "person-00001-level-2-frown", ""})
+    EXPECT_FALSE(FaceNamed(database, name).has_value()) << name;
 }
 
 TEST(ScoreMeshes, ComparesWithTheFacesOfADatabase) {
