@@ -17,6 +17,8 @@ using geometry::Vector3;
 
 /// The places of the lower line lie between its vertices, so that a move of these is not exact at once.
 constexpr int kReachRounds = 6;
+/// Lips that rest on each other are so far apart at their borders, which are rounded.
+constexpr double kClosedLipsCm = 0.05;
 
 /// Length along edges to the nearest vertex of a line, and which one it is.
 struct Reached {
@@ -120,8 +122,10 @@ void OpeningMover::Reach(const GapGoal& goal, size_t index, geometry::Points& ve
     geometry::Points moves = geometry::Points::Zero(gaps.size(), 3);  // Of the upper line against the lower.
     for (Eigen::Index k = 0; k < gaps.size(); ++k) {
       const GapPair& pair = opening.pairs[size_t(k)];
-      if (goal.closed) {
-        moves.row(k) = PlaceOf(pair.lower, vertices).transpose() - vertices.row(pair.upper);
+      if (goal.closed && opening.opening == Opening::kMouth) {
+        moves(k, 1) = std::clamp(gaps[k], 0.0, kClosedLipsCm) - gaps[k];
+      } else if (goal.closed) {
+        moves.row(k).tail<2>() = (PlaceOf(pair.lower, vertices).transpose() - vertices.row(pair.upper)).tail<2>();
       } else {
         moves(k, 1) = std::max(0.0, LeastGap(goal, pair.share) - gaps[k]);
       }

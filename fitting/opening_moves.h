@@ -28,7 +28,8 @@ class OpeningMover {
 
   const std::vector<OpeningPairs>& openings() const { return openings_; }
 
-  /// Opening i of openings(). Closed lines meet, in depth too, within 0.1 mm. Where the goal holds, nothing moves.
+  /// Opening i of openings(). Where closed, lips are 0 to 0.5 mm apart and lids meet, in depth too, within 0.1 mm. Where
+  /// the goal holds, nothing moves.
   void Reach(const GapGoal& goal, size_t opening, geometry::Points& vertices) const;
 
  private:
