@@ -151,7 +151,7 @@ std::vector<DrawingScore> ScoreDrawings(const DrawingScorer& scorer, std::span<c
     scores[i].aligned = distance(i);
     for (size_t other = 0; other < scores.size(); ++other) {
       if (other == i || scores[other].group != scores[i].group) continue;
-      const bool is_nearer = *MeanOf(scores[i].aligned) < *MeanOf(distance(other));
+      const bool is_nearer = scores[i].is_predicted && *MeanOf(scores[i].aligned) < *MeanOf(distance(other));
       scores[i].is_recognised = scores[i].is_recognised.value_or(true) && is_nearer;
     }
   }

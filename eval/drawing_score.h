@@ -87,7 +87,7 @@ struct DrawingScore {
   std::optional<bool> mouth_is_right = {}, eyes_are_right = {};  ///< Absent where the label has no state.
   MeshStates states = {};
   /// Whether the labels are nearer to this face than to the face of any other drawing of the group, each placed best.
-  /// Absent if there is no other.
+  /// Absent if there is no other; false without a prediction, whose mean face counts as one of the others.
   std::optional<bool> is_recognised = {};
 };
 

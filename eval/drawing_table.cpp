@@ -127,7 +127,7 @@ std::vector<DrawingGroup> GroupScores(std::span<const DrawingScore> scores) {
 reports::ReportTable DrawingTable(std::span<const DrawingScore> scores) {
   reports::ReportTable table{"Drawings", {"drawing", "NME", "placed best", "mean face placed best"}, {}};
   for (const std::string_view part : kDrawnPartNames) table.header.emplace_back(part);
-  table.header.insert(table.header.end(), {"mouth", "lids", "lips", "recognised"});
+  table.header.insert(table.header.end(), {"mouth state", "lid state", "lips", "recognised"});
   for (const DrawingScore& score : scores) {
     std::vector<std::string>& row = table.rows.emplace_back();
     row = {score.is_predicted ? score.name : score.name + " (mean face)", NumberText(PercentNme(score.errors)),
@@ -144,7 +144,7 @@ reports::ReportTable DrawingTable(std::span<const DrawingScore> scores) {
 reports::ReportTable DrawingGroupTable(std::span<const DrawingGroup> groups) {
   reports::ReportTable table{"Groups", {"group", "drawings", "NME", "median", "placed best", "better"}, {}};
   for (const std::string_view part : kDrawnPartNames) table.header.emplace_back(part);
-  table.header.insert(table.header.end(), {"mouth", "lids", "crossed lips", "recognised"});
+  table.header.insert(table.header.end(), {"mouth state", "lid state", "crossed lips", "recognised"});
   for (const DrawingGroup& group : groups) {
     std::vector<std::string> row = {group.name,
                                     fmt::format("{}", group.num_drawings),

@@ -173,6 +173,11 @@ TEST(ScoreDrawings, EachDrawingIsRecognisedAmongOthers) {
                                                           {"wide", {drawing.face.neutral, drawing.frame}},
                                                           {"doodle", {wide, drawing.frame}}};
   EXPECT_EQ(ScoreDrawings(drawing.scorer, drawings, swapped)[0].is_recognised, false);
+
+  const auto refused = ScoreDrawings(drawing.scorer, drawings, {{"wide", {wide, drawing.frame}}},
+                                     [&](const LabelledDrawing&) { return drawing.frame; });
+  EXPECT_EQ(refused[0].is_recognised, false) << "though its labels are those of the mean face";
+  EXPECT_EQ(refused[1].is_recognised, true);
 }
 
 TEST(ScoreDrawings, WithoutAPredictionTheMeanFaceCounts) {
