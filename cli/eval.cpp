@@ -33,7 +33,7 @@ const std::vector<OptionFlag>& OptionFlags() {
        "Of a deformable model: also find the codes of this many faces by Adam, which takes minutes; none by default"},
       {"--fit", "fit", "Of a sketch run: also fit the bilinear model to the labelled strokes", false},
       {"--refine", "refine", "Of a sketch run: also match the contours of the predicted faces with the strokes", false},
-      {"--deform", "deform", "Of a sketch run: match the contours, and then also move the surfaces onto the strokes",
+      {"--deform", "deform", "Of a sketch run: also fit the faces to the sketches as a parser of drawings reads them",
        false}};
   return flags;
 }

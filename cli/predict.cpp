@@ -4,8 +4,10 @@
 #include "core/log.h"
 #include "core/output_place.h"
 #include "core/process_task.h"
+#include "core/weights_folder.h"
 #include "systems/predict_files.h"
 #include "systems/shipped_weights.h"
+#include "systems/weights_choice.h"
 
 #include <fmt/ranges.h>
 
@@ -15,11 +17,13 @@
 namespace daumier::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct PredictArguments {
   std::string run, weights;  ///< run: also the first input, where no run is named.
   std::filesystem::path out;
   std::vector<std::string> inputs;  ///< Files, and key=value.
-  bool keep_frame = false, all = false, no_refine = false, deform = false;
+  bool keep_frame = false, all = false, no_refine = false, no_fit = false;
   std::string device = "cpu";
 };
 
@@ -41,18 +45,80 @@ bool IsInput(const std::string& word) {
   return std::ranges::any_of(Systems(), [&](const systems::System& system) { return IsInputFile(system, word); });
 }
 
-/// The run or weights by which files are predicted. @throws UsageError where there are none.
-std::filesystem::path FolderFor(const PredictArguments& arguments, const std::vector<std::filesystem::path>& files) {
-  const std::vector<std::filesystem::path> places = systems::WeightsPlaces();
+/// What a run or weights predict, and where to.
+struct Prediction {
+  fs::path run;
+  std::vector<fs::path> files;
+  fs::path out;
+};
+
+/// Predictions by shipped weights. Where the pictures are of two kinds, each has a folder of its weights' name in `out`.
+/// @throws UsageError where there are none.
+std::vector<Prediction> ByShippedWeights(const PredictArguments& arguments, const std::vector<fs::path>& files) {
+  const std::vector<fs::path> places = systems::WeightsPlaces();
   const std::vector<systems::ShippedWeights> shipped = systems::ListWeights(places);
-  const std::filesystem::path folder = arguments.weights.empty() ? WeightsFor(files, Systems(), shipped, places)
-                                                                 : WeightsNamed(arguments.weights, shipped, places);
-  log::Info("Predicting by the weights {}", folder.string());
-  return folder;
+  std::vector<systems::WeightsChoice> choices;
+  if (arguments.weights.empty()) {
+    choices = ChooseWeights(files, Systems(), shipped, places);
+  } else {
+    choices = {{WeightsNamed(arguments.weights, shipped, places), files}};
+  }
+  std::vector<Prediction> predictions;
+  for (systems::WeightsChoice& choice : choices) {
+    log::Info("Predicting by the weights {}", choice.weights.string());
+    const std::string name = WeightsName(choice.weights);
+    if (choice.num_pictures > 0)
+      log::Info(
+          "{} of {} inputs are {}, by their content, and predicted by {} (--weights NAME or a run decides instead)",
+          choice.num_pictures, choice.inputs.size(), choice.content, name);
+    const fs::path out = choices.size() == 1 ? arguments.out : arguments.out / name;
+    predictions.push_back({choice.weights, std::move(choice.inputs), out});
+  }
+  return predictions;
+}
+
+/// A prediction that is ready to begin: it has read its inputs.
+struct ReadyPrediction {
+  Prediction what;
+  const systems::System& system;
+  Json options;
+  systems::PredictionInputs inputs;
+};
+
+ReadyPrediction Prepared(const PredictArguments& arguments, const std::vector<std::string>& overrides, Prediction what,
+                         const Task& task) {
+  const systems::System& system = SystemOfRunOrWeights(what.run);
+  if (system.open == nullptr) {
+    std::vector<std::string_view> names;
+    for (const systems::System& other : Systems())
+      if (other.open != nullptr) names.push_back(other.name);
+    throw Error(fmt::format("{}: this is a run of the task '{}', which predicts nothing (expected a run of '{}')",
+                            what.run.string(), system.name, fmt::join(names, "' or '")));
+  }
+  Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
+  ParseDevice(arguments.device);
+  CheckOutputFolder(what.out, systems::PredictionOutput(), {what.run});  // Before files are read.
+  auto inputs = systems::ReadPredictionInputs(system, systems::ExpandInputFolders(system, what.files), task);
+  systems::CheckPredictionFolder(system, what.out, what.run, inputs);
+  return {std::move(what), system, std::move(options), std::move(inputs)};
+}
+
+systems::PredictionSummary Run(const PredictArguments& arguments, ReadyPrediction ready, const Task& task) {
+  const auto& [run, files, out] = ready.what;
+  systems::PredictionSummary summary{0, ready.inputs.failures};
+  if (!ready.inputs.inputs.empty()) {  // Otherwise the network is not needed.
+    const auto predictor = ready.system.open(run, ParseDevice(arguments.device), ready.options);
+    const systems::PredictionInputs inputs = systems::SeparateInputs(*predictor, std::move(ready.inputs));
+    summary = systems::PredictFiles(ready.system, *predictor, run, inputs, out, ready.options, task);
+  }
+  if (summary.num_results > 0)
+    fmt::print("predictions: {} ({} of {})\n", out.string(), summary.num_results,
+               summary.num_results + summary.failures.size());
+  return summary;
 }
 
 void Predict(const PredictArguments& arguments) {
-  std::vector<std::filesystem::path> files;
+  std::vector<fs::path> files;
   std::vector<std::string> overrides;
   const bool names_run = arguments.weights.empty() && !IsOption(arguments.run) && !IsInput(arguments.run);
   std::vector<std::string> words = arguments.inputs;
@@ -65,71 +131,63 @@ void Predict(const PredictArguments& arguments) {
   if (arguments.keep_frame) overrides.push_back("framing=keep");
   if (arguments.all) overrides.push_back("faces=all");
   if (arguments.no_refine) overrides.push_back("refine=false");
-  if (arguments.deform) overrides.push_back("deform=true");
-  const std::filesystem::path run = names_run ? std::filesystem::path(arguments.run) : FolderFor(arguments, files);
-  const systems::System& system = SystemOfRunOrWeights(run);
-  if (system.open == nullptr) {
-    std::vector<std::string_view> names;
-    for (const systems::System& other : Systems())
-      if (other.open != nullptr) names.push_back(other.name);
-    throw Error(fmt::format("{}: this is a run of the task '{}', which predicts nothing (expected a run of '{}')",
-                            run.string(), system.name, fmt::join(names, "' or '")));
-  }
-  const Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
-  const Device device = ParseDevice(arguments.device);
-  CheckOutputFolder(arguments.out, systems::PredictionOutput(), {run});  // Before files are read.
+  if (arguments.no_fit) overrides.push_back("fit=false");
+  std::vector<Prediction> predictions =
+      names_run ? std::vector<Prediction>{{arguments.run, files, arguments.out}} : ByShippedWeights(arguments, files);
   const Task task = TaskOfProcess();
-  auto inputs = systems::ReadPredictionInputs(system, systems::ExpandInputFolders(system, files), task);
-  systems::CheckPredictionFolder(system, arguments.out, run, inputs);
-  systems::PredictionSummary summary{0, inputs.failures};
-  if (!inputs.inputs.empty()) {  // Otherwise the network is not needed.
-    const auto predictor = system.open(run, device, options);
-    inputs = systems::SeparateInputs(*predictor, std::move(inputs));
-    summary = systems::PredictFiles(system, *predictor, run, inputs, arguments.out, options, task);
+  std::vector<ReadyPrediction> ready;  // All are checked before the first is written.
+  for (Prediction& prediction : predictions)
+    ready.push_back(Prepared(arguments, overrides, std::move(prediction), task));
+  systems::PredictionSummary summary;
+  for (ReadyPrediction& prediction : ready) {
+    systems::PredictionSummary one = Run(arguments, std::move(prediction), task);
+    summary.num_results += one.num_results;
+    for (systems::PredictionFailure& failure : one.failures) summary.failures.push_back(std::move(failure));
   }
-  if (summary.num_results > 0)
-    fmt::print("predictions: {} ({} of {})\n", arguments.out.string(), summary.num_results,
-               summary.num_results + summary.failures.size());
   systems::ThrowIfFailed(summary, arguments.out);
 }
 
 }  // namespace
 
 Verb PredictVerb() {
-  return {"predict", "Drawings to meshes, portraits to meshes or to landmarks and masks, with pictures",
-          [](CLI::App& command) {
-            auto arguments = std::make_shared<PredictArguments>();
-            command
-                .add_option("run", arguments->run,
-                            "Run folder, or weights. Without it the shipped weights that read the inputs are used")
-                ->required();
-            command.add_option(
-                "inputs", arguments->inputs,
-                "Of a sketch run: frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures "
-                "of lines (PNG, "
-                "JPEG, WebP, BMP, TIFF). Of a landmarks or portrait run: pictures of faces. A folder of them; and "
-                "key=value");
-            command.add_option("--weights", arguments->weights,
-                               "Shipped weights: their name (landmarks, portrait), or their folder. Without it the "
-                               "choice follows from the inputs. Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
-                               "program's folder and of those above it");
-            command.add_flag(
-                "--keep-frame", arguments->keep_frame,
-                "Use the sheet as the canvas of the training sketches; without it, scale and shift are searched");
-            command.add_flag("--all", arguments->all,
-                             "Predict every face on a sheet, as NAME_1, NAME_2, ...; without it, the largest face is "
-                             "predicted, and a warning counts the faces");
-            command.add_flag(
-                "--no-refine", arguments->no_refine,
-                "Write the face of the network as it is; without it, its contours are matched with the strokes");
-            command.add_flag(
-                "--deform", arguments->deform,
-                "Also move the surface of the face onto the strokes, beyond what the model of faces can show");
-            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            command.add_option("-o,--out", arguments->out, "Folder to write")->required();
-            return [arguments] { Predict(*arguments); };
-          },
-          /*keeps_freed_memory=*/false};
+  return {
+      "predict", "Drawings to meshes, portraits to meshes or to landmarks and masks, with pictures",
+      [](CLI::App& command) {
+        auto arguments = std::make_shared<PredictArguments>();
+        command
+            .add_option("run", arguments->run,
+                        "Run folder, or weights. Without it the shipped weights that read the inputs are used")
+            ->required();
+        command.add_option(
+            "inputs", arguments->inputs,
+            "Of a sketch run: frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures "
+            "of lines (PNG, "
+            "JPEG, WebP, BMP, TIFF). Of a landmarks or portrait run: pictures of faces. A folder of them; and "
+            "key=value");
+        command.add_option("--weights", arguments->weights,
+                           "Shipped weights: their name (landmarks, portrait), or their folder. Without it the "
+                           "choice follows from the inputs: line drawings and portraits are distinguished by content. "
+                           "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
+                           "program's folder and of those above it");
+        command.add_flag("--keep-frame", arguments->keep_frame,
+                         "Use the sheet as the canvas of the training sketches; without it, the drawing is parsed to "
+                         "find its frame");
+        command.add_flag("--all", arguments->all,
+                         "Predict every face on a sheet, as NAME_1, NAME_2, ...; without it, the largest face is "
+                         "predicted, and a warning counts the faces");
+        command.add_flag(
+            "--no-refine", arguments->no_refine,
+            "With --keep-frame: write the face of the network as it is; without it, its contours are matched with the "
+            "strokes");
+        command.add_flag(
+            "--no-fit", arguments->no_fit,
+            "Write the face of the network in the frame of the parsed drawing; without it, the face is fitted to "
+            "the drawing");
+        command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+        command.add_option("-o,--out", arguments->out, "Folder to write")->required();
+        return [arguments] { Predict(*arguments); };
+      },
+      /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

@@ -16,7 +16,8 @@ namespace daumier::cli {
 
 const std::vector<systems::System>& Systems() {
   static const std::vector<systems::System> table = [] {
-    std::vector<systems::System> rows = {sketch::SketchSystem(), deform::DeformSystem()};
+    std::vector<systems::System> rows = sketch::SketchSystems();
+    rows.push_back(deform::DeformSystem());
     for (systems::System& system : portrait::PortraitSystems()) rows.push_back(std::move(system));
     return rows;
   }();

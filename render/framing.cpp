@@ -125,6 +125,16 @@ Vector2d ToSheet(const Placement& placement, const Vector2d& p_in_canvas) {
   return PlacementRotation(placement).transpose() * (p_in_canvas - placement.shift) / placement.scale;
 }
 
+Placement Inverse(const Placement& placement) {
+  Placement inverse{.scale = 1 / placement.scale, .turn_degrees = -placement.turn_degrees};
+  inverse.shift = -ToCanvas(inverse, placement.shift);
+  return inverse;
+}
+
+Placement Composed(const Placement& outer, const Placement& inner) {
+  return {outer.scale * inner.scale, ToCanvas(outer, inner.shift), outer.turn_degrees + inner.turn_degrees};
+}
+
 std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement) {
   const Eigen::Matrix2d rotation = PlacementRotation(placement);
   std::vector<Stroke> placed = strokes;

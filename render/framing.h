@@ -26,6 +26,10 @@ struct Placement {
 Eigen::Vector2d ToCanvas(const Placement& placement, const Eigen::Vector2d& p_in_sheet);
 /// Undoes ToCanvas.
 Eigen::Vector2d ToSheet(const Placement& placement, const Eigen::Vector2d& p_in_canvas);
+/// The placement whose ToCanvas is ToSheet of this one.
+Placement Inverse(const Placement& placement);
+/// First `inner`, then `outer`.
+Placement Composed(const Placement& outer, const Placement& inner);
 /// ToCanvas of every point.
 std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placement& placement);
 

@@ -97,7 +97,8 @@ Json BaseConfig(const systems::AblationRequest& request) {
 }
 
 std::vector<systems::SystemTraining> AllTrainings() {
-  std::vector<systems::SystemTraining> rows = {sketch::SketchTraining(), deform::DeformTraining()};
+  std::vector<systems::SystemTraining> rows = sketch::SketchTrainings();
+  rows.push_back(deform::DeformTraining());
   for (const systems::SystemTraining& row : portrait::PortraitTrainings()) rows.push_back(row);
   return rows;
 }

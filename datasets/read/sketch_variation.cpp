@@ -17,6 +17,13 @@ AugmentedSketch VariedSketch(const SketchDatabase& sketches, int face, const Ske
       return IsWrinkleKind(sketches.kinds()[static_cast<size_t>(stroke.kind)]);
     });
   }
+  if (variation.styled.share > 0) {
+    Rng of_style = Stream(seed, "styled sketch", index);
+    if (of_style.Uniform() < variation.styled.share) {
+      sketch.strokes = DrawFaceLines(ShapeOf(sketches, face, view), variation.styled, of_style);
+      sketch.style = {};
+    }
+  }
   return sketch;
 }
 

@@ -1,6 +1,7 @@
 #include "datasets/read/training_fit.h"
 
 #include "core/error.h"
+#include "core/evenly_spaced.h"
 #include "core/random.h"
 
 #include <algorithm>
@@ -100,6 +101,16 @@ faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const S
   }
   basis.deviation = (squares / float(chosen.size())).cwiseSqrt();
   return basis;
+}
+
+faces::FaceGaussian FitGaussianOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                          const faces::FaceGaussianOptions& options, const Task& task) {
+  constexpr int kMostFaces = 1200;
+  const std::vector<int> chosen = EvenlySpaced(split.train, kMostFaces);
+  return faces::FitFaceGaussian(
+      int(chosen.size()), 3 * database.num_vertices(),
+      [&](int i) { return std::span<const float>(database.vertices(chosen[size_t(i)])); },
+      database.face_template().annotation.mirror, options, task);
 }
 
 }  // namespace daumier::datasets

@@ -5,6 +5,7 @@
 #include "faces/bilinear_model.h"
 #include "faces/face_basis.h"
 #include "faces/face_database.h"
+#include "faces/face_gaussian.h"
 
 #include <span>
 #include <vector>
@@ -40,5 +41,9 @@ FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const Sk
 faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
                                     const faces::BilinearModel& bilinear, int size, uint64_t seed,
                                     const Task& task = {});
+
+/// The normal distribution of at most 1,200 training faces, evenly spaced. @throws Error as faces::FitFaceGaussian.
+faces::FaceGaussian FitGaussianOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                          const faces::FaceGaussianOptions& options, const Task& task = {});
 
 }  // namespace daumier::datasets

@@ -109,12 +109,11 @@ std::vector<int8_t> RasteriseLabels(const StyledDrawing& drawing, int side) {
   return labels;
 }
 
-render::Image ColouredDrawing(const StyledDrawing& drawing, int size) {
+render::Image ColouredStrokes(const std::vector<render::Stroke>& labelled, int size) {
   render::Image image(size, size, 3, 255);
-  const std::vector<render::Stroke> strokes = LabelledStrokes(drawing);
   for (int label = 0; label < faces::kNumLineLabels; ++label) {
     std::vector<render::Stroke> some;
-    std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(some),
+    std::copy_if(labelled.begin(), labelled.end(), std::back_inserter(some),
                  [&](const auto& stroke) { return stroke.kind == label; });
     if (some.empty()) continue;
     const render::Image mask = render::RasteriseStrokes(some, size, {.width = 1.8});
@@ -128,6 +127,11 @@ render::Image ColouredDrawing(const StyledDrawing& drawing, int size) {
       }
     }
   }
+  return image;
+}
+
+render::Image ColouredDrawing(const StyledDrawing& drawing, int size) {
+  render::Image image = ColouredStrokes(LabelledStrokes(drawing), size);
   const double scale = double(size) / render::kSketchCanvas;
   for (const auto& point : drawing.points) {
     if (!point.is_shown()) continue;

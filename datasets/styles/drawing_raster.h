@@ -24,6 +24,9 @@ inline constexpr int8_t kNoLineLabel = -1;
 /// its middle, of equally near ones of the first; kNoLineLabel elsewhere.
 std::vector<int8_t> RasteriseLabels(const StyledDrawing& drawing, int side);
 
+/// Strokes of the 256 canvas whose kind is a LineLabel, in the colours of these; size x size, RGB.
+render::Image ColouredStrokes(const std::vector<render::Stroke>& labelled, int size);
+
 /// The traced lines in the colours of their labels and the points that are shown, RGB, for pictures.
 render::Image ColouredDrawing(const StyledDrawing& drawing, int size);
 

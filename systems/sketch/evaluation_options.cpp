@@ -10,13 +10,14 @@ void CheckEvalOptions(const SketchEvalOptions& options) {
   if (options.faces.empty()) return;
   const auto refuse = [](bool given, const char* key) {
     if (given)
-      throw UsageError(fmt::format("faces excludes {} (all of these faces are measured, refined and deformed)", key));
+      throw UsageError(fmt::format("faces excludes {} (all of these faces are measured, refined and fitted)", key));
   };
   refuse(options.split != SketchEvalOptions().split, "split");
   refuse(!options.recover_with.empty(), "recover_with");
   refuse(options.refine, "refine");
   refuse(options.deform, "deform");
   refuse(options.fit, "fit");
+  refuse(options.styled, "styled");
 }
 
 }  // namespace daumier::sketch

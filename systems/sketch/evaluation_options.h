@@ -19,9 +19,11 @@ struct SketchEvalData {
 struct SketchEvalOptions {
   std::string split = "test";
   double strength = 0;
+  bool styled = false;
   std::string recover_with = {};
   std::string faces = {}, sketches = {};
   SketchEvalData data = {};
+  std::string parser = {};
   bool baselines = true, fit = false, refine = false, deform = false;
 
   template <class V>
@@ -29,6 +31,9 @@ struct SketchEvalOptions {
     visit("split", split, Choices{{"train", "validation", "test"}}, "Subset of the run's split that is measured.");
     visit("strength", strength, Range{0, 4},
           "Strength of the augmentation of the sketches: 0 none, 1 as in training, 2 strong.");
+    visit(
+        "styled", styled, Flag{},
+        "Draw the sketches in styles of people (docs/drawing_styles.md), as the run's option sketch.styled has them.");
     visit("recover_with", recover_with, Text{},
           "For a network that reads curve coefficients: folder of another run on the same data whose network reads "
           "none. The coefficients are then also recovered from the faces of that run. Empty: given coefficients only.");
@@ -45,8 +50,10 @@ struct SketchEvalOptions {
     visit("refine", refine, Flag{},
           "Also match the contours of the network's faces with the strokes. With other faces this is always done.");
     visit("deform", deform, Flag{},
-          "Match the contours as refine does, and then also move the surfaces of the faces onto the strokes. With "
-          "other faces this is always done.");
+          "Also fit the network's faces to the sketches as a parser of drawings reads them, without labels. With other "
+          "faces this is always done.");
+    visit("parser", parser, Text{},
+          "Run or weights of the task drawing_parser, for fits. Empty: those in the shipped weights.");
   }
 };
 

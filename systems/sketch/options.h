@@ -3,6 +3,7 @@
 #include "datasets/read/sketch_variation.h"
 #include "datasets/read/splits.h"
 #include "faces/bilinear_model.h"
+#include "faces/face_gaussian.h"
 #include "systems/sketch/network_options.h"
 
 #include <string>
@@ -48,6 +49,7 @@ struct SketchTrainingOptions {
   SketchDataOptions data;
   datasets::SplitOptions split;
   faces::BilinearOptions bilinear;
+  faces::FaceGaussianOptions gaussian;
   datasets::SketchVariation sketch;
   SketchNetworkOptions network;
   SketchStageOptions stages;
@@ -63,6 +65,8 @@ struct SketchTrainingOptions {
     visit("data", data, Table{}, "Training data.");
     visit("split", split, Table{}, "Train/validation/test split.");
     visit("bilinear", bilinear, Table{}, "The bilinear models of faces and curves, fitted on training faces.");
+    visit("gaussian", gaussian, Table{},
+          "The normal distribution of training faces, from which a fit to a drawing starts.");
     visit("sketch", sketch, Table{}, "Which sketch of a face is seen.");
     visit("network", network, Table{}, "The network.");
     visit("stages", stages, Table{}, "The three steps of training.");

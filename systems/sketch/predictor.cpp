@@ -2,11 +2,16 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "datasets/styles/face_lines.h"
 #include "geometry/coordinates.h"
 #include "render/faces_on_sheet.h"
-#include "render/line_drawing.h"
 #include "render/sparse_strokes.h"
 #include "systems/predict_each.h"
+#include "systems/shipped_weights.h"
+#include "systems/sketch/input_drawing.h"
+#include "systems/sketch/parser_overlay.h"
+#include "systems/sketch/parser_predictor.h"
+#include "systems/sketch/parser_run_folder.h"
 #include "systems/training_library.h"
 
 #include <algorithm>
@@ -18,8 +23,8 @@ namespace {
 
 using Strokes = std::vector<render::Stroke>;
 
-/// Of a frame search; a task is cancelled between them.
-constexpr size_t kSketchesAtOnce = 16;
+constexpr double kLeastProfile = 0.6;  // Probability of a profile that is refused.
+constexpr double kWildDrawing = 3;     // Residual scale from which a drawing hardly looks like a face.
 
 geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geometry::Points& vertices) {
   const auto& landmarks = face_template.annotation.landmarks;
@@ -35,22 +40,31 @@ geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geo
   return points;
 }
 
-render::Drawing DrawingOf(const systems::Input& input) {
-  if (const auto* drawing = std::get_if<render::Drawing>(&input)) return *drawing;
-  if (const auto* image = std::get_if<render::Image>(&input)) return render::TraceLineDrawing(*image).drawing;
-  throw Error(
-      "a mesh is no input of a sketch run (expected a drawing or an image of one). Draw it first: daumier draw");
+template <size_t N>
+size_t Likeliest(const std::array<double, N>& probabilities) {
+  return size_t(std::ranges::max_element(probabilities) - probabilities.begin());
 }
 
-std::string BadFit(double distance_px, bool is_framed) {
-  return fmt::format(
-      "the predicted face fits the drawing badly: its lines are {:.1f} pixels from the drawn ones, of a canvas of {} "
-      "(faces have {} or less). {}",
-      distance_px, render::kSketchCanvas, kBadFitPx,
-      is_framed
-          ? "Is it one frontal face, drawn by lines?"
-          : "Is it a face in the frame of the training sketches? Without framing=keep (--keep-frame) its frame is "
-            "found");
+Json StatesToJson(const ParsedDrawing& parsed) {
+  return {{"mouth", faces::kMouthStateNames[Likeliest(parsed.mouth)]},
+          {"eye_right", faces::kEyeStateNames[Likeliest(parsed.eyes[0])]},
+          {"eye_left", faces::kEyeStateNames[Likeliest(parsed.eyes[1])]},
+          {"view", faces::kDrawnViewNames[Likeliest(parsed.view)]}};
+}
+
+void RefuseProfile(const ParsedDrawing& parsed) {
+  const double profile = parsed.view[size_t(faces::DrawnView::kProfile)];
+  if (profile < kLeastProfile) return;
+  throw Error(
+      fmt::format("the drawing shows a face from the side (probability {:.2f}). Faces are predicted from the front, or "
+                  "turned by up to about 60 degrees: draw both eyes",
+                  profile));
+}
+
+std::vector<render::Stroke> LinesOfFace(const ParsedDrawing& parsed) {
+  std::vector<render::Stroke> lines = LabelRuns(parsed);
+  std::erase_if(lines, [](const render::Stroke& line) { return !datasets::ShowsFace(faces::LineLabel(line.kind)); });
+  return lines.empty() ? parsed.strokes : lines;
 }
 
 }  // namespace
@@ -61,46 +75,19 @@ render::Placement SheetPlacement(const render::Drawing& drawing) {
 }
 
 SketchPredictor::SketchPredictor(SketchRunFolder run, std::shared_ptr<const runtime::NetworkRunner> network,
-                                 const PredictOptions& options)
+                                 std::shared_ptr<const DrawingParser> parser, const PredictOptions& options)
     : run_(std::move(run)),
       options_(options),
       face_template_(std::make_shared<const faces::FaceTemplate>(run_.face_template)),
       network_(run_, std::move(network)),
       refiner_(run_.models.bilinear, network_.curves(), options.refinement) {
-  if (options.deform) {
-    deformer_.emplace(run_.face_template.triangles, run_.face_template.num_vertices(), network_.curves(),
-                      options.deformation);
-  }
+  if (options_.framing == "keep") return;
+  DAUMIER_CHECK(parser != nullptr, "a drawing is framed by a parser of drawings, and there is none");
+  fitter_.emplace(run_, std::move(parser), options.fitting);
 }
 
 fitting::PredictedFace SketchPredictor::Refined(const fitting::PredictedFace& face, const Strokes& strokes) const {
   return refiner_.Refine(face, strokes);
-}
-
-fitting::PredictedFace SketchPredictor::Deformed(fitting::PredictedFace face, const Strokes& strokes) const {
-  DAUMIER_CHECK(deformer_.has_value(), "the predictor was opened without deform=true");
-  face.vertices = deformer_->Deform(face.vertices, strokes);
-  return face;
-}
-
-fitting::PredictedFace SketchPredictor::MeanFace(const Strokes& strokes,
-                                                 std::span<const fitting::WeightedFrame> frames) const {
-  std::vector<Strokes> sketches;
-  for (const fitting::WeightedFrame& frame : frames) sketches.push_back(render::MapToCanvas(strokes, frame.placement));
-  const std::vector<fitting::PredictedFace> faces = FromStrokes(sketches);
-  if (faces.size() == 1) return faces.front();
-  const auto of = [](const std::vector<float>& vertices) {
-    return Eigen::Map<const Eigen::VectorXf>(vertices.data(), Eigen::Index(vertices.size()));
-  };
-  Eigen::VectorXf u = Eigen::VectorXf::Zero(faces[0].u.size()), v = Eigen::VectorXf::Zero(faces[0].v.size()),
-                  vertices = Eigen::VectorXf::Zero(of(faces[0].vertices).size());
-  for (size_t i = 0; i < faces.size(); ++i) {
-    const auto weight = static_cast<float>(frames[i].weight);
-    u += weight * faces[i].u;
-    v += weight * faces[i].v;
-    vertices += weight * of(faces[i].vertices);
-  }
-  return {std::move(u), std::move(v), {vertices.data(), vertices.data() + vertices.size()}};
 }
 
 std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) const {
@@ -121,67 +108,73 @@ std::vector<systems::FaceResult> SketchPredictor::Predict(std::span<const system
                               [&](const systems::Input& input) { return PredictOne(DrawingOf(input), task); });
 }
 
-systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, const Task& task) const {
-  const bool fit = options_.framing == "fit";
-  const std::vector<render::Drawing> on_sheet = fit ? render::FacesOnSheet(sheet) : std::vector<render::Drawing>{sheet};
-  const render::Drawing& drawing = render::LargestFace(on_sheet);
-  task.ThrowIfCancelled("stopped before the drawing was framed");
-  render::FramedDrawing framed =
-      fit ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
-  const Strokes drawn = std::exchange(framed.strokes, render::SparseStrokes(framed.strokes, framed.placement.scale));
-  task.ThrowIfCancelled("stopped before the drawing was framed");
-  fitting::FoundFrame found{.placement = framed.placement, .near = {{framed.placement, 1.0}}};
-  if (fit) {
-    const fitting::CurvesOfSketches curves_of = [&](const std::vector<Strokes>& sketches) {
-      std::vector<Strokes> curves;
-      for (size_t first = 0; first < sketches.size(); first += kSketchesAtOnce) {
-        task.ThrowIfCancelled("stopped while the frame of the drawing was searched");
-        const auto last = sketches.begin() + ptrdiff_t(std::min(first + kSketchesAtOnce, sketches.size()));
-        for (const fitting::PredictedFace& face : FromStrokes({sketches.begin() + ptrdiff_t(first), last}))
-          curves.push_back(CurvesOf(face));
-      }
-      return curves;
-    };
-    found = fitting::FindFrame(framed, curves_of, options_.search, task);
-  }
-  const render::Placement& placement = found.placement;
-  const Strokes before = render::MapToCanvas(framed.strokes, framed.placement),
-                strokes = render::MapToCanvas(framed.strokes, placement);
+SketchPredictor::Found SketchPredictor::OfCanvas(const Strokes& strokes, const render::Placement& placement) const {
+  const Strokes on_canvas = render::MapToCanvas(strokes, placement);
+  Found found{.face = FromStrokes({on_canvas}).front(), .placement = placement};
+  if (options_.refine) found.face = Refined(found.face, on_canvas);
+  return found;
+}
+
+SketchPredictor::Found SketchPredictor::OfParsed(const Strokes& strokes, const Task& task) const {
+  const ParsedDrawing parsed = fitter_->Parse(strokes);
+  RefuseProfile(parsed);
   task.ThrowIfCancelled("stopped before the face was predicted");
-  const fitting::PredictedFace of_box = FromStrokes({before}).front(), predicted = MeanFace(framed.strokes, found.near);
-  fitting::PredictedFace face = options_.refine ? Refined(predicted, strokes) : predicted;
+  Found found;
+  found.placement = fitter_->FrameOf(parsed);
+  found.face = FromStrokes({render::MapToCanvas(LinesOfFace(parsed), found.placement)}).front();
+  found.record["states"] = StatesToJson(parsed);
   task.ThrowIfCancelled("stopped before the face was complete");
-  const auto distance = [&](const Strokes& drawn, const fitting::PredictedFace& of) {
-    return fitting::DistanceBetween(drawn, CurvesOf(of)).two_way();
-  };
-  const double fit_px = distance(strokes, face);
-  if (options_.deform) face = Deformed(std::move(face), strokes);
+  if (options_.fit) FitTo(parsed, found);
+  return found;
+}
+
+void SketchPredictor::FitTo(const ParsedDrawing& parsed, Found& found) const {
+  const fitting::LabelledFit fit = fitter_->Fit(parsed, found.placement, found.face.vertices);
+  const bool is_front = Likeliest(parsed.view) == size_t(faces::DrawnView::kFront);
+  // A turned face is written upright; its turn is in the record.
+  found.face.vertices = is_front ? fit.vertices : fitting::Upright(fit);
+  found.placement = render::Composed(render::Inverse(ToPlacement(fit.frame)), found.placement);
+  found.record["fit"] = {{"points_rms_share", fit.rms},          {"residual_scale", fit.residual_scale},
+                         {"yaw_degrees", fit.yaw_degrees},       {"pitch_degrees", fit.pitch_degrees},
+                         {"flipped_triangles", fit.num_flipped}, {"crossed_lips", fit.num_crossed_lips},
+                         {"crossed_lids", fit.num_crossed_lids}};
+  if (fit.residual_scale > kWildDrawing)
+    found.warnings.push_back(
+        fmt::format("the drawing differs from any face: {:.1f} times as much as careful drawings (faces by most people "
+                    "less than {}). Is it one face, drawn by lines?",
+                    fit.residual_scale, kWildDrawing));
+}
+
+systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, const Task& task) const {
+  const bool is_framed = options_.framing == "fit";
+  const std::vector<render::Drawing> on_sheet =
+      is_framed ? render::FacesOnSheet(sheet) : std::vector<render::Drawing>{sheet};
+  const render::Drawing& drawing = render::LargestFace(on_sheet);
+  task.ThrowIfCancelled("stopped before the drawing was read");
+  const render::FramedDrawing framed =
+      is_framed ? render::FrameDrawing(drawing) : render::FramedDrawing{drawing.strokes, {}, SheetPlacement(drawing)};
+  const Strokes strokes = render::SparseStrokes(framed.strokes, framed.placement.scale);
+  task.ThrowIfCancelled("stopped before the drawing was read");
+  Found found = is_framed ? OfParsed(strokes, task) : OfCanvas(strokes, framed.placement);
 
   systems::FaceResult result;
   result.face_template = face_template_;
-  result.vertices = geometry::PointsFrom(face.vertices);
-  result.identity = face.u;
-  result.expression = face.v;
+  result.vertices = geometry::PointsFrom(found.face.vertices);
+  result.identity = found.face.u;
+  result.expression = found.face.v;
   result.landmarks = LandmarksOf(*face_template_, result.vertices);
-  result.frame = placement;
-  result.drawn = render::MapToCanvas(drawn, placement);
-  result.curves = CurvesOf(face);
-  const fitting::FrameSearchOptions& search = options_.search;
+  result.frame = found.placement;
+  result.drawn = render::MapToCanvas(framed.strokes, found.placement);
+  result.curves = CurvesOf(found.face);
+  result.warnings = std::move(found.warnings);
   if (on_sheet.size() > 1)
     result.warnings.push_back(fmt::format(
         "the sheet holds {} faces, of which the largest is predicted (`daumier predict --all` predicts each)",
         on_sheet.size()));
   if (const size_t num_left_out = render::NumLeftOut(sheet, on_sheet); num_left_out > 0)
     result.warnings.push_back(fmt::format("{} strokes apart from the face are left out", num_left_out));
-  if (fit_px > kBadFitPx) result.warnings.push_back(BadFit(fit_px, fit));
-  result.record = {
-      {"frame", {{"scale", placement.scale}, {"shift", {placement.shift.x(), placement.shift.y()}}}},
-      {"two_way_distance_px",
-       {{"before", distance(before, of_box)},
-        {"framed", distance(strokes, predicted)},
-        {"after", options_.deform ? distance(strokes, face) : fit_px},
-        {"after_trimmed",
-         fitting::DistanceBetween(strokes, result.curves, search.drawn_trim, search.projected_trim).two_way()}}}};
+  result.record = std::move(found.record);
+  result.record["frame"] = render::PlacementToJson(found.placement);
   return result;
 }
 
@@ -189,8 +182,11 @@ std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::p
                                                         const Json& options) {
   SketchRunFolder folder = ReadSketchRunFolder(run);
   const auto parsed = ParseOptions<PredictOptions>(options, "options of predict");
+  std::shared_ptr<const DrawingParser> parser;
+  if (parsed.framing != "keep")
+    parser = std::make_shared<DrawingParser>(OpenDrawingParser(ParserFolder(parsed.parser), device, parsed.parsing));
   return std::make_unique<SketchPredictor>(std::move(folder), systems::LoadTrainingLibrary().open_network(run, device),
-                                           parsed);
+                                           std::move(parser), parsed);
 }
 
 }  // namespace daumier::sketch

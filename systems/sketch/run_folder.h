@@ -19,6 +19,7 @@ inline constexpr const char* kSystem = "sketch";
 ///   manifest.json (kind "run", details.split = SplitToJson, details.sketches = {camera, feature_curves}),
 ///   resolved.toml (table `network` = SketchNetworkOptions; the data paths), template.{safetensors,json},
 ///   bilinear.safetensors, curves.safetensors, basis.safetensors (of networks with a residual),
+///   gaussian.safetensors,
 ///   best/{model.safetensors,model.onnx}, checkpoints/latest/
 struct SketchRunFolder {
   std::filesystem::path directory;

@@ -1,24 +1,19 @@
 #include "systems/sketch/system.h"
 
 #include "core/training.h"
-#include "render/read_drawing.h"
 #include "systems/sketch/evaluation_options.h"
+#include "systems/sketch/input_drawing.h"
 #include "systems/sketch/metrics.h"
 #include "systems/sketch/options.h"
+#include "systems/sketch/parser_evaluation_options.h"
+#include "systems/sketch/parser_metrics.h"
+#include "systems/sketch/parser_options.h"
+#include "systems/sketch/parser_predictor.h"
+#include "systems/sketch/parser_run_folder.h"
 #include "systems/sketch/predictor.h"
 #include "systems/sketch/run_folder.h"
 
 namespace daumier::sketch {
-namespace {
-
-std::vector<systems::Input> ReadInputs(const std::filesystem::path& file) {
-  std::vector<systems::Input> inputs;
-  for (render::Drawing& drawing : render::ReadDrawings(file)) inputs.emplace_back(std::move(drawing));
-  return inputs;
-}
-
-}  // namespace
-
 systems::System SketchSystem() {
   return {
       .name = kSystem,
@@ -45,10 +40,46 @@ systems::System SketchSystem() {
             return ToJson(ParseOptions<PredictOptions>(options, where));
           },
       .open = OpenSketchPredictor,
-      .read_inputs = ReadInputs,
-      .input_extensions = {".svg", ".svgz", ".ndjson", ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff",
-                           ".gif", ".heic", ".xopp", ".inkml", ".excalidraw"},
+      .read_inputs = ReadDrawingInputs,
+      .input_extensions = DrawingExtensions(),
+      .picture_content = systems::LineDrawings(),
   };
+}
+
+systems::System ParserSystem() {
+  return {
+      .name = kParserSystem,
+      .room = "systems/sketch",
+      .training_help = [] { return HelpText<ParserTrainingOptions>(); },
+      .evaluation_help = [] { return HelpText<ParserEvalOptions>(); },
+      .resolve_config =
+          [](const Json& config, const std::string& where) {
+            return ToJson(ParseTraining<ParserTrainingOptions>(config, where));
+          },
+      .resolve_evaluation =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<ParserEvalOptions>(options, where));
+          },
+      .read_metrics =
+          [](const Json& metrics) {
+            return reports::TableFromMetrics(metrics, ParserColumns(), "a run of a drawing parser");
+          },
+      .summary_columns = ParserSummaryColumns,
+      .resolve_prediction =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<ParserPredictOptions>(options, where));
+          },
+      .open = OpenParserPredictor,
+      .read_inputs = ReadDrawingInputs,
+      .input_extensions = DrawingExtensions(),
+      .shipped_rank = -1,
+      .picture_content = systems::LineDrawings(),
+      .result_files = {".png", ".json"},
+  };
+}
+
+std::vector<systems::System> SketchSystems() {
+  return {SketchSystem(), ParserSystem()};
 }
 
 }  // namespace daumier::sketch

@@ -134,6 +134,13 @@ TEST(ToSheet, UndoesToCanvas) {
   EXPECT_NEAR(placed[0].points[0][1], ToCanvas(placement, point).y(), 1e-4);
 }
 
+TEST(Placement, AnInverseUndoesAndACompositionFollows) {
+  const Placement first{0.37, {31, -12}, 17}, second{2.5, {-4, 8}, -50};
+  const Eigen::Vector2d point(412.5, 77.25);
+  EXPECT_LT((ToCanvas(Inverse(first), ToCanvas(first, point)) - point).norm(), 1e-9);
+  EXPECT_LT((ToCanvas(Composed(second, first), point) - ToCanvas(second, ToCanvas(first, point))).norm(), 1e-9);
+}
+
 TEST(PlacementToJson, IsUndoneAndLeavesOutNoTurn) {
   const Placement turned{0.37, {31, -12}, 17};
   const Placement read = PlacementFromJson(PlacementToJson(turned));

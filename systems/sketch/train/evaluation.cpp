@@ -44,6 +44,7 @@ Json MetricsOf(const Measured& measured) {
           {"split", measured.options.split},
           {"shape_input", result.input},
           {"augmentation_strength", measured.options.strength},
+          {"styled", measured.options.styled},
           {"shape_error_px", measured.measurement.shape_error_px},
           {"mean_vertex_error_mm", result.error().mean},
           {"interval_mm", {result.error().interval->low, result.error().interval->high}},
@@ -95,7 +96,7 @@ Manifest ManifestOf(const Measured& measured) {
   const auto weights = [](const fs::path& run) { return Sha256OfFile(BestWeights(run)); };
   const SketchEvalOptions& options = measured.options;
   Manifest manifest{.kind = "report", .verb = "eval"};
-  manifest.config = {{"split", options.split}, {"strength", options.strength}};
+  manifest.config = {{"split", options.split}, {"strength", options.strength}, {"styled", options.styled}};
   manifest.seed = measured.run().manifest.seed;
   manifest.sources = measured.run().manifest.sources;
   manifest.counts = {{"faces", measured.table().faces.size()}, {"persons", measured.test.num_persons()}};
@@ -112,7 +113,7 @@ reports::Evaluation EvaluateSketchRun(const fs::path& run_directory, const Sketc
   if (!options.faces.empty()) return EvaluateOnExternalFaces(run_directory, options, databases, task);
   const Stopwatch stopwatch;
   const SketchRunData data = OpenSketchRunData(run_directory, databases, options.data);
-  const SketchTestSet test(data, options.split, options.strength, task);
+  const SketchTestSet test(data, options, task);
   Measured measured{test, options, MeasureSketchRun(test, options), 0};
   measured.seconds = stopwatch.seconds();
   return {.table = measured.table(),

@@ -21,6 +21,7 @@
 #include "reports/chosen_faces.h"
 #include "reports/face_pictures.h"
 #include "systems/sketch/metrics.h"
+#include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/predictor.h"
 #include "systems/sketch/train/export.h"
 #include "systems/sketch/train/reader.h"
@@ -63,7 +64,9 @@ class ExternalEvaluation {
         predictor_(
             ReadSketchRunFolder(run),
             std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
-            {.deform = true}),
+            nullptr, {.framing = "keep"}),
+        fitter_(predictor_.run(),
+                std::make_shared<const DrawingParser>(OpenDrawingParser(ParserFolder(options.parser), {}))),
         faces_(databases.Open<faces::FaceDatabase>(options.faces)),
         sketches_(databases.Open<datasets::SketchDatabase>(options.sketches)),
         seed_(predictor_.run().manifest.seed) {
@@ -97,8 +100,8 @@ class ExternalEvaluation {
     table_.result = table_.rows.size();
     AddRow("network", [&](int face) { return predicted_[size_t(face)]; });
     AddRow("network, refined", [&](int face) { return refined_[size_t(face)]; });
-    AddRow("network, deformed", [&](int face) { return Deformed(refined_[size_t(face)], face); });
-    AddRow("mean face, deformed", [&](int face) { return Deformed(mean_face, face); });
+    AddRow("network, fitted", [&](int face) { return Fitted(refined_[size_t(face)], face); });
+    AddRow("mean face, fitted", [&](int face) { return Fitted(mean_face, face); });
     if (!same_topology_) return;
     Eigen::VectorXf weights = Eigen::VectorXf::Zero(bilinear.num_coordinates());
     for (const int vertex : region()) weights.segment<3>(3 * vertex).setOnes();
@@ -135,17 +138,17 @@ class ExternalEvaluation {
   /// Faces of reports::ChooseFaces by the network's errors.
   render::Image Sheet() const {
     const std::vector<double>& errors = same_topology_ ? table_.rows[table_.result].face_errors : network_px_;
-    render::SheetStyle style{.column_titles = {"sketch, curves of the deformed face", "true face", "network",
-                                               "network, deformed", "network, deformed"}};
+    render::SheetStyle style{.column_titles = {"sketch, curves of the fitted face", "true face", "network",
+                                               "network, fitted", "network, fitted"}};
     std::vector<render::SheetCell> cells;
     const faces::FinishedHead true_head(faces_.face_template()), own_head(predictor_.run().face_template);
     for (const auto& [title, face] : reports::ChooseFaces(table_.faces, errors)) {
       style.row_titles.push_back(
           fmt::format("{}: {:.2f} {}", title, errors[size_t(face)], same_topology_ ? "mm" : "px"));
-      const PredictedFace deformed = Deformed(refined_[size_t(face)], face);
+      const PredictedFace fitted = Fitted(refined_[size_t(face)], face);
       const geometry::Points network = geometry::PointsFrom(predicted_[size_t(face)].vertices),
-                             moved = geometry::PointsFrom(deformed.vertices);
-      cells.push_back({render::DrawnWithCurves(SketchOf(face).strokes, predictor_.CurvesOf(deformed), reports::kCell)});
+                             moved = geometry::PointsFrom(fitted.vertices);
+      cells.push_back({render::DrawnWithCurves(SketchOf(face).strokes, predictor_.CurvesOf(fitted), reports::kCell)});
       cells.push_back({reports::FrontView(true_head, faces_.points(face), render::FrameOf(faces_.points(face)))});
       cells.push_back({reports::FrontView(own_head, network, render::FrameOf(network))});
       cells.push_back({reports::FrontView(own_head, moved, render::FrameOf(moved))});
@@ -196,8 +199,9 @@ class ExternalEvaluation {
     return features;
   }
 
-  PredictedFace Deformed(PredictedFace start, int face) const {
-    return predictor_.Deformed(std::move(start), SketchOf(face).strokes);
+  PredictedFace Fitted(PredictedFace start, int face) const {
+    start.vertices = fitter_.FittedTo(SketchOf(face).strokes, start.vertices);
+    return start;
   }
 
   void Predict() {
@@ -248,6 +252,7 @@ class ExternalEvaluation {
   const SketchEvalData own_data_;
   const Task task_;
   SketchPredictor predictor_;
+  DrawingFitter fitter_;
   const faces::FaceDatabase& faces_;
   const datasets::SketchDatabase& sketches_;
   const uint64_t seed_;
@@ -285,8 +290,8 @@ reports::Evaluation EvaluateOnExternalFaces(const fs::path& run_directory, const
                              {"sketches (data hash)", table.data_hash.at("sketches").get<std::string>()},
                              {"run (data hash)", run_hash}};
   evaluation.sheet = {external.Sheet(),
-                      "Each row: the sketch with the curves of the deformed face, the true face, the network's face, "
-                      "and the deformed one from the front and the side."};
+                      "Each row: the sketch with the curves of the fitted face, the true face, the network's face, "
+                      "and the fitted one from the front and the side."};
   Manifest& manifest = evaluation.manifest;
   manifest.kind = "report";
   manifest.verb = "eval";

@@ -69,12 +69,12 @@ eval::FaceRows RefinedRow::Refine(std::span<const int> faces, const SketchPredic
   });
 }
 
-DeformedRow::DeformedRow(const SketchRunData& data, const SketchReader& reader)
-    : reader_(reader), deformer_(data.run.face_template.triangles, data.faces.num_vertices(), CurvesOf(data)) {}
+FittedRow::FittedRow(const SketchRunData& data, const SketchReader& reader, std::shared_ptr<const DrawingParser> parser)
+    : reader_(reader), fitter_(data.run, std::move(parser)) {}
 
-eval::FaceRows DeformedRow::Deform(std::span<const int> faces, const eval::FaceRows& start) const {
+eval::FaceRows FittedRow::Fit(std::span<const int> faces, const eval::FaceRows& start) const {
   return eval::RowsOnAllCores(faces.size(), start.cols(), [&](int i) {
-    return deformer_.Deform(eval::RowSpan(start, size_t(i)), reader_.SketchOf(faces[size_t(i)]).strokes);
+    return fitter_.FittedTo(reader_.SketchOf(faces[size_t(i)]).strokes, eval::RowSpan(start, size_t(i)));
   });
 }
 

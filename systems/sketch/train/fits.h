@@ -2,9 +2,10 @@
 #include "eval/face_rows.h"
 #include "fitting/contour_refinement.h"
 #include "fitting/morphable_fit.h"
-#include "fitting/stroke_deformation.h"
+#include "systems/sketch/drawing_fitter.h"
 #include "systems/sketch/train/reader.h"
 
+#include <memory>
 #include <span>
 
 namespace daumier::sketch {
@@ -43,18 +44,18 @@ class RefinedRow {
   fitting::ContourRefiner refiner_;
 };
 
-/// Surfaces moved onto the same strokes (fitting/stroke_deformation.h).
-class DeformedRow {
+/// Faces fitted to the same strokes as a parser reads them (DrawingFitter).
+class FittedRow {
  public:
   /// All arguments have to outlive it.
-  DeformedRow(const SketchRunData& data, const SketchReader& reader);
+  FittedRow(const SketchRunData& data, const SketchReader& reader, std::shared_ptr<const DrawingParser> parser);
 
   /// start: num_faces x 3V, cm, as is what comes back.
-  eval::FaceRows Deform(std::span<const int> faces, const eval::FaceRows& start) const;
+  eval::FaceRows Fit(std::span<const int> faces, const eval::FaceRows& start) const;
 
  private:
   const SketchReader& reader_;
-  fitting::StrokeDeformer deformer_;
+  DrawingFitter fitter_;
 };
 
 }  // namespace daumier::sketch

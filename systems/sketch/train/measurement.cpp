@@ -4,11 +4,13 @@
 #include "core/log.h"
 #include "geometry/coordinates.h"
 #include "render/strokes.h"
+#include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/train/baseline_rows.h"
 #include "systems/sketch/train/fits.h"
 #include "systems/sketch/train/shape_codes.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace daumier::sketch {
 namespace {
@@ -92,21 +94,24 @@ NetworkRows AddNetworkRows(const SketchTestSet& test, const ShapeCodes& codes, S
   return {recovered, "recovered"};
 }
 
-/// Contours matched, and surfaces moved onto the strokes after that.
-void AddRefinedRows(const SketchTestSet& test, const NetworkRows& network, bool deform, SketchMeasurement& measured) {
-  log::Info("Matching contours{} of {} faces", deform ? " and moving surfaces onto the strokes" : "",
-            test.faces().size());
+/// Contours matched.
+void AddRefinedRow(const SketchTestSet& test, const NetworkRows& network, SketchMeasurement& measured) {
+  log::Info("Matching contours of {} faces", test.faces().size());
   const RefinedRow refiner(test.data(), test.reader());
-  std::optional<DeformedRow> deformer;
-  if (deform) deformer.emplace(test.data(), test.reader());
-  const std::vector<SketchErrors> errors =
-      test.Measure("contours", deform ? 2 : 1, [&](const FaceBlock& block) -> std::vector<eval::FaceRows> {
-        const eval::FaceRows refined = refiner.Refine(block.faces, Decode(network.result, block));
-        if (!deformer) return {refined};
-        return {refined, deformer->Deform(block.faces, refined)};
-      });
-  measured.table.rows.push_back(test.Row("network, refined", network.input, errors[0]));
-  if (deform) measured.table.rows.push_back(test.Row("network, deformed", network.input, errors[1]));
+  const SketchErrors errors = test.Measure(
+      "contours", [&](const FaceBlock& block) { return refiner.Refine(block.faces, Decode(network.result, block)); });
+  measured.table.rows.push_back(test.Row("network, refined", network.input, errors));
+}
+
+/// The network's faces fitted to the sketches as a parser reads them.
+void AddFittedRow(const SketchTestSet& test, const NetworkRows& network, const std::string& parser,
+                  SketchMeasurement& measured) {
+  log::Info("Fitting {} faces to parsed sketches", test.faces().size());
+  const FittedRow fitter(test.data(), test.reader(),
+                         std::make_shared<const DrawingParser>(OpenDrawingParser(ParserFolder(parser), {})));
+  const SketchErrors errors = test.Measure(
+      "fits", [&](const FaceBlock& block) { return fitter.Fit(block.faces, Decode(network.result, block).faces); });
+  measured.table.rows.push_back(test.Row("network, fitted", network.input, errors));
 }
 
 void AddMorphableRows(const SketchTestSet& test, SketchMeasurement& measured) {
@@ -154,7 +159,8 @@ SketchMeasurement MeasureSketchRun(const SketchTestSet& test, const SketchEvalOp
   const ShapeCodes codes(test, start, options.baselines);
 
   const NetworkRows network = AddNetworkRows(test, codes, measured);
-  if (options.refine || options.deform) AddRefinedRows(test, network, options.deform, measured);
+  if (options.refine) AddRefinedRow(test, network, measured);
+  if (options.deform) AddFittedRow(test, network, options.parser, measured);
   if (options.fit) AddMorphableRows(test, measured);
   if (options.baselines) {
     BaselineRows baselines = MeasureBaselines(test, codes, options.strength);

@@ -4,6 +4,10 @@
 #include "export/run_export.h"
 #include "systems/sketch/train/evaluation.h"
 #include "systems/sketch/train/export.h"
+#include "systems/sketch/train/parser_evaluation.h"
+#include "systems/sketch/train/parser_export.h"
+#include "systems/sketch/train/parser_run.h"
+#include "systems/sketch/train/parser_training.h"
 #include "systems/sketch/train/run.h"
 #include "systems/sketch/train/training.h"
 #include "tensor/torch_version.h"
@@ -25,6 +29,20 @@ double InferMs(const std::filesystem::path& run) {
   return MedianMs([&] { network->Decode(network->forward(sketch)); });
 }
 
+reports::Evaluation EvaluateParserJson(const std::filesystem::path& run, const Json& options, FolderCache& databases,
+                                       const Task& task) {
+  return EvaluateParser(run, ParseOptions<ParserEvalOptions>(options), databases, task);
+}
+
+double ParserInferMs(const std::filesystem::path& run) {
+  const at::NoGradGuard no_grad;
+  const ParserRun loaded = LoadParserRun(run);
+  const int side = loaded.network_options.resolution;
+  models::HeatMapUnet network = loaded.network;
+  const torch::Tensor picture = torch::zeros({1, 1, side, side});
+  return MedianMs([&] { network->forward(picture); });
+}
+
 }  // namespace
 
 systems::SystemTraining SketchTraining() {
@@ -34,6 +52,20 @@ systems::SystemTraining SketchTraining() {
           .describe_export = DescribeSketchExport,
           .infer_ms = InferMs,
           .validation_metric = "mean_vertex_error_mm"};
+}
+
+systems::SystemTraining ParserTraining() {
+  return {.name = kParserSystem,
+          .train = TrainParser,
+          .evaluate = EvaluateParserJson,
+          .describe_export = DescribeParserExport,
+          .infer_ms = ParserInferMs,
+          .validation_metric = "nme_percent",
+          .make_network = MakeParserFunction};
+}
+
+std::vector<systems::SystemTraining> SketchTrainings() {
+  return {SketchTraining(), ParserTraining()};
 }
 
 }  // namespace daumier::sketch

@@ -1,9 +1,16 @@
 #pragma once
 #include "systems/system.h"
 
+#include <vector>
+
 namespace daumier::sketch {
 
-/// The row of the training library.
+/// The row of the sketch regressor in the training library.
 systems::SystemTraining SketchTraining();
+/// The row of the parser of drawings.
+systems::SystemTraining ParserTraining();
+
+/// The rows of this room.
+std::vector<systems::SystemTraining> SketchTrainings();
 
 }  // namespace daumier::sketch

@@ -12,11 +12,12 @@
 namespace daumier::sketch {
 namespace {
 
-/// The sketches of a test: those of the training, augmented with `strength`, in the exact view.
-datasets::SketchVariation TestVariation(const SketchRunData& data, double strength) {
+/// The sketches of a test: those of the training in the exact view, augmented or styled as the options specify.
+datasets::SketchVariation TestVariation(const SketchRunData& data, const SketchEvalOptions& options) {
   datasets::SketchVariation variation = data.sketch;
   variation.all_views = false;
-  variation.augmentation.strength = strength;
+  variation.augmentation.strength = options.strength;
+  variation.styled.share = options.styled ? 1 : 0;
   return variation;
 }
 
@@ -29,15 +30,15 @@ double MeanAt(const std::vector<double>& values, const Indices& indices) {
 
 }  // namespace
 
-SketchTestSet::SketchTestSet(const SketchRunData& data, const std::string& side, double strength, const Task& task)
+SketchTestSet::SketchTestSet(const SketchRunData& data, const SketchEvalOptions& options, const Task& task)
     : data_(data),
-      faces_(data.side(side)),
+      faces_(data.side(options.split)),
       annotation_(data.faces.face_template().annotation),
       region_(faces::RegionFor(annotation_, "face", "measuring errors")),
       mm_per_cm_(faces::MillimetresPerCm(data.faces.face_template())),
-      reader_(data.sketches, TestVariation(data, strength), data.run.manifest.seed),
+      reader_(data.sketches, TestVariation(data, options), data.run.manifest.seed),
       task_(task) {
-  if (faces_.empty()) throw UsageError(fmt::format("the split has no {} face", side));
+  if (faces_.empty()) throw UsageError(fmt::format("the split has no {} face", options.split));
   for (const int face : faces_) {
     groups_.push_back(data.faces.group(face));
     const std::span<const float> truth = data.faces.vertices(face);

@@ -5,7 +5,6 @@
 #include "systems/sketch/train/reader.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace daumier::sketch {
@@ -26,7 +25,7 @@ struct SketchErrors {
 class SketchTestSet {
  public:
   /// `data` has to outlive it. @throws UsageError if the side is empty.
-  SketchTestSet(const SketchRunData& data, const std::string& side, double strength, const Task& task);
+  SketchTestSet(const SketchRunData& data, const SketchEvalOptions& options, const Task& task);
 
   const SketchRunData& data() const { return data_; }
   const SketchReader& reader() const { return reader_; }

@@ -23,15 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Which data these are; sketches have to be of these faces.
-Json DataHashes(const SketchTrainingOptions& options, const datasets::SketchDatabase& sketches) {
-  const std::string faces_hash = DataHash(options.data.faces);
-  DAUMIER_CHECK(sketches.manifest().details.value("faces_data_hash", "") == faces_hash,
-                "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
-                options.data.sketches, options.data.faces);
-  return {{"faces", faces_hash}, {"sketches", DataHash(options.data.sketches)}};
-}
-
 /// The models of a run: fitted and written with all else that begins a run folder, or read back from it.
 FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& options, Manifest manifest,
                       const faces::FaceDatabase& faces, const datasets::SketchDatabase& sketches,
@@ -39,7 +30,8 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
   log::Info("Fitting the bilinear models on {} training faces", split.train.size());
   const datasets::FittedBilinear bilinear = datasets::FitOnTraining(faces, split, options.bilinear, task),
                                  curves = datasets::FitCurvesOnTraining(faces, sketches, split, options.bilinear, task);
-  FittedModels models{bilinear.model, curves.model, {}};
+  FittedModels models{
+      bilinear.model, curves.model, {}, datasets::FitGaussianOnTraining(faces, split, options.gaussian, task)};
   if (options.network.residual > 0) {
     models.basis =
         datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed, task);
@@ -69,6 +61,14 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 }  // namespace
 
+Json DataHashes(const SketchDataOptions& data, const datasets::SketchDatabase& sketches) {
+  const std::string faces_hash = DataHash(data.faces);
+  DAUMIER_CHECK(sketches.manifest().details.value("faces_data_hash", "") == faces_hash,
+                "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
+                data.sketches, data.faces);
+  return {{"faces", faces_hash}, {"sketches", DataHash(data.sketches)}};
+}
+
 TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, FolderCache& databases,
                             const Task& task) {
   const fs::path& run_directory = place.directory;
@@ -82,7 +82,7 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
-  manifest.details["data"] = DataHashes(options, sketches);
+  manifest.details["data"] = DataHashes(options.data, sketches);
   manifest.details["sketches"] = SketchFrame(sketches);
   manifest.details["system"] = kSystem;
 

@@ -10,7 +10,7 @@ using BaselineRowsTest = SketchRunFixture;
 
 TEST_F(BaselineRowsTest, RowsOfTheFacesAreFlaggedAndThoseOfCurveCoefficientsAreNot) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  const SketchTestSet test(data, "train", 0, {});
+  const SketchTestSet test(data, {.split = "train"}, {});
   const BaselineRows baselines = MeasureBaselines(test, ShapeCodes(test, std::nullopt, true), 0);
   std::vector<std::string> flagged, others;
   for (const reports::MetricRow& row : baselines.rows) (row.baseline ? flagged : others).push_back(row.name);
@@ -25,7 +25,7 @@ TEST_F(BaselineRowsTest, RowsOfTheFacesAreFlaggedAndThoseOfCurveCoefficientsAreN
 
 TEST_F(BaselineRowsTest, OfAugmentedSketchesRegressionsReadOtherPoints) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  const SketchTestSet plain(data, "test", 0, {}), strong(data, "test", 1.5, {});
+  const SketchTestSet plain(data, {}, {}), strong(data, {.strength = 1.5}, {});
   const BaselineRows a = MeasureBaselines(plain, ShapeCodes(plain, std::nullopt, true), 0),
                      b = MeasureBaselines(strong, ShapeCodes(strong, std::nullopt, true), 1.5);
   EXPECT_EQ(a.rows[0].face_errors, b.rows[0].face_errors) << "the mean face reads no sketch";

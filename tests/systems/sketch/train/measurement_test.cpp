@@ -10,7 +10,7 @@ using SketchMeasurementTest = SketchRunFixture;
 
 TEST_F(SketchMeasurementTest, RefinedAndDeformedRowsAreThoseOfTheNetworksFaces) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  const SketchTestSet test(data, "test", 1, {});
+  const SketchTestSet test(data, {.strength = 1}, {});
   const SketchMeasurement measured = MeasureSketchRun(test, {.strength = 1, .baselines = false, .deform = true});
   ASSERT_EQ(measured.table.rows.size(), 3u);
   StoredCoefficients stored(data.run.network);
@@ -33,7 +33,7 @@ TEST_F(SketchMeasurementTest, RefinedAndDeformedRowsAreThoseOfTheNetworksFaces) 
 
 TEST_F(SketchMeasurementTest, KeptPredictionsAreThoseThatTheErrorsAreOf) {
   const SketchRunData data = OpenSketchRunData(*folder_ / "run");
-  const SketchTestSet test(data, "test", 1, {});
+  const SketchTestSet test(data, {.strength = 1}, {});
   const SketchMeasurement measured = MeasureSketchRun(test, {.strength = 1, .baselines = false});
   for (size_t i = 0; i < test.faces().size(); ++i)
     EXPECT_NEAR(measured.predictions.at(test.faces()[i]).mean_error_mm(), measured.table.rows[0].face_errors[i], 1e-3);

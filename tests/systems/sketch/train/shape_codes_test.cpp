@@ -8,7 +8,7 @@ namespace {
 
 class ShapeCodesTest : public SketchRunFixture {
  protected:
-  ShapeCodesTest() : data_(OpenSketchRunData(*folder_ / "run")), test_(data_, "test", 0, {}) {}
+  ShapeCodesTest() : data_(OpenSketchRunData(*folder_ / "run")), test_(data_, {}, {}) {}
 
   StoredCoefficients Start() const {
     StoredCoefficients stored(data_.run.network);

@@ -11,7 +11,7 @@ namespace {
 
 class SketchTestSetTest : public SketchRunFixture {
  protected:
-  SketchTestSetTest() : data_(OpenSketchRunData(*folder_ / "run")), test_(data_, "test", 0, {}) {}
+  SketchTestSetTest() : data_(OpenSketchRunData(*folder_ / "run")), test_(data_, {}, {}) {}
 
   /// The true faces, moved by `shift_cm` along x.
   eval::FaceRows Shifted(const FaceBlock& block, float shift_cm) const {
@@ -69,7 +69,7 @@ TEST_F(SketchTestSetTest, ReportsProgressAndStops) {
   std::stop_source stop;
   std::vector<int64_t> done;
   const Task task(stop.get_token(), [&](const TaskProgress& progress) { done.push_back(progress.done); });
-  const SketchTestSet test(data_, "test", 0, task);
+  const SketchTestSet test(data_, {}, task);
   const auto predict = [&](const FaceBlock& block) { return Shifted(block, 0); };
   test.Measure("exact", predict);
   EXPECT_EQ(done, (std::vector<int64_t>{0, int64_t(test.faces().size())}));

@@ -1,0 +1,68 @@
+#include "systems/sketch/drawing_fitter.h"
+
+#include "core/error.h"
+#include "geometry/coordinates.h"
+
+namespace daumier::sketch {
+namespace {
+
+const faces::FaceGaussian& GaussianOf(const SketchRunFolder& run) {
+  DAUMIER_CHECK(
+      run.models.gaussian.size() > 0,
+      "{}: the run has no gaussian.safetensors, from which faces are fitted to drawings; it was trained by an "
+      "earlier version. Train again, or predict sketches of the training's own frame by --keep-frame",
+      run.directory.string());
+  return run.models.gaussian;
+}
+
+}  // namespace
+
+render::Placement ToPlacement(const fitting::FaceFrame& frame) {
+  return {frame.scale, frame.shift, frame.turn_degrees};
+}
+
+fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet) {
+  fitting::LabelledDrawing labelled;
+  for (size_t i = 0; i < drawing.points.size(); ++i)
+    labelled.points[i] = {render::ToCanvas(canvas_from_sheet, drawing.points[i]), drawing.confidences[i]};
+  const std::vector<render::Stroke> strokes = render::MapToCanvas(drawing.strokes, canvas_from_sheet);
+  for (size_t s = 0; s < strokes.size(); ++s) labelled.strokes.push_back({strokes[s].points, drawing.labels[s]});
+  labelled.mouth = drawing.mouth;
+  labelled.eyes = drawing.eyes;
+  labelled.view = drawing.view;
+  return labelled;
+}
+
+DrawingFitter::DrawingFitter(const SketchRunFolder& run, std::shared_ptr<const DrawingParser> parser,
+                             const DrawingFitOptions& options)
+    : parser_(std::move(parser)),
+      options_(options),
+      fitter_(run.face_template, run.camera, GaussianOf(run), options.solver),
+      points_(faces::FindFacePoints(run.face_template)) {
+  const Eigen::VectorXf& mean = run.models.gaussian.mean;
+  mean_projected_ =
+      render::Project(run.camera, geometry::PointsFrom(std::span(mean.data(), size_t(mean.size())))).leftCols<2>();
+}
+
+render::Placement DrawingFitter::FrameOf(const ParsedDrawing& drawing) const {
+  const auto frame =
+      fitting::FindFaceFrame(points_, mean_projected_, ToLabelled(drawing, drawing.frame), options_.solver.frame);
+  DAUMIER_CHECK(frame.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
+  return render::Composed(render::Inverse(ToPlacement(*frame)), drawing.frame);
+}
+
+fitting::LabelledFit DrawingFitter::Fit(const ParsedDrawing& drawing, const render::Placement& frame,
+                                        std::span<const float> predicted) const {
+  const fitting::FacePrior prior{faces::CoefficientsOf(fitter_.gaussian(), predicted), options_.prior_share};
+  std::optional<fitting::LabelledFit> fit = fitter_.Fit(ToLabelled(drawing, frame), prior);
+  DAUMIER_CHECK(fit.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
+  return *std::move(fit);
+}
+
+std::vector<float> DrawingFitter::FittedTo(const std::vector<render::Stroke>& sketch,
+                                           std::span<const float> predicted) const {
+  const ParsedDrawing parsed = Parse(sketch);
+  return fitting::Upright(Fit(parsed, FrameOf(parsed), predicted));
+}
+
+}  // namespace daumier::sketch

@@ -1,0 +1,55 @@
+#pragma once
+#include "fitting/labelled_fit.h"
+#include "systems/sketch/drawing_parser.h"
+#include "systems/sketch/run_folder.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace daumier::sketch {
+
+struct DrawingFitOptions {
+  double prior_share = 0.6;
+  fitting::LabelledFitOptions solver = {};
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("prior_share", prior_share, Range{1e-3, 10},
+          "Deviation of a fitted face from the network's, as a share of that of faces.");
+    visit("solver", solver, Table{}, "The solver.");
+  }
+};
+
+/// A parsed drawing on a canvas, as a fit reads it.
+fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet);
+
+/// Faces of a run in the frame of drawings by people: where a parsed drawing lies on the canvas of the sketches' camera, and
+/// the face that fits it. May be used from several threads.
+class DrawingFitter {
+ public:
+  /// @throws Error if the run has no normal distribution of faces, or as fitting::LabelledFitter.
+  DrawingFitter(const SketchRunFolder& run, std::shared_ptr<const DrawingParser> parser,
+                const DrawingFitOptions& options = {});
+
+  ParsedDrawing Parse(const std::vector<render::Stroke>& strokes) const { return parser_->Parse(strokes); }
+  /// Sheet to canvas, by the points and the mean face (fitting::FindFaceFrame). @throws Error if no point is found.
+  render::Placement FrameOf(const ParsedDrawing& drawing) const;
+  /// The face on the canvas of the camera, from the vertices (3V, cm) that a network predicts. frame: FrameOf.
+  fitting::LabelledFit Fit(const ParsedDrawing& drawing, const render::Placement& frame,
+                           std::span<const float> predicted) const;
+  /// Parse, FrameOf, Fit: the vertices of the upright face of a sketch on the canvas.
+  std::vector<float> FittedTo(const std::vector<render::Stroke>& sketch, std::span<const float> predicted) const;
+
+ private:
+  std::shared_ptr<const DrawingParser> parser_;
+  DrawingFitOptions options_;
+  fitting::LabelledFitter fitter_;
+  faces::FacePointVertices points_;
+  Eigen::MatrixX2d mean_projected_;  ///< The mean face, V x 2, on the canvas.
+};
+
+render::Placement ToPlacement(const fitting::FaceFrame& frame);
+
+}  // namespace daumier::sketch
