@@ -13,7 +13,6 @@
 #include "faces/bilinear_projector.h"
 #include "faces/face_database.h"
 #include "fitting/contour_refinement.h"
-#include "fitting/stroke_deformation.h"
 #include "fitting/stroke_distance.h"
 #include "geometry/coordinates.h"
 #include "render/sheet.h"
