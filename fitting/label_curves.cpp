@@ -39,7 +39,11 @@ std::array<std::vector<int>, 2> HalvesOfLips(const FaceTemplate& face_template, 
                                             std::vector<int>(loop.begin() + left, loop.end())};
   halves[1].push_back(loop.front());
   std::reverse(halves[1].begin(), halves[1].end());
-  const auto mean_y = [&](const std::vector<int>& path) { return neutral(path, 1).mean(); };
+  const auto mean_y = [&](const std::vector<int>& path) {
+    double sum = 0;
+    for (const int vertex : path) sum += neutral(vertex, 1);
+    return sum / double(path.size());
+  };
   if (mean_y(halves[0]) < mean_y(halves[1])) std::swap(halves[0], halves[1]);
   return halves;
 }

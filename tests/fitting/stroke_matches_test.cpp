@@ -17,8 +17,8 @@ Eigen::MatrixX2d SquareAndLine() {
   points << 0, 0, 4, 0, 4, 4, 0, 4, 0, 10, 10, 10;
   return points;
 }
-const LabelCurve kSquare{LineLabel::kBrow, {0, 1, 2, 3, 0}, true};
-const LabelCurve kLine{LineLabel::kSilhouette, {4, 5}};
+const LabelCurve kSquareBrow{LineLabel::kBrow, {0, 1, 2, 3, 0}, true};
+const LabelCurve kBorderCurve{LineLabel::kSilhouette, {4, 5}};
 
 TEST(StrokeSamples, LieAStepApartOnStrokesThatShowTheFace) {
   LabelledDrawing drawing;
@@ -38,7 +38,7 @@ TEST(StrokeSamples, LieAStepApartOnStrokesThatShowTheFace) {
 TEST(StrokeMatches, AreTheNearestPlacesOfTheSameLabelAlongTheirNormals) {
   const std::vector<StrokeSample> samples = {{{3, 12}, {1, 0}, LineLabel::kSilhouette},
                                              {{3, 12}, {1, 0}, LineLabel::kUpperLip}};
-  const auto matches = MatchStrokes(samples, {kSquare, kLine}, SquareAndLine(), {.reach = 5});
+  const auto matches = MatchStrokes(samples, {kSquareBrow, kBorderCurve}, SquareAndLine(), {.reach = 5});
   ASSERT_EQ(matches.size(), 1u);
   EXPECT_EQ(matches[0].place.from, 4);
   EXPECT_DOUBLE_EQ(matches[0].place.share, 0.3);
@@ -48,7 +48,8 @@ TEST(StrokeMatches, AreTheNearestPlacesOfTheSameLabelAlongTheirNormals) {
 
 TEST(StrokeMatches, EndAtTheReachAtOtherDirectionsAndAtEndsOfCurves) {
   const auto matched = [](const Eigen::Vector2d& position, const Eigen::Vector2d& direction) {
-    return MatchStrokes({{position, direction, LineLabel::kSilhouette}}, {kLine}, SquareAndLine(), {.reach = 5}).size();
+    return MatchStrokes({{position, direction, LineLabel::kSilhouette}}, {kBorderCurve}, SquareAndLine(), {.reach = 5})
+        .size();
   };
   EXPECT_EQ(matched({3, 14.9}, {1, 0}), 1u);
   EXPECT_EQ(matched({3, 15.1}, {1, 0}), 0u);
@@ -58,7 +59,7 @@ TEST(StrokeMatches, EndAtTheReachAtOtherDirectionsAndAtEndsOfCurves) {
 
 TEST(StrokeMatches, LeaveLinesWithinABrow) {
   const auto matched = [](double y) {
-    return MatchStrokes({{{2, y}, {1, 0}, LineLabel::kBrow}}, {kSquare}, SquareAndLine(), {.reach = 5}).size();
+    return MatchStrokes({{{2, y}, {1, 0}, LineLabel::kBrow}}, {kSquareBrow}, SquareAndLine(), {.reach = 5}).size();
   };
   EXPECT_EQ(matched(2), 0u);
   EXPECT_EQ(matched(5), 1u);
