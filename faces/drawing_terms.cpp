@@ -25,21 +25,21 @@ const std::array<std::string_view, kNumEyeStates> kEyeStateNames = {"open", "clo
 const std::array<std::string_view, kNumDrawnViews> kDrawnViewNames = {"front", "three-quarter-left",
                                                                       "three-quarter-right", "profile"};
 
-render::Rgb ColourOf(LineLabel label) {
-  static constexpr std::array<render::Rgb, kNumLineLabels> kColours = {{{20, 20, 20},
-                                                                        {150, 90, 30},
-                                                                        {120, 60, 160},
-                                                                        {0, 90, 220},
-                                                                        {0, 180, 230},
-                                                                        {10, 30, 120},
-                                                                        {0, 150, 60},
-                                                                        {220, 20, 40},
-                                                                        {255, 110, 130},
-                                                                        {160, 0, 90},
-                                                                        {150, 170, 40},
-                                                                        {240, 150, 0},
-                                                                        {110, 130, 140},
-                                                                        {190, 190, 190}}};
+std::array<uint8_t, 3> ColourOf(LineLabel label) {
+  static constexpr std::array<std::array<uint8_t, 3>, kNumLineLabels> kColours = {{{20, 20, 20},
+                                                                                   {150, 90, 30},
+                                                                                   {120, 60, 160},
+                                                                                   {0, 90, 220},
+                                                                                   {0, 180, 230},
+                                                                                   {10, 30, 120},
+                                                                                   {0, 150, 60},
+                                                                                   {220, 20, 40},
+                                                                                   {255, 110, 130},
+                                                                                   {160, 0, 90},
+                                                                                   {150, 170, 40},
+                                                                                   {240, 150, 0},
+                                                                                   {110, 130, 140},
+                                                                                   {190, 190, 190}}};
   return kColours[static_cast<size_t>(label)];
 }
 

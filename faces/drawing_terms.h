@@ -1,7 +1,6 @@
 #pragma once
-#include "render/image.h"
-
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 /// The words of parsed drawings: what a line shows, the points of a face, states and views.
@@ -31,8 +30,8 @@ inline constexpr int kNumLineLabels = 14;
 
 /// "silhouette", "ear", ... in the order of LineLabel.
 extern const std::array<std::string_view, kNumLineLabels> kLineLabelNames;
-/// A colour of each for pictures; they differ from each other.
-render::Rgb ColourOf(LineLabel label);
+/// A colour of each for pictures, red, green, blue; they differ from each other.
+std::array<uint8_t, 3> ColourOf(LineLabel label);
 
 /// Points of a face as hand-labelled drawings have them: right is the face's own right side, on the left of a frontal
 /// picture. The first kNumLandmarkPoints are landmarks; the centres of the eyes are where an eye without corners is.

@@ -27,7 +27,7 @@ TEST(DrawingTerms, MirroringPointsIsAnInvolutionThatSwapsSides) {
 TEST(DrawingTerms, LabelsHaveNamesAndColoursOfTheirOwn) {
   std::set<std::string_view> names(kLineLabelNames.begin(), kLineLabelNames.end());
   EXPECT_EQ(names.size(), size_t(kNumLineLabels));
-  std::set<render::Rgb> colours;
+  std::set<std::array<uint8_t, 3>> colours;
   for (int i = 0; i < kNumLineLabels; ++i) colours.insert(ColourOf(LineLabel(i)));
   EXPECT_EQ(colours.size(), size_t(kNumLineLabels));
 }
