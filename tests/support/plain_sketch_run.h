@@ -10,6 +10,7 @@
 #include "render/camera_json.h"
 #include "runtime/network_runner.h"
 #include "systems/sketch/run_folder.h"
+#include "tests/support/plain_gaussian.h"
 #include "tests/support/synthetic_bilinear.h"
 #include "tests/support/synthetic_face.h"
 
@@ -30,13 +31,15 @@ inline render::Camera PlainSketchCamera() {
   return render::FrontalCamera({0, 0, 0}, 12, render::kSketchCanvas);
 }
 
-/// Faces like the synthetic one, 6 identity and 3 expression weights, and the curves of these faces on the canvas.
+/// Faces like the synthetic one, 6 identity and 3 expression weights, the curves of these faces on the canvas, and their
+/// normal distribution.
 inline sketch::FittedModels PlainSketchModels(const faces::FaceTemplate& face_template) {
   sketch::FittedModels models{SyntheticBilinear(face_template, 6, 3, 1), {}, {}};
   const auto curves = fitting::SeeCurves(face_template, {kPlainFeatureCurve}, PlainSketchCamera());
   const fitting::ProjectedModel projected = fitting::ProjectModel(curves, models.bilinear);
   models.curves = projected.model;
   models.curves.core.row(0) += projected.constant.transpose();
+  models.gaussian = PlainGaussian(face_template, models.bilinear);
   return models;
 }
 

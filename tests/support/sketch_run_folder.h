@@ -6,6 +6,7 @@
 #include "render/camera_json.h"
 #include "systems/sketch/train/run.h"
 #include "tensor/module_state.h"
+#include "tests/support/plain_gaussian.h"
 #include "tests/support/sketch_networks.h"
 #include "tests/support/synthetic_face.h"
 
@@ -20,7 +21,8 @@ inline sketch::SketchNetwork WriteSketchRun(const std::filesystem::path& directo
                                             const std::string& kind = "compact") {
   const auto face_template = SyntheticFace();
   const sketch::SketchNetworkOptions options = SmallSketchNetworks().at(kind);
-  const auto models = RandomModels(face_template.num_vertices(), options.residual);
+  sketch::FittedModels models = RandomModels(face_template.num_vertices(), options.residual);
+  models.gaussian = PlainGaussian(face_template);
   torch::manual_seed(7);
   sketch::SketchNetwork network(options, models);
   network->forward(RandomSketchInput(options, 16));

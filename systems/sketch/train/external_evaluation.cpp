@@ -23,6 +23,7 @@
 #include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/predictor.h"
 #include "systems/sketch/train/export.h"
+#include "systems/sketch/train/parser_export.h"
 #include "systems/sketch/train/reader.h"
 #include "systems/sketch/train/run_data.h"
 
@@ -64,8 +65,7 @@ class ExternalEvaluation {
             ReadSketchRunFolder(run),
             std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
             nullptr, {.framing = "keep"}),
-        fitter_(predictor_.run(),
-                std::make_shared<const DrawingParser>(OpenDrawingParser(ParserFolder(options.parser), {}))),
+        fitter_(predictor_.run(), std::make_shared<const DrawingParser>(OpenParserOfRun(ParserFolder(options.parser)))),
         faces_(databases.Open<faces::FaceDatabase>(options.faces)),
         sketches_(databases.Open<datasets::SketchDatabase>(options.sketches)),
         seed_(predictor_.run().manifest.seed) {

@@ -7,6 +7,7 @@
 #include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/train/baseline_rows.h"
 #include "systems/sketch/train/fits.h"
+#include "systems/sketch/train/parser_export.h"
 #include "systems/sketch/train/shape_codes.h"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ void AddFittedRow(const SketchTestSet& test, const NetworkRows& network, const s
                   SketchMeasurement& measured) {
   log::Info("Fitting {} faces to parsed sketches", test.faces().size());
   const FittedRow fitter(test.data(), test.reader(),
-                         std::make_shared<const DrawingParser>(OpenDrawingParser(ParserFolder(parser), {})));
+                         std::make_shared<const DrawingParser>(OpenParserOfRun(ParserFolder(parser))));
   const SketchErrors errors = test.Measure(
       "fits", [&](const FaceBlock& block) { return fitter.Fit(block.faces, Decode(network.result, block).faces); });
   measured.table.rows.push_back(test.Row("network, fitted", network.input, errors));

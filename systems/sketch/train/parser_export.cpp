@@ -1,13 +1,17 @@
 #include "systems/sketch/train/parser_export.h"
 
+#include "core/weights_folder.h"
 #include "datasets/styles/styled_dataset.h"
 #include "export/onnx_graph.h"
+#include "export/torch_runner.h"
+#include "export/weights.h"
 #include "render/strokes.h"
 #include "systems/sketch/stroke_network.h"
 #include "systems/sketch/train/parser_network.h"
 #include "systems/sketch/train/parser_run.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace daumier::sketch {
@@ -100,6 +104,16 @@ exporting::RunExport DescribeParserExport(const std::filesystem::path& run_direc
           .counts = {{"parameters", run.network->num_parameters()}},
           .write_rest = [](const std::filesystem::path&) { return std::map<std::string, std::string>(); },
           .for_weights = exporting::RunExport::ForWeights{.network = ToJson(run.network_options), .write_rest = {}}};
+}
+
+DrawingParser OpenParserOfRun(const std::filesystem::path& run_or_weights) {
+  const ParserNetworkOptions options = ReadParserNetworkOptions(run_or_weights);
+  exporting::NetworkFunction network =
+      IsWeightsFolder(run_or_weights)
+          ? exporting::ReadWeightsNetwork(run_or_weights, ReadManifest(run_or_weights, kWeightsKind).details,
+                                          MakeParserFunction)
+          : NetworkOf(DescribeParserExport(run_or_weights));
+  return {options, std::make_shared<exporting::TorchRunner>(std::move(network), torch::kCPU)};
 }
 
 }  // namespace daumier::sketch

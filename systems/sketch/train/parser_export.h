@@ -1,7 +1,7 @@
 #pragma once
 #include "export/run_export.h"
 #include "models/heat_map_unet.h"
-#include "systems/sketch/parser_network_options.h"
+#include "systems/sketch/drawing_parser.h"
 
 #include <filesystem>
 
@@ -17,5 +17,9 @@ exporting::NetworkFunction MakeParserFunction(const Json& network);
 
 /// The export of a finished run. @throws Error as LoadParserRun.
 exporting::RunExport DescribeParserExport(const std::filesystem::path& run_directory);
+
+/// The parser of a finished run or of shipped weights, run by LibTorch on the CPU: OpenDrawingParser without the training
+/// library, of which this room is a part. @throws Error as ReadParserNetworkOptions, LoadParserRun and ReadWeights.
+DrawingParser OpenParserOfRun(const std::filesystem::path& run_or_weights);
 
 }  // namespace daumier::sketch

@@ -31,6 +31,12 @@ class SketchVariationTest : public ::testing::Test {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& x, const auto& y) { return x.points == y.points; });
   }
+  static AugmentedSketch Styled(double share, int face, uint64_t seed, int64_t epoch, double strength = 0) {
+    SketchVariation variation;
+    variation.augmentation.strength = strength;
+    variation.styled.share = share;
+    return VariedSketch(*sketches_, face, variation, seed, epoch);
+  }
 
   static inline testing::TempDir* folder_ = nullptr;
   static inline SketchDatabase* sketches_ = nullptr;
@@ -75,6 +81,30 @@ TEST_F(SketchVariationTest, AugmentationIsAFunctionOfSeedFaceAndEpoch) {
   EXPECT_TRUE(Equal(at(1, 7, 2), at(1, 7, 2)));
   EXPECT_FALSE(Equal(at(1, 7, 2), at(1, 8, 2)));
   EXPECT_FALSE(Equal(at(1, 7, 2), at(1, 7, 3)));
+}
+
+TEST_F(SketchVariationTest, AStyledSketchHasOtherLinesWhichAreAFunctionOfSeedFaceAndEpoch) {
+  SketchVariation variation;
+  variation.styled.share = 1;
+  EXPECT_TRUE(variation.varies(*sketches_));
+  const AugmentedSketch sketch = Styled(1, 1, 7, 2);
+  EXPECT_FALSE(sketch.strokes.empty());
+  EXPECT_FALSE(Equal(sketch.strokes, sketches_->strokes(1)));
+  EXPECT_TRUE(Equal(sketch.moved, sketches_->strokes(1))) << "the strokes alone are styled";
+  EXPECT_TRUE(Equal(sketch.strokes, Styled(1, 1, 7, 2).strokes));
+  EXPECT_FALSE(Equal(sketch.strokes, Styled(1, 1, 8, 2).strokes));
+  EXPECT_FALSE(Equal(sketch.strokes, Styled(1, 1, 7, 3).strokes));
+}
+
+TEST_F(SketchVariationTest, TheShareOfSketchesIsStyledAndTheOthersAreAsWithoutStyles) {
+  int num_styled = 0;
+  for (int64_t epoch = 0; epoch < 60; ++epoch) {
+    const auto plain = Styled(0, 2, 5, epoch, 1).strokes, mixed = Styled(0.5, 2, 5, epoch, 1).strokes;
+    if (Equal(mixed, plain)) continue;
+    ++num_styled;
+    EXPECT_TRUE(Equal(mixed, Styled(1, 2, 5, epoch, 1).strokes)) << epoch;
+  }
+  EXPECT_NEAR(num_styled, 30, 12);
 }
 
 }  // namespace

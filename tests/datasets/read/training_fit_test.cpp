@@ -147,6 +147,26 @@ TEST_F(TrainingFitTest, BasisHoldsTrainingFacesBetterThanTheBilinearModelAndRead
   EXPECT_EQ(ruined.deviation, basis.deviation);
 }
 
+TEST_F(TrainingFitTest, TheGaussianIsThatOfTrainingFacesAndReadsNoOther) {
+  const Split split = MakeSplit(*database_, {}, 3);
+  const faces::FaceGaussianOptions options{.num_symmetric = 12, .num_asymmetric = 4};
+  const faces::FaceGaussian gaussian = FitGaussianOnTraining(*database_, split, options);
+  EXPECT_EQ(gaussian.num_coordinates(), 3 * database_->num_vertices());
+  EXPECT_LE(gaussian.size(), 16);
+  double distance = 0, of_mean = 0;
+  for (const int face : split.train) {
+    const auto vertices = database_->vertices(face);
+    const Eigen::Map<const Eigen::VectorXf> truth(vertices.data(), Eigen::Index(vertices.size()));
+    const Eigen::VectorXf rebuilt = faces::Reconstruct(gaussian, faces::CoefficientsOf(gaussian, vertices));
+    distance += (rebuilt - truth).squaredNorm();
+    of_mean += (gaussian.mean - truth).squaredNorm();
+  }
+  EXPECT_LT(distance, 0.1 * of_mean);
+  const faces::FaceGaussian ruined = FitGaussianOnTraining(WithOnly(split.train), split, options);
+  EXPECT_EQ(ruined.mean, gaussian.mean);
+  EXPECT_TRUE(ruined.rows == gaussian.rows);
+}
+
 TEST_F(CurveFitTest, ACancelledTaskEndsEachFit) {
   const SketchDatabase sketches(sketches_folder_ / "sketches");
   const Split split = MakeSplit(*database_, {}, 3);
@@ -155,6 +175,7 @@ TEST_F(CurveFitTest, ACancelledTaskEndsEachFit) {
   EXPECT_THROW(FitOnTraining(*database_, split, kRanks, cancelled), Cancelled);
   EXPECT_THROW(FitCurvesOnTraining(*database_, sketches, split, kRanks, cancelled), Cancelled);
   EXPECT_THROW(FitBasisOnTraining(*database_, split, fitted.model, 3, 1, cancelled), Cancelled);
+  EXPECT_THROW(FitGaussianOnTraining(*database_, split, {}, cancelled), Cancelled);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ TEST(SketchEvalOptions, OtherFacesExcludeSubsetsOfTheSplit) {
   expect("refine", [](SketchEvalOptions& options) { options.refine = true; });
   expect("deform", [](SketchEvalOptions& options) { options.deform = true; });
   expect("fit", [](SketchEvalOptions& options) { options.fit = true; });
+  expect("styled", [](SketchEvalOptions& options) { options.styled = true; });
 }
 
 }  // namespace

@@ -54,6 +54,22 @@ TEST(FittedModels, WithoutAResidualThereIsNoBasis) {
   EXPECT_EQ(again.basis.size(), 0);
 }
 
+TEST(FittedModels, ComeBackWithTheirGaussianWhichEarlierRunsHaveNot) {
+  const TempDir folder;
+  for (const char* run : {"earlier", "run"}) MakeDirectory(folder / run);
+  FittedModels models = ModelsOfTenVertices(0);
+  WriteFittedModels(folder / "earlier", models);
+  EXPECT_EQ(ReadFittedModels(folder / "earlier").gaussian.size(), 0);
+  models.gaussian.mean = Eigen::VectorXf::LinSpaced(30, -1, 1);
+  models.gaussian.rows = faces::BilinearModel::Core::Identity(3, 30);
+  models.gaussian.num_symmetric = 2;
+  EXPECT_EQ(WriteFittedModels(folder / "run", models).count("gaussian.safetensors"), 1u);
+  const FittedModels again = ReadFittedModels(folder / "run");
+  EXPECT_EQ(again.gaussian.mean, models.gaussian.mean);
+  EXPECT_EQ(again.gaussian.rows, models.gaussian.rows);
+  EXPECT_EQ(again.gaussian.num_symmetric, 2);
+}
+
 TEST(FittedModels, ChecksumsAreThoseOfTheFiles) {
   const TempDir folder;
   const auto checksums = WriteFittedModels(folder.path(), ModelsOfTenVertices(4));

@@ -1,13 +1,16 @@
 #include "systems/sketch/predictor.h"
 
+#include "fitting/stroke_distance.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/ideal_parser_network.h"
 #include "tests/support/plain_sketch_run.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <stop_token>
 #include <thread>
 
@@ -29,16 +32,19 @@ class SketchPredictorTest : public ::testing::Test {
       : run_(ReadSketchRunFolder(folder_->path())),
         fixed_(std::make_shared<testing::FixedNetwork>(run_.models.bilinear)) {}
 
-  SketchPredictor Open(const PredictOptions& options) const { return {run_, fixed_, options}; }
+  static std::shared_ptr<const DrawingParser> Parser(
+      std::shared_ptr<const runtime::NetworkRunner> network =
+          std::make_shared<testing::IdealParserNetwork>(ParserNetworkOptions()),
+      const DrawingParserOptions& options = {}) {
+    return std::make_shared<const DrawingParser>(ParserNetworkOptions(), std::move(network), options);
+  }
+  SketchPredictor Open(const PredictOptions& options) const {
+    return {run_, fixed_, options.framing == "keep" ? nullptr : Parser(), options};
+  }
   /// The drawing's frame is the canvas.
   static PredictOptions Keep() { return {.framing = "keep", .refine = false}; }
-  /// The whole chain, with few frames.
-  static PredictOptions WholeChain() {
-    PredictOptions options{.deform = true};
-    options.search.shares = {1.0, 0.8};
-    options.search.places_x = options.search.places_y = options.search.starts = options.search.rounds = 1;
-    return options;
-  }
+  /// The network's face alone, in the frame of the parsed drawing.
+  static PredictOptions NoFit() { return {.fit = false}; }
   static std::vector<systems::Input> OneInput() { return {render::Drawing{256, 256, Circles()}}; }
 
   inline static std::unique_ptr<testing::TempDir> folder_;
@@ -68,23 +74,23 @@ TEST_F(SketchPredictorTest, WithoutFramingAndRefinementTheFaceIsTheNetworks) {
   EXPECT_EQ(result.drawn.front().points, Circles().front().points);
   ASSERT_TRUE(result.frame.has_value());
   EXPECT_EQ(result.frame->scale, 1);
-  const Json& distance = result.record["two_way_distance_px"];
-  EXPECT_EQ(distance["before"], distance["after"]);
-  EXPECT_EQ(distance["before"], distance["framed"]);
+  EXPECT_EQ(result.record["frame"]["scale"], 1.0);
+  EXPECT_FALSE(result.record.contains("states"));
+  EXPECT_FALSE(result.record.contains("fit"));
 }
 
 TEST_F(SketchPredictorTest, OfSeveralInputsTheOneThatFailsIsNamedByItsPosition) {
   std::vector<systems::Input> inputs = OneInput();
   inputs.emplace_back(geometry::PolygonMesh{});
-  const SketchPredictor predictor(run_, fixed_, Keep());
-  ExpectError([&] { predictor.Predict(inputs); }, "input 2 of 2: a mesh is no input of a sketch run");
-  ExpectError([&] { predictor.Predict(std::span(inputs).subspan(1)); }, "a mesh is no input of a sketch run");
+  const SketchPredictor predictor = Open(Keep());
+  ExpectError([&] { predictor.Predict(inputs); }, "input 2 of 2: a mesh is no input of this run");
+  ExpectError([&] { predictor.Predict(std::span(inputs).subspan(1)); }, "a mesh is no input of this run");
 }
 
 TEST_F(SketchPredictorTest, EveryInputHasAFaceWithTemplateCurvesAndLandmarks) {
   std::vector<systems::Input> inputs = OneInput();
   inputs.emplace_back(render::RasteriseStrokes(Circles(), 256));
-  const auto results = Open(WholeChain()).Predict(inputs);
+  const auto results = Open({}).Predict(inputs);
   ASSERT_EQ(results.size(), 2u);
   for (const systems::FaceResult& result : results) {
     ASSERT_NE(result.face_template, nullptr);
@@ -98,46 +104,130 @@ TEST_F(SketchPredictorTest, EveryInputHasAFaceWithTemplateCurvesAndLandmarks) {
     const int chin = result.face_template->annotation.landmarks[8];
     EXPECT_EQ(result.landmarks.row(8), result.vertices.row(chin));
     EXPECT_EQ(result.record["frame"]["scale"], result.frame->scale);
-    for (const char* const distance : {"before", "framed", "after", "after_trimmed"})
-      EXPECT_GE(result.record["two_way_distance_px"][distance].get<double>(), 0) << distance;
+    EXPECT_EQ(result.record["frame"]["turn_degrees"], result.frame->turn_degrees);
+    EXPECT_EQ(result.record["states"],
+              (Json{{"mouth", "closed"}, {"eye_right", "open"}, {"eye_left", "open"}, {"view", "front"}}));
+    for (const char* const key : {"points_rms_share", "residual_scale", "yaw_degrees", "pitch_degrees",
+                                  "flipped_triangles", "crossed_lips", "crossed_lids"})
+      EXPECT_TRUE(result.record["fit"][key].is_number()) << key;
   }
 }
 
-TEST_F(SketchPredictorTest, WarnsOfABadFitWithTheFigure) {
-  for (const bool deform : {false, true}) {
-    PredictOptions options = Keep();
-    options.deform = deform;
-    const SketchPredictor predictor = Open(options);
-    const std::vector<render::Stroke> curves = predictor.CurvesOf(predictor.FromStrokes({Circles()}).front());
-    const std::vector<systems::Input> good{render::Drawing{256, 256, curves}};
-    EXPECT_EQ(predictor.Predict(good)[0].warnings, std::vector<std::string>{});
-    const auto bad = predictor.Predict(OneInput());
-    ASSERT_EQ(bad[0].warnings.size(), 1u) << deform;
-    EXPECT_NE(bad[0].warnings[0].find("the predicted face fits the drawing badly: its lines are "), std::string::npos);
-    EXPECT_NE(bad[0].warnings[0].find("--keep-frame"), std::string::npos);
-    EXPECT_GT(bad[0].record["two_way_distance_px"]["framed"].get<double>(), kBadFitPx);
+TEST_F(SketchPredictorTest, ADrawingThatDiffersFromAnyFaceIsWarnedOfWithTheFigure) {
+  const SketchPredictor predictor = Open({});
+  for (const float height : {120.0f, 12.0f}) {
+    const std::vector<systems::Input> inputs{
+        render::Drawing{400, 400, {{0, {{50, 200}, {150, 200}, {150, 200 + height}, {50, 200 + height}, {50, 200}}}}}};
+    const systems::FaceResult result = predictor.Predict(inputs).front();
+    const bool is_wild = result.record["fit"]["residual_scale"].get<double>() > 3;
+    EXPECT_EQ(is_wild, height < 100);
+    ASSERT_EQ(result.warnings.size(), is_wild ? 1u : 0u);
+    if (is_wild) EXPECT_NE(result.warnings[0].find("the drawing differs from any face: "), std::string::npos);
   }
 }
 
-TEST_F(SketchPredictorTest, OfABadFitInAFoundFrameTheFrameIsNotBlamed) {
-  PredictOptions options = WholeChain();
-  options.deform = false;
-  options.refine = false;
-  const auto bad = Open(options).Predict(OneInput());
-  ASSERT_GT(bad[0].record["two_way_distance_px"]["after"].get<double>(), kBadFitPx);
-  ASSERT_EQ(bad[0].warnings.size(), 1u);
-  EXPECT_NE(bad[0].warnings[0].find("Is it one frontal face"), std::string::npos);
-}
-
-TEST_F(SketchPredictorTest, TheMeanOfEqualFacesOverNearFramesIsThisFace) {
-  PredictOptions options = WholeChain();
-  options.refine = options.deform = false;
-  const auto results = Open(options).Predict(OneInput());
-  EXPECT_TRUE(results[0].identity.isApprox(fixed_->u(), 1e-5f));
-  EXPECT_TRUE(results[0].expression.isApprox(fixed_->v(), 1e-5f));
+TEST_F(SketchPredictorTest, WithoutAFitTheFaceIsTheNetworksInTheFrameOfThePoints) {
+  const systems::FaceResult result = Open(NoFit()).Predict(OneInput()).front();
+  EXPECT_EQ(result.identity, fixed_->u());
   const Eigen::VectorXf vertices = fixed_->vertices();
-  for (Eigen::Index i = 0; i < results[0].vertices.rows(); ++i)
-    EXPECT_LT((results[0].vertices.row(i) - vertices.segment<3>(3 * i).transpose().cast<double>()).norm(), 1e-4);
+  for (Eigen::Index i = 0; i < result.vertices.rows(); ++i)
+    EXPECT_EQ(result.vertices.row(i), vertices.segment<3>(3 * i).transpose().cast<double>());
+  EXPECT_FALSE(result.record.contains("fit"));
+  EXPECT_EQ(result.record["states"]["mouth"], "closed");
+  const DrawingFitter fitter(run_, Parser());
+  const render::Placement frame = fitter.FrameOf(fitter.Parse(Circles()));
+  EXPECT_NEAR(result.frame->scale, frame.scale, 1e-3);
+  EXPECT_NEAR(result.frame->turn_degrees, frame.turn_degrees, 0.1);
+}
+
+TEST_F(SketchPredictorTest, AFittedFaceIsNotTheNetworksAndKeepsItsCoefficients) {
+  const systems::FaceResult fitted = Open({}).Predict(OneInput()).front(),
+                            plain = Open(NoFit()).Predict(OneInput()).front();
+  EXPECT_GT((fitted.vertices - plain.vertices).rowwise().norm().maxCoeff(), 0.01);
+  EXPECT_EQ(fitted.identity, plain.identity);
+  EXPECT_EQ(fitted.expression, plain.expression);
+}
+
+/// IdealParserNetwork with other scores of states or labels.
+class OtherParserNetwork : public testing::IdealParserNetwork {
+ public:
+  using Change = std::function<void(NamedArrays& outputs)>;
+  explicit OtherParserNetwork(Change change) : IdealParserNetwork(ParserNetworkOptions()), change_(std::move(change)) {}
+
+  NamedArrays Run(const NamedArrays& inputs) const override {
+    NamedArrays outputs = IdealParserNetwork::Run(inputs);
+    change_(outputs);
+    return outputs;
+  }
+
+ private:
+  Change change_;
+};
+
+/// Views of the sheet and of its mirror image.
+OtherParserNetwork::Change SeesView(faces::DrawnView view, faces::DrawnView of_mirrored) {
+  return [=](NamedArrays& outputs) {
+    FloatArray& states = outputs.at("states");
+    for (int64_t row = 0; row < states.shape[0]; ++row) {
+      std::fill_n(states.row(row) + 7, faces::kNumDrawnViews, 0.0f);
+      states.row(row)[7 + int(row == 0 ? view : of_mirrored)] = 9;
+    }
+  };
+}
+
+TEST_F(SketchPredictorTest, AProfileIsRefusedInWords) {
+  const auto profile =
+      Parser(std::make_shared<OtherParserNetwork>(SeesView(faces::DrawnView::kProfile, faces::DrawnView::kProfile)));
+  ExpectError([&] { SketchPredictor(run_, fixed_, profile).Predict(OneInput()); },
+              "the drawing shows a face from the side (probability 1.00)");
+  EXPECT_TRUE(fixed_->inputs().empty());
+}
+
+TEST_F(SketchPredictorTest, ATurnedFaceIsWrittenUprightAndItsTurnRecorded) {
+  using enum faces::DrawnView;
+  const auto turned = Parser(std::make_shared<OtherParserNetwork>(SeesView(kThreeQuarterLeft, kThreeQuarterRight)));
+  const systems::FaceResult result = SketchPredictor(run_, fixed_, turned).Predict(OneInput()).front();
+  EXPECT_EQ(result.record["states"]["view"], "three-quarter-left");
+  EXPECT_NE(result.record["fit"]["yaw_degrees"], 0.0);
+  const DrawingFitter fitter(run_, turned);
+  const Eigen::VectorXf network = fixed_->vertices();
+  const std::vector<float> upright = fitter.FittedTo(Circles(), {network.data(), size_t(network.size())});
+  for (Eigen::Index i = 0; i < result.vertices.rows(); ++i)
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(result.vertices(i, axis), upright[size_t(3 * i + axis)], 0.05);
+}
+
+TEST_F(SketchPredictorTest, TheNetworkReadsTheLinesOfTheFaceOrAllIfThereAreNone) {
+  // Hair where the label map's column is at least `from`.
+  const auto hair_from = [](int64_t from) {
+    return [from](NamedArrays& outputs) {
+      FloatArray& labels = outputs.at("labels");
+      const int64_t side = labels.shape[3];
+      for (int64_t row = 0; row < labels.shape[0]; ++row)
+        for (int64_t cell = 0; cell < side * side; ++cell)
+          if (cell % side >= from) labels.row(row)[int64_t(faces::LineLabel::kHair) * side * side + cell] = 99;
+    };
+  };
+  const auto ink = [&](int64_t from) {
+    const auto network = std::make_shared<testing::FixedNetwork>(run_.models.bilinear);
+    SketchPredictor(run_, network, Parser(std::make_shared<OtherParserNetwork>(hair_from(from)), {.mirror = false}),
+                    NoFit())
+        .Predict(OneInput());
+    double sum = 0;
+    for (const float value : network->inputs().at(0).at("sketch").values) sum += value;
+    return sum;
+  };
+  const double all = ink(128), half = ink(64), none = ink(0);
+  EXPECT_NEAR(half, 0.5 * all, 0.1 * all);
+  EXPECT_NEAR(none, all, 1e-3 * all);
+}
+
+TEST_F(SketchPredictorTest, FramingNeedsAParserAndTheNormalDistributionOfFaces) {
+  ExpectError([&] { SketchPredictor(run_, fixed_, nullptr); }, "a drawing is framed by a parser of drawings");
+  SketchRunFolder earlier = run_;
+  earlier.models.gaussian = {};
+  ExpectError([&] { SketchPredictor(earlier, fixed_, Parser()); }, "the run has no gaussian.safetensors");
+  EXPECT_NO_THROW(SketchPredictor(earlier, fixed_, nullptr, Keep()));
 }
 
 TEST_F(SketchPredictorTest, NoInputsAreNoFaces) {
@@ -147,31 +237,12 @@ TEST_F(SketchPredictorTest, NoInputsAreNoFaces) {
 
 TEST_F(SketchPredictorTest, AMeshIsRefused) {
   const std::vector<systems::Input> inputs{geometry::PolygonMesh{}};
-  ExpectError([&] { Open(Keep()).Predict(inputs); }, "a mesh is no input of a sketch run");
-}
-
-TEST_F(SketchPredictorTest, DeformedNeedsThePredictorToBeOpenedForIt) {
-  const SketchPredictor predictor = Open(Keep());
-  const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
-  ExpectError([&] { predictor.Deformed(face, Circles()); }, "the predictor was opened without deform=true");
-}
-
-TEST_F(SketchPredictorTest, DeformedMovesTheCurvesOntoTheStrokesAndKeepsDepths) {
-  const SketchPredictor predictor = Open(WholeChain());
-  const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
-  std::vector<render::Stroke> strokes = predictor.CurvesOf(face);
-  for (auto& point : strokes[0].points) point[1] += 4;
-  const fitting::PredictedFace deformed = predictor.Deformed(face, strokes);
-  const auto distance = [&](const fitting::PredictedFace& of) {
-    return fitting::DistanceBetween(predictor.CurvesOf(of), strokes).two_way();
-  };
-  EXPECT_LT(distance(deformed), 0.5 * distance(face));
-  EXPECT_EQ(deformed.u, face.u);
-  for (size_t z = 2; z < face.vertices.size(); z += 3) EXPECT_NEAR(deformed.vertices[z], face.vertices[z], 1e-4);
+  ExpectError([&] { Open(Keep()).Predict(inputs); }, "a mesh is no input of this run");
 }
 
 TEST_F(SketchPredictorTest, RefinedMovesTheCurvesTowardsTheStrokes) {
   PredictOptions options = Keep();
+  options.refine = true;
   options.refinement.placement_rounds = 0;
   const SketchPredictor predictor = Open(options);
   const fitting::PredictedFace face = predictor.FromStrokes({Circles()}).front();
@@ -183,7 +254,7 @@ TEST_F(SketchPredictorTest, RefinedMovesTheCurvesTowardsTheStrokes) {
 }
 
 TEST_F(SketchPredictorTest, TwoThreadsPredictWhatOneDoes) {
-  const SketchPredictor predictor = Open(WholeChain());
+  const SketchPredictor predictor = Open({});
   const auto expected = predictor.Predict(OneInput());
   std::vector<std::vector<systems::FaceResult>> found(2);
   std::vector<std::jthread> threads;
@@ -223,8 +294,7 @@ std::vector<render::Stroke> SideBySide(int count) {
 }
 
 TEST_F(SketchPredictorTest, OfTwoFacesTheLargestIsPredictedWithAWarning) {
-  PredictOptions options = WholeChain();
-  options.deform = false;
+  const PredictOptions options = NoFit();
   const auto results = Open(options).Predict(std::vector<systems::Input>{render::Drawing{1200, 400, SideBySide(2)}});
   ASSERT_EQ(results.size(), 1u);
   const auto names_the_sheet = [](const systems::FaceResult& result) {
@@ -238,7 +308,7 @@ TEST_F(SketchPredictorTest, OfTwoFacesTheLargestIsPredictedWithAWarning) {
 }
 
 TEST_F(SketchPredictorTest, AllFacesOfASheetAreInputsOfTheirOwnIfWished) {
-  PredictOptions options = WholeChain();
+  PredictOptions options;
   const systems::Input sheet = render::Drawing{1800, 400, SideBySide(3)};
   EXPECT_EQ(Open(options).Separate(sheet).size(), 1u);
   options.faces = "all";
@@ -269,8 +339,7 @@ class StoppingNetwork : public testing::FixedNetwork {
 TEST_F(SketchPredictorTest, ACancelledTaskEndsInTheMiddleOfAPrediction) {
   for (const size_t count : {1, 2}) {
     const std::stop_source source;
-    const SketchPredictor predictor(run_, std::make_shared<StoppingNetwork>(run_.models.bilinear, source),
-                                    WholeChain());
+    const SketchPredictor predictor(run_, std::make_shared<StoppingNetwork>(run_.models.bilinear, source), Parser());
     std::vector<systems::Input> inputs = OneInput();
     inputs.resize(count, inputs[0]);
     EXPECT_THROW(predictor.Predict(inputs, Task(source.get_token())), Cancelled) << count;
@@ -281,10 +350,8 @@ TEST_F(SketchPredictorTest, ThousandsOfStrokesAreWrittenAsTheyAreAndPredictedFro
   std::vector<render::Stroke> strokes;
   for (int i = 0; i < 1000; ++i)
     for (const render::Stroke& stroke : Circles()) strokes.push_back(stroke);
-  PredictOptions options = WholeChain();
-  options.deform = false;
-  const auto few = Open(options).Predict(OneInput());
-  const auto many = Open(options).Predict(std::vector<systems::Input>{render::Drawing{256, 256, strokes}});
+  const auto few = Open(NoFit()).Predict(OneInput());
+  const auto many = Open(NoFit()).Predict(std::vector<systems::Input>{render::Drawing{256, 256, strokes}});
   EXPECT_EQ(many[0].drawn.size(), strokes.size());
   EXPECT_NEAR(many[0].frame->scale, few[0].frame->scale, 0.02);
 }

@@ -40,6 +40,8 @@ TEST_F(SketchRunFolderTest, IsReadBackWithTemplateModelsOptionsAndFrame) {
   EXPECT_EQ(read.models.bilinear.core, models.bilinear.core);
   EXPECT_EQ(read.models.curves.core, models.curves.core);
   EXPECT_EQ(read.models.basis.size(), 0);
+  EXPECT_EQ(read.models.gaussian.mean, models.gaussian.mean);
+  EXPECT_EQ(read.models.gaussian.rows, models.gaussian.rows);
   EXPECT_EQ(read.network_options.resolution, 32);
   EXPECT_EQ(read.network_options.num_points, 20);
   EXPECT_EQ(read.camera.width, 256);

@@ -1,6 +1,7 @@
 #include "systems/sketch/system.h"
 
 #include "render/svg.h"
+#include "systems/sketch/parser_run_folder.h"
 #include "systems/sketch/run_folder.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
@@ -72,11 +73,34 @@ TEST(SketchSystem, AWidthThatIsNoMultipleOfABlockIsAUsageError) {
   EXPECT_THROW(SketchSystem().resolve_config(config, "recipe.toml"), UsageError);
 }
 
-TEST(SketchSystem, APredictionFitsTheFrameAndRefinesByDefault) {
-  const Json resolved = SketchSystem().resolve_prediction({{"deform", true}}, "options");
+TEST(SketchSystem, APredictionFindsTheFrameAndFitsByDefault) {
+  const Json resolved = SketchSystem().resolve_prediction({{"parser", "runs/parser"}}, "options");
   EXPECT_EQ(resolved["framing"], "fit");
+  EXPECT_EQ(resolved["fit"], true);
   EXPECT_EQ(resolved["refine"], true);
-  EXPECT_EQ(resolved["deform"], true);
+  EXPECT_EQ(resolved["parser"], "runs/parser");
+  EXPECT_GT(resolved["fitting"]["prior_share"], 0.0);
+  ExpectError([] { SketchSystem().resolve_prediction({{"deform", true}}, "options"); }, "unknown key 'deform'");
+}
+
+TEST(ParserSystem, HasItsNameAndHelp) {
+  const systems::System system = ParserSystem();
+  EXPECT_EQ(system.name, kParserSystem);
+  EXPECT_EQ(system.room, "systems/sketch");
+  EXPECT_NE(system.training_help().find("drawings"), std::string::npos);
+  EXPECT_NE(system.evaluation_help().find("data.sketches"), std::string::npos);
+  EXPECT_LT(system.shipped_rank, SketchSystem().shipped_rank) << "a drawing is predicted rather than parsed";
+}
+
+TEST(ParserSystem, AResolvedConfigHasEveryOptionAndResolvesToItself) {
+  Json config = kConfig;
+  config["system"] = kParserSystem;
+  const Json resolved = ParserSystem().resolve_config(config, "recipe.toml");
+  EXPECT_EQ(resolved["network"]["resolution"], 256);
+  EXPECT_EQ(ParserSystem().resolve_config(resolved, "recipe.toml"), resolved);
+  EXPECT_EQ(ParserSystem().resolve_prediction({}, "options")["parser"]["rounds"], 2);
+  config["epoch"] = 3;
+  EXPECT_THROW(ParserSystem().resolve_config(config, "recipe.toml"), UsageError);
 }
 
 TEST(SketchSystem, ReadsTheDrawingOfAnSvg) {

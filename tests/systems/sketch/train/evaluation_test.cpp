@@ -11,6 +11,7 @@
 #include "tensor/eigen.h"
 #include "tensor/torch_version.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/parser_run_folder.h"
 #include "tests/systems/sketch/train/run_fixture.h"
 
 #include <cmath>
@@ -196,11 +197,12 @@ TEST_F(SketchEvalTest, ANetworkThatReadsShapeIsMeasuredWithGivenAndRecoveredNumb
 }
 
 TEST_F(SketchEvalTest, FitsAndRefinesIfRequested) {
-  const Json metrics = Metrics({.fit = true, .deform = true});
+  testing::WriteParserRun(*folder_ / "parser");
+  const Json metrics = Metrics({.parser = (*folder_ / "parser").string(), .fit = true, .refine = true, .deform = true});
   std::map<std::string, std::string> input;
   for (const Json& row : metrics.at("table")) input[row.at("name")] = row.at("shape_input");
   EXPECT_EQ(input.at("network, refined"), "none");
-  EXPECT_EQ(input.at("network, deformed"), "none");
+  EXPECT_EQ(input.at("network, fitted"), "none");
   EXPECT_EQ(input.at("morphable model fit"), "given");
   EXPECT_EQ(input.at("morphable model fit without prior"), "given");
   EXPECT_EQ(metrics.at("table").size(), 12u);
@@ -231,6 +233,17 @@ TEST_F(SketchEvalTest, AugmentedSketchesAreOthersAndTheSameEachTime) {
   EXPECT_EQ(strong.at("mean_face_baseline_mm"), plain.at("mean_face_baseline_mm"));
   strong.erase("seconds"), again.erase("seconds");
   EXPECT_EQ(strong, again);
+}
+
+TEST_F(SketchEvalTest, StyledSketchesAreOthersAndTheSameEachTime) {
+  const SketchEvalOptions styled{.styled = true, .baselines = false};
+  const reports::Evaluation evaluation = Evaluate("run", styled);
+  const Json plain = Metrics({.baselines = false}), again = Metrics(styled);
+  EXPECT_EQ(plain.at("styled"), false);
+  EXPECT_EQ(evaluation.metrics.at("styled"), true);
+  EXPECT_EQ(evaluation.manifest.config.at("styled"), true);
+  EXPECT_NE(evaluation.metrics.at("face_errors_mm"), plain.at("face_errors_mm"));
+  EXPECT_EQ(evaluation.metrics.at("face_errors_mm"), again.at("face_errors_mm"));
 }
 
 TEST_F(SketchEvalTest, FindsATrainingFaceByItsNearestNeighbour) {

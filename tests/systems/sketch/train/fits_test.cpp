@@ -2,7 +2,10 @@
 
 #include "eval/metrics.h"
 #include "faces/bilinear_projector.h"
+#include "tests/support/ideal_parser_network.h"
 #include "tests/systems/sketch/train/run_fixture.h"
+
+#include <algorithm>
 
 namespace daumier::sketch {
 namespace {
@@ -53,7 +56,7 @@ TEST_F(SketchFitsTest, TheChosenFitIsTheBestOfItsListOnValidationFaces) {
   }
 }
 
-TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelpsAndDeformingItMore) {
+TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelps) {
   const RefinedRow refined(data_, reader_);
   const auto faces = std::span(data_.split.train).first(4);
   // Wrong by a little: what the model makes of the true coefficients, pulled towards the mean.
@@ -71,7 +74,22 @@ TEST_F(SketchFitsTest, RefiningTheFaceOfOwnStrokesHelpsAndDeformingItMore) {
   }
   const eval::FaceRows rows = refined.Refine(faces, predictions);
   EXPECT_LT(MeanError(rows, faces), MeanError(predictions.faces, faces));
-  EXPECT_LT(MeanError(DeformedRow(data_, reader_).Deform(faces, rows), faces), MeanError(rows, faces));
+}
+
+TEST_F(SketchFitsTest, AFittedRowHasTheFaceOfEachParsedSketch) {
+  const auto parser = std::make_shared<const DrawingParser>(
+      ParserNetworkOptions(), std::make_shared<testing::IdealParserNetwork>(ParserNetworkOptions()));
+  const auto faces = std::span(data_.split.train).first(3);
+  eval::FaceRows start(3, 3 * Eigen::Index(data_.faces.num_vertices()));
+  start.rowwise() = data_.run.models.gaussian.mean.transpose();
+  const eval::FaceRows fitted = FittedRow(data_, reader_, parser).Fit(faces, start);
+  const DrawingFitter fitter(data_.run, parser);
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const std::vector<float> one = fitter.FittedTo(reader_.SketchOf(faces[i]).strokes, eval::RowSpan(start, i));
+    const std::span<const float> row = eval::RowSpan(fitted, i);
+    EXPECT_TRUE(std::ranges::equal(row, one)) << i;
+  }
+  EXPECT_FALSE(fitted.row(0).isApprox(start.row(0), 1e-4f));
 }
 
 }  // namespace

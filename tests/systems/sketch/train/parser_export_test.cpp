@@ -3,7 +3,11 @@
 #include "core/files.h"
 #include "export/onnx_export.h"
 #include "export/parity.h"
+#include "export/torch_runner.h"
 #include "systems/sketch/train/parser_network.h"
+#include "tests/fitting/drawn_circles.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/parser_run_folder.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +36,18 @@ TEST(ParserExport, AFunctionOfShippedWeightsHasTheSameInputsAndOutputs) {
   const exporting::NetworkFunction made = MakeParserFunction(ToJson(options));
   EXPECT_EQ(made.function.inputs.at(0).shape, (std::vector<int64_t>{1, 64, 64}));
   EXPECT_EQ(made.function.output_names, (std::vector<std::string>{"heat_maps", "labels", "states"}));
+}
+
+TEST(OpenParserOfRun, ParsesAsTheNetworkOfTheRun) {
+  const testing::TempDir folder;
+  testing::WriteParserRun(folder / "run");
+  const auto circles = fitting::Circles();
+  const ParsedDrawing parsed = OpenParserOfRun(folder / "run").Parse(circles);
+  const exporting::RunExport described = DescribeParserExport(folder / "run");
+  const DrawingParser expected(ReadParserNetworkOptions(folder / "run"),
+                               std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(described), torch::kCPU));
+  EXPECT_EQ(parsed.points, expected.Parse(circles).points);
+  testing::ExpectError([&] { OpenParserOfRun(folder / "nowhere"); }, "nowhere");
 }
 
 }  // namespace

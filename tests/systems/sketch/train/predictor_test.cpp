@@ -13,6 +13,7 @@
 #include "systems/sketch/train/run.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/ideal_parser_network.h"
 #include "tests/support/sketch_run_folder.h"
 #include "tests/support/temp_dir.h"
 #include "tests/support/warnings.h"
@@ -23,10 +24,14 @@ namespace {
 using render::Image;
 using testing::ExpectError;
 
-SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options = {}) {
+SketchPredictor Open(const std::filesystem::path& run, const PredictOptions& options) {
+  std::shared_ptr<const DrawingParser> parser;
+  if (options.framing != "keep")
+    parser = std::make_shared<const DrawingParser>(
+        ParserNetworkOptions(), std::make_shared<testing::IdealParserNetwork>(ParserNetworkOptions()));
   return {ReadSketchRunFolder(run),
           std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
-          options};
+          std::move(parser), options};
 }
 
 void PredictSketches(const std::filesystem::path& run, const std::vector<std::filesystem::path>& files,
@@ -45,8 +50,7 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
   for (const auto* name : {"face.png", "other/face.png"}) {
     render::WriteImage(folder / name, render::RasteriseStrokes(fitting::Circles(), 240));
   }
-  PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out",
-                  {.search = {.shares = {1.0}, .starts = 1, .rounds = 1}});
+  PredictSketches(folder / "run", {folder / "face.png", folder / "other/face.png"}, folder / "out");
   const Manifest manifest = ReadManifest(folder / "out", "predictions");
   EXPECT_NO_THROW(VerifyChecksums(folder / "out", manifest));
   EXPECT_EQ(manifest.checksums.size(), 8u);
@@ -54,9 +58,8 @@ TEST(TrainedSketchPredictor, WritesAMeshAndASheetForEveryPicture) {
   const Json record = manifest.details.at("drawings").at("face-2");
   EXPECT_GT(record.at("frame").at("scale").get<double>(), 0);
   EXPECT_EQ(record.at("frame").at("shift").size(), 2u);
-  const Json distance = record.at("two_way_distance_px");
-  EXPECT_LE(distance.at("after_trimmed").get<double>(), distance.at("after").get<double>());
-  for (const char* when : {"before", "framed"}) EXPECT_GT(distance.at(when).get<double>(), 0) << when;
+  EXPECT_EQ(record.at("states").at("view"), "front");
+  EXPECT_GT(record.at("fit").at("residual_scale").get<double>(), 0);
   const auto mesh = geometry::ReadObj(folder / "out/face.obj");
   EXPECT_GT(mesh.vertices.rows(), LoadSketchRun(folder / "run").face_template.num_vertices());
   EXPECT_GT(render::ReadImage(folder / "out/face.png").width, 1000);
@@ -83,25 +86,17 @@ TEST(TrainedSketchPredictor, TheNetworksOwnFaceIsKeptIfWished) {
   const testing::TempDir folder;
   testing::WriteSketchRun(folder / "run");
   render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
-  PredictSketches(folder / "run", {folder / "face.svg"}, folder / "own", {.framing = "keep", .refine = false});
-  const Json details = ReadManifest(folder / "own", "predictions").details;
-  const Json distance = details.at("drawings").at("face").at("two_way_distance_px");
-  EXPECT_EQ(distance.at("before"), distance.at("after"));
-}
-
-TEST(TrainedSketchPredictor, ADeformedSurfaceIsNearerToTheDrawing) {
-  testing::AllowWarnings();  // The face of a hardly trained network fits no drawing.
-  const testing::TempDir folder;
-  testing::WriteSketchRun(folder / "run");
-  render::WriteSvg(folder / "face.svg", fitting::Circles(), {"line"});
-  const auto after = [&](bool deform) {
-    const auto out = folder / (deform ? "deformed" : "refined");
-    PredictSketches(folder / "run", {folder / "face.svg"}, out, {.framing = "keep", .deform = deform});
-    const Manifest manifest = ReadManifest(out, "predictions");
-    EXPECT_EQ(manifest.config.at("deform"), deform);
-    return manifest.details.at("drawings").at("face").at("two_way_distance_px").at("after").get<double>();
+  const auto mesh = [&](const std::string& out, const PredictOptions& options) {
+    PredictSketches(folder / "run", {folder / "face.svg"}, folder / out, options);
+    return geometry::ReadObj(folder / out / "face.obj").vertices;
   };
-  EXPECT_LT(after(true), after(false));
+  const auto own = mesh("own", {.framing = "keep", .refine = false}), refined = mesh("refined", {.framing = "keep"}),
+             fitted = mesh("fitted", {}), not_fitted = mesh("not_fitted", {.fit = false});
+  EXPECT_NE(own, refined);
+  EXPECT_NE(fitted, not_fitted);
+  const Manifest manifest = ReadManifest(folder / "not_fitted", "predictions");
+  EXPECT_EQ(manifest.config.at("fit"), false);
+  EXPECT_FALSE(manifest.details.at("drawings").at("face").contains("fit"));
 }
 
 TEST(TrainedSketchPredictor, NamesTheBadPictureAndWritesNothing) {

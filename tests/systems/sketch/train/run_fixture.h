@@ -38,7 +38,11 @@ class SketchRunFixture : public ::testing::Test {
     const faces::BilinearOptions bilinear{.num_identity = 6, .num_expression = 4};
     const datasets::SketchDatabase sketches(*folder_ / "sketches");
     const datasets::FittedBilinear fitted = datasets::FitOnTraining(faces, split, bilinear);
-    const FittedModels models{fitted.model, datasets::FitCurvesOnTraining(faces, sketches, split, bilinear).model, {}};
+    const FittedModels models{
+        fitted.model,
+        datasets::FitCurvesOnTraining(faces, sketches, split, bilinear).model,
+        {},
+        datasets::FitGaussianOnTraining(faces, split, {.num_symmetric = 12, .num_asymmetric = 4})};
     torch::manual_seed(7);
     SketchNetwork network(network_options, models);
     std::vector<std::string> curves;

@@ -13,10 +13,11 @@
 namespace daumier::sketch {
 namespace {
 
-SketchPredictor OpenStrokeNetwork(const std::filesystem::path& run, const PredictOptions& options = {}) {
+SketchPredictor OpenStrokeNetwork(const std::filesystem::path& run) {
   return {ReadSketchRunFolder(run),
           std::make_shared<exporting::TorchRunner>(exporting::NetworkOf(DescribeSketchExport(run)), torch::kCPU),
-          options};
+          nullptr,
+          {.framing = "keep", .refine = false}};
 }
 
 torch::Tensor SketchTensor(const std::vector<render::Stroke>& strokes, int resolution) {

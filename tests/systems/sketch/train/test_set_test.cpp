@@ -4,6 +4,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/systems/sketch/train/run_fixture.h"
 
+#include <array>
 #include <cmath>
 
 namespace daumier::sketch {
@@ -75,6 +76,23 @@ TEST_F(SketchTestSetTest, ReportsProgressAndStops) {
   EXPECT_EQ(done, (std::vector<int64_t>{0, int64_t(test.faces().size())}));
   stop.request_stop();
   EXPECT_THROW(test.Measure("exact", predict), Cancelled);
+}
+
+TEST_F(SketchTestSetTest, OptionsSayHowSketchesAreDrawn) {
+  const int face = test_.faces()[0];
+  const auto points = [&](const SketchEvalOptions& options) {
+    std::vector<std::vector<std::array<float, 2>>> lines;
+    for (const render::Stroke& stroke : SketchTestSet(data_, options, {}).reader().SketchOf(face).strokes)
+      lines.push_back(stroke.points);
+    return lines;
+  };
+  const auto exact = points({}), styled = points({.styled = true});
+  std::vector<std::vector<std::array<float, 2>>> of_database;
+  for (const render::Stroke& stroke : data_.sketches.strokes(face)) of_database.push_back(stroke.points);
+  EXPECT_EQ(exact, of_database);
+  EXPECT_NE(styled, exact);
+  EXPECT_NE(points({.strength = 1}), exact);
+  EXPECT_EQ(points({.styled = true}), styled);
 }
 
 TEST_F(SketchTestSetTest, AnErrorThatIsNotFiniteIsRefusedByTheNameOfItsRow) {

@@ -1,0 +1,142 @@
+#include "systems/sketch/drawing_fitter.h"
+
+#include "geometry/coordinates.h"
+#include "tests/fitting/drawn_circles.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/ideal_parser_network.h"
+#include "tests/support/plain_sketch_run.h"
+#include "tests/support/temp_dir.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::sketch {
+namespace {
+
+class DrawingFitterTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const testing::TempDir folder;
+    testing::WritePlainSketchRun(folder.path());
+    run_ = std::make_unique<SketchRunFolder>(ReadSketchRunFolder(folder.path()));
+    fitter_ = std::make_unique<DrawingFitter>(*run_, Parser());
+    points_ = faces::FindFacePoints(run_->face_template);
+  }
+  static void TearDownTestSuite() {
+    fitter_.reset();
+    run_.reset();
+  }
+
+  static std::shared_ptr<const DrawingParser> Parser() {
+    return std::make_shared<const DrawingParser>(ParserNetworkOptions(),
+                                                 std::make_shared<testing::IdealParserNetwork>(ParserNetworkOptions()));
+  }
+  static std::vector<float> FaceOf(const Eigen::VectorXf& coordinates) {
+    return {coordinates.begin(), coordinates.end()};
+  }
+  static std::vector<float> MeanFace() { return FaceOf(run_->models.gaussian.mean); }
+  /// A face that is one deviation of some components away from the mean.
+  static std::vector<float> OtherFace() {
+    Eigen::VectorXf coefficients = Eigen::VectorXf::Zero(run_->models.gaussian.size());
+    coefficients.head(4) << 1, -1, 1, 1;
+    return FaceOf(faces::Reconstruct(run_->models.gaussian, coefficients));
+  }
+  /// The points of a face on the canvas; on a contour the places nearest to `near`.
+  static std::array<Eigen::Vector2d, faces::kNumFacePoints> PointsOf(
+      const std::vector<float>& face, const std::array<Eigen::Vector2d, faces::kNumFacePoints>* near = nullptr) {
+    const Eigen::MatrixX2d projected = render::Project(run_->camera, geometry::PointsFrom(face)).leftCols<2>();
+    std::array<Eigen::Vector2d, faces::kNumFacePoints> points;
+    for (int i = 0; i < faces::kNumFacePoints; ++i) {
+      const auto point = faces::FacePoint(i);
+      const auto contour = faces::ContourOf(point);
+      const Eigen::Vector2d on_contour = contour
+                                             ? projected.row(points_.contours[size_t(*contour)][4]).transpose().eval()
+                                             : Eigen::Vector2d::Zero().eval();
+      points[size_t(i)] =
+          faces::ProjectedFacePoint(points_, point, projected, near != nullptr ? (*near)[size_t(i)] : on_contour);
+    }
+    return points;
+  }
+  /// A face as it lies on a sheet, its points alone.
+  static ParsedDrawing DrawingOfPoints(const std::vector<float>& face, const render::Placement& sheet_from_canvas) {
+    ParsedDrawing drawing;
+    drawing.points = PointsOf(face);
+    for (Eigen::Vector2d& point : drawing.points) point = render::ToCanvas(sheet_from_canvas, point);
+    std::fill_n(drawing.confidences.begin(), faces::kNumLandmarkPoints, 1.0);
+    drawing.frame = FrameOfPoints(drawing.points);
+    return drawing;
+  }
+  static double MeanDistance(const std::array<Eigen::Vector2d, faces::kNumFacePoints>& a,
+                             const std::array<Eigen::Vector2d, faces::kNumFacePoints>& b) {
+    double sum = 0;
+    for (size_t i = 0; i < size_t(faces::kNumLandmarkPoints); ++i) sum += (a[i] - b[i]).norm();
+    return sum / faces::kNumLandmarkPoints;
+  }
+
+  static inline std::unique_ptr<SketchRunFolder> run_;
+  static inline std::unique_ptr<DrawingFitter> fitter_;
+  static inline faces::FacePointVertices points_;
+};
+
+const render::Placement kSheet{.scale = 3, .shift = {250, 40}, .turn_degrees = 7};
+
+TEST_F(DrawingFitterTest, TheFrameLaysThePointsOntoThoseOfTheMeanFace) {
+  const ParsedDrawing drawing = DrawingOfPoints(MeanFace(), kSheet);
+  const render::Placement frame = fitter_->FrameOf(drawing), expected = render::Inverse(kSheet);
+  EXPECT_NEAR(frame.scale, expected.scale, 0.02 * expected.scale);
+  EXPECT_NEAR(frame.turn_degrees, expected.turn_degrees, 0.5);
+  const auto points = PointsOf(MeanFace());
+  for (size_t i = 0; i < points.size(); ++i)
+    EXPECT_LT((render::ToCanvas(frame, drawing.points[i]) - points[i]).norm(), 2) << faces::kFacePointNames[i];
+}
+
+TEST_F(DrawingFitterTest, TheFittedFaceIsNearerToTheDrawnPointsThanTheMeanFace) {
+  const ParsedDrawing drawing = DrawingOfPoints(OtherFace(), kSheet);
+  const render::Placement frame = fitter_->FrameOf(drawing);
+  const fitting::LabelledFit fit = fitter_->Fit(drawing, frame, MeanFace());
+  const render::Placement of_fit = render::Composed(render::Inverse(ToPlacement(fit.frame)), frame);
+  const auto drawn_in = [&](const render::Placement& placement) {
+    auto points = drawing.points;
+    for (Eigen::Vector2d& point : points) point = render::ToCanvas(placement, point);
+    return points;
+  };
+  const auto of_frame = drawn_in(frame), fitted = drawn_in(of_fit);
+  EXPECT_LT(MeanDistance(PointsOf(fit.vertices, &fitted), fitted),
+            0.5 * MeanDistance(PointsOf(MeanFace(), &of_frame), of_frame));
+}
+
+TEST_F(DrawingFitterTest, TheFaceOfASketchIsThatOfItsParse) {
+  const std::vector<render::Stroke> circles = fitting::Circles();
+  const ParsedDrawing parsed = fitter_->Parse(circles);
+  const fitting::LabelledFit fit = fitter_->Fit(parsed, fitter_->FrameOf(parsed), MeanFace());
+  EXPECT_EQ(fitter_->FittedTo(circles, MeanFace()), fitting::Upright(fit));
+  EXPECT_TRUE(geometry::PointsFrom(fit.vertices).allFinite());
+}
+
+TEST_F(DrawingFitterTest, ALabelledDrawingIsTheParsedOneOnTheCanvas) {
+  const ParsedDrawing parsed = fitter_->Parse(fitting::Circles());
+  const fitting::LabelledDrawing labelled = ToLabelled(parsed, kSheet);
+  ASSERT_EQ(labelled.strokes.size(), parsed.strokes.size());
+  EXPECT_EQ(labelled.strokes[1].labels, parsed.labels[1]);
+  EXPECT_EQ(labelled.mouth, parsed.mouth);
+  EXPECT_EQ(labelled.view, parsed.view);
+  for (size_t i = 0; i < parsed.points.size(); ++i) {
+    EXPECT_EQ(labelled.points[i].position, render::ToCanvas(kSheet, parsed.points[i]));
+    EXPECT_EQ(labelled.points[i].confidence, parsed.confidences[i]);
+  }
+}
+
+TEST_F(DrawingFitterTest, ADrawingWithoutAPointIsRefused) {
+  ParsedDrawing drawing = DrawingOfPoints(MeanFace(), kSheet);
+  drawing.confidences.fill(0);
+  testing::ExpectError([&] { fitter_->FrameOf(drawing); }, "no point of a face is found in the drawing");
+}
+
+TEST_F(DrawingFitterTest, ARunOfAnEarlierVersionIsRefusedWithTheRepair) {
+  SketchRunFolder earlier = *run_;
+  earlier.models.gaussian = {};
+  testing::ExpectError([&] { DrawingFitter(earlier, Parser()); }, "the run has no gaussian.safetensors");
+  testing::ExpectError([&] { DrawingFitter(earlier, Parser()); }, "--keep-frame");
+}
+
+}  // namespace
+}  // namespace daumier::sketch
