@@ -59,10 +59,11 @@ fitting::LabelledFit DrawingFitter::Fit(const ParsedDrawing& drawing, const rend
   return *std::move(fit);
 }
 
-std::vector<float> DrawingFitter::FittedTo(const std::vector<render::Stroke>& sketch,
-                                           std::span<const float> predicted) const {
+FittedFace DrawingFitter::FittedTo(const std::vector<render::Stroke>& sketch, std::span<const float> predicted) const {
   const ParsedDrawing parsed = Parse(sketch);
-  return fitting::Upright(Fit(parsed, FrameOf(parsed), predicted));
+  const render::Placement frame = FrameOf(parsed);
+  const fitting::LabelledFit fit = Fit(parsed, frame, predicted);
+  return {fitting::Upright(fit), render::Composed(render::Inverse(ToPlacement(fit.frame)), frame)};
 }
 
 }  // namespace daumier::sketch

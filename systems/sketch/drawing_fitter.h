@@ -25,6 +25,12 @@ struct DrawingFitOptions {
 /// A parsed drawing on a canvas, as a fit reads it.
 fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet);
 
+/// The upright face of a drawing, and where the drawing lies.
+struct FittedFace {
+  std::vector<float> vertices;  ///< 3V, cm.
+  render::Placement frame;      ///< Sheet to canvas: there the camera sees the face, unless its head was turned.
+};
+
 /// Faces of a run in the frame of drawings by people: where a parsed drawing lies on the canvas of the sketches' camera, and
 /// the face that fits it. May be used from several threads.
 class DrawingFitter {
@@ -39,8 +45,8 @@ class DrawingFitter {
   /// The face on the canvas of the camera, from the vertices (3V, cm) that a network predicts. frame: FrameOf.
   fitting::LabelledFit Fit(const ParsedDrawing& drawing, const render::Placement& frame,
                            std::span<const float> predicted) const;
-  /// Parse, FrameOf, Fit: the vertices of the upright face of a sketch on the canvas.
-  std::vector<float> FittedTo(const std::vector<render::Stroke>& sketch, std::span<const float> predicted) const;
+  /// Parse, FrameOf, Fit.
+  FittedFace FittedTo(const std::vector<render::Stroke>& sketch, std::span<const float> predicted) const;
 
  private:
   std::shared_ptr<const DrawingParser> parser_;

@@ -99,8 +99,8 @@ class ExternalEvaluation {
     table_.result = table_.rows.size();
     AddRow("network", [&](int face) { return predicted_[size_t(face)]; });
     AddRow("network, refined", [&](int face) { return refined_[size_t(face)]; });
-    AddRow("network, fitted", [&](int face) { return Fitted(refined_[size_t(face)], face); });
-    AddRow("mean face, fitted", [&](int face) { return Fitted(mean_face, face); });
+    AddPlacedRow("network, fitted", [&](int face) { return Fitted(refined_[size_t(face)], face); });
+    AddPlacedRow("mean face, fitted", [&](int face) { return Fitted(mean_face, face); });
     if (!same_topology_) return;
     Eigen::VectorXf weights = Eigen::VectorXf::Zero(bilinear.num_coordinates());
     for (const int vertex : region()) weights.segment<3>(3 * vertex).setOnes();
@@ -144,10 +144,11 @@ class ExternalEvaluation {
     for (const auto& [title, face] : reports::ChooseFaces(table_.faces, errors)) {
       style.row_titles.push_back(
           fmt::format("{}: {:.2f} {}", title, errors[size_t(face)], same_topology_ ? "mm" : "px"));
-      const PredictedFace fitted = Fitted(refined_[size_t(face)], face);
+      const PlacedFace fitted = Fitted(refined_[size_t(face)], face);
       const geometry::Points network = geometry::PointsFrom(predicted_[size_t(face)].vertices),
-                             moved = geometry::PointsFrom(fitted.vertices);
-      cells.push_back({render::DrawnWithCurves(SketchOf(face).strokes, predictor_.CurvesOf(fitted), reports::kCell)});
+                             moved = geometry::PointsFrom(fitted.face.vertices);
+      cells.push_back({render::DrawnWithCurves(render::MapToCanvas(SketchOf(face).strokes, fitted.frame),
+                                               predictor_.CurvesOf(fitted.face), reports::kCell)});
       cells.push_back({reports::FrontView(true_head, faces_.points(face), render::FrameOf(faces_.points(face)))});
       cells.push_back({reports::FrontView(own_head, network, render::FrameOf(network))});
       cells.push_back({reports::FrontView(own_head, moved, render::FrameOf(moved))});
@@ -198,9 +199,15 @@ class ExternalEvaluation {
     return features;
   }
 
-  PredictedFace Fitted(PredictedFace start, int face) const {
-    start.vertices = fitter_.FittedTo(SketchOf(face).strokes, start.vertices);
-    return start;
+  /// A face, and the frame of its sketch.
+  struct PlacedFace {
+    PredictedFace face;
+    render::Placement frame = {};  ///< Sketch to canvas.
+  };
+  PlacedFace Fitted(PredictedFace start, int face) const {
+    FittedFace fitted = fitter_.FittedTo(SketchOf(face).strokes, start.vertices);
+    start.vertices = std::move(fitted.vertices);
+    return {std::move(start), fitted.frame};
   }
 
   void Predict() {
@@ -220,6 +227,10 @@ class ExternalEvaluation {
   }
 
   void AddRow(const std::string& name, const std::function<PredictedFace(int face)>& predict) {
+    AddPlacedRow(name, [&](int face) { return PlacedFace{predict(face)}; });
+  }
+
+  void AddPlacedRow(const std::string& name, const std::function<PlacedFace(int face)>& predict) {
     struct Errors {
       double mm, matched_mm, px;
     };
@@ -230,12 +241,15 @@ class ExternalEvaluation {
         faces_.num_faces(),
         [&](int face) {
           task_.ThrowIfCancelled("the evaluation was stopped; nothing was written");
-          const PredictedFace predicted = predict(face);
+          const auto& [predicted, frame] = predict(face);
           const auto error = [&](const std::vector<int>& vertices) {
             return eval::MeanVertexError(predicted.vertices, faces_.vertices(face), vertices, mm_per_cm);
           };
-          return Errors{same_topology_ ? error(region()) : 0, registered_ ? error(MatchedRegion(face)) : 0,
-                        fitting::DistanceBetween(DrawnFeatures(face), predictor_.CurvesOf(predicted)).two_way()};
+          return Errors{
+              same_topology_ ? error(region()) : 0, registered_ ? error(MatchedRegion(face)) : 0,
+              fitting::DistanceBetween(render::MapToCanvas(DrawnFeatures(face), frame), predictor_.CurvesOf(predicted))
+                      .two_way() /
+                  frame.scale};
         },
         [&](const Errors& errors) {
           if (same_topology_) values["error"].push_back(errors.mm);

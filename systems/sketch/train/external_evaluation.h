@@ -17,7 +17,7 @@ namespace daumier::sketch {
 /// mm over the region `face` with the scale of the faces' own template, absent for another topology; matched_error, of
 /// registered faces (`daumier register`) that over the vertices with a match on the registered mesh, since elsewhere
 /// the registration made up the "true" face; curve_error_px, the two-way distance in pixels of the 256 canvas between
-/// the drawn silhouette and feature lines, as augmented, and the face's projected curves.
+/// the drawn silhouette and feature lines, as augmented, and the face's projected curves; of a fitted face in its frame.
 /// metrics: num_faces, data_hash, run_data_hash, same_topology, augmentation_strength, table. The sheet has a row for
 /// each face of reports::ChooseFaces by the network's error in mm, or pixels for another topology.
 /// @throws Error as LoadSketchRun, OpenParserOfRun and the databases, or if the sketches are of other faces; Cancelled.

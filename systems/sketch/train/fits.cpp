@@ -74,7 +74,7 @@ FittedRow::FittedRow(const SketchRunData& data, const SketchReader& reader, std:
 
 eval::FaceRows FittedRow::Fit(std::span<const int> faces, const eval::FaceRows& start) const {
   return eval::RowsOnAllCores(faces.size(), start.cols(), [&](int i) {
-    return fitter_.FittedTo(reader_.SketchOf(faces[size_t(i)]).strokes, eval::RowSpan(start, size_t(i)));
+    return fitter_.FittedTo(reader_.SketchOf(faces[size_t(i)]).strokes, eval::RowSpan(start, size_t(i))).vertices;
   });
 }
 

@@ -107,8 +107,12 @@ TEST_F(DrawingFitterTest, TheFittedFaceIsNearerToTheDrawnPointsThanTheMeanFace) 
 TEST_F(DrawingFitterTest, TheFaceOfASketchIsThatOfItsParse) {
   const std::vector<render::Stroke> circles = fitting::Circles();
   const ParsedDrawing parsed = fitter_->Parse(circles);
-  const fitting::LabelledFit fit = fitter_->Fit(parsed, fitter_->FrameOf(parsed), MeanFace());
-  EXPECT_EQ(fitter_->FittedTo(circles, MeanFace()), fitting::Upright(fit));
+  const render::Placement frame = fitter_->FrameOf(parsed);
+  const fitting::LabelledFit fit = fitter_->Fit(parsed, frame, MeanFace());
+  const FittedFace fitted = fitter_->FittedTo(circles, MeanFace());
+  EXPECT_EQ(fitted.vertices, fitting::Upright(fit));
+  const Eigen::Vector2d p(100, 80), in_fit = fit.frame.SheetFromCanvas(render::ToCanvas(frame, p));
+  EXPECT_LT((render::ToCanvas(fitted.frame, p) - in_fit).norm(), 1e-9);
   EXPECT_TRUE(geometry::PointsFrom(fit.vertices).allFinite());
 }
 

@@ -191,7 +191,7 @@ TEST_F(SketchPredictorTest, ATurnedFaceIsWrittenUprightAndItsTurnRecorded) {
   EXPECT_NE(result.record["fit"]["yaw_degrees"], 0.0);
   const DrawingFitter fitter(run_, turned);
   const Eigen::VectorXf network = fixed_->vertices();
-  const std::vector<float> upright = fitter.FittedTo(Circles(), {network.data(), size_t(network.size())});
+  const std::vector<float> upright = fitter.FittedTo(Circles(), {network.data(), size_t(network.size())}).vertices;
   for (Eigen::Index i = 0; i < result.vertices.rows(); ++i)
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(result.vertices(i, axis), upright[size_t(3 * i + axis)], 0.05);

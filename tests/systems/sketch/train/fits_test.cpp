@@ -85,7 +85,8 @@ TEST_F(SketchFitsTest, AFittedRowHasTheFaceOfEachParsedSketch) {
   const eval::FaceRows fitted = FittedRow(data_, reader_, parser).Fit(faces, start);
   const DrawingFitter fitter(data_.run, parser);
   for (size_t i = 0; i < faces.size(); ++i) {
-    const std::vector<float> one = fitter.FittedTo(reader_.SketchOf(faces[i]).strokes, eval::RowSpan(start, i));
+    const std::vector<float> one =
+        fitter.FittedTo(reader_.SketchOf(faces[i]).strokes, eval::RowSpan(start, i)).vertices;
     const std::span<const float> row = eval::RowSpan(fitted, i);
     EXPECT_TRUE(std::ranges::equal(row, one)) << i;
   }
