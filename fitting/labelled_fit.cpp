@@ -14,8 +14,6 @@ namespace daumier::fitting {
 namespace {
 
 constexpr double kCrossedCm = -0.01;
-/// An open mouth and an open eye are at least this open in the middle, cm: tools that score drawings count 0.15 and 0.1.
-constexpr double kOpenLips = 0.22, kOpenLids = 0.22;
 /// Of a contour every so-manieth vertex is a centre of smooth displacements.
 constexpr size_t kContourStep = 5;
 
@@ -67,19 +65,6 @@ geometry::Points CentresOf(const faces::FacePointVertices& points, const geometr
   geometry::Points result(Eigen::Index(centres.size()), 3);
   for (size_t i = 0; i < centres.size(); ++i) result.row(Eigen::Index(i)) = centres[i].transpose();
   return result;
-}
-
-GapGoal GoalOf(Opening opening, const LabelledDrawing& drawing) {
-  if (opening == Opening::kMouth) {
-    const double sum = drawing.mouth[0] + drawing.mouth[1] + drawing.mouth[2];
-    if (sum <= 0) return {};
-    const bool closed = drawing.mouth[size_t(faces::MouthState::kClosed)] > 0.5 * sum;
-    return {.closed = closed, .least_middle_cm = kOpenLips};
-  }
-  const auto& eye = drawing.eyes[opening == Opening::kRightEye ? 0 : 1];
-  if (eye[0] + eye[1] <= 0) return {};
-  return {.closed = eye[size_t(faces::EyeState::kClosed)] > eye[size_t(faces::EyeState::kOpen)],
-          .least_middle_cm = kOpenLids};
 }
 
 std::vector<float> FloatsOf(const geometry::Points& points) {

@@ -19,11 +19,15 @@ using faces::FacePoint;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSampleStep = 0.05;  ///< Shares of the eye distance.
 constexpr size_t kMostSamples = 300;
+/// Of a step of the shift, which nothing determines where a lone contour is drawn, eye distances.
+constexpr double kShiftDeviation = 10;
 constexpr int kPoseUnknowns = 6;  ///< a, b, shift, yaw, pitch
 /// Gaps, cm: deviations of what a closed mouth, a gap as drawn and lines that must not cross allow.
 constexpr double kClosedDeviation = 0.05, kDrawnGapDeviation = 0.15, kCrossedDeviation = 0.03;
+/// An open mouth and an open eye are at least this open in the middle, cm: tools that score drawings count 0.15 and 0.1.
+constexpr double kOpenLips = 0.22, kOpenLids = 0.22;
 /// A line of pairs counts as this many independent ones.
-constexpr double kIndependentPairs = 4;
+constexpr double kIndependentPairs = 10;
 
 /// A weighted sum of vertices, whose weights' sum is 1, and where it is drawn.
 struct Match {
@@ -79,13 +83,6 @@ SeenState LookAt(const SeenFace& seen, const FitState& state) {
 
 bool Says(const std::array<double, faces::kNumEyeStates>& eye, faces::EyeState state) {
   return eye[size_t(state)] > 0.5 * (eye[0] + eye[1]);
-}
-
-/// The state of the mouth that is more likely than not to be open or closed; nothing where both are 0.
-std::optional<bool> IsMouthClosed(const LabelledDrawing& drawing) {
-  const double sum = drawing.mouth[0] + drawing.mouth[1] + drawing.mouth[2];
-  if (sum <= 0) return std::nullopt;
-  return drawing.mouth[size_t(faces::MouthState::kClosed)] > 0.5 * sum;
 }
 
 class MapProblem {
@@ -287,22 +284,25 @@ class MapProblem {
       equations.matrix.topLeftCorner(num_modes, num_modes).selfadjointView<Eigen::Lower>().rankUpdate(row);
       equations.right.head(num_modes) -= row * (std::sqrt(weight) / deviation * residual);
     };
-    const std::optional<bool> mouth_closed = IsMouthClosed(drawing_);
     for (const OpeningPairs& opening : seen_.openings) {
       const bool is_mouth = opening.opening == Opening::kMouth;
-      const bool closed = is_mouth && mouth_closed.value_or(false);
+      const GapGoal goal = GoalOf(opening.opening, drawing_);
       const double line_weight = kIndependentPairs / double(opening.pairs.size());
       for (const GapPair& pair : opening.pairs) {
-        const double gap = look.points(1, pair.upper) - (1 - pair.lower.share) * look.points(1, pair.lower.from) -
-                           pair.lower.share * look.points(1, pair.lower.to);
-        if (closed) {
+        const double gap = GapOf(pair, look), least = goal.closed ? 0 : LeastGap(goal, pair.share);
+        if (is_mouth && goal.closed) {
           add(pair, gap, kClosedDeviation, line_weight);
-        } else if (gap < 0) {
-          add(pair, gap, kCrossedDeviation, line_weight);
+        } else if (gap < least) {
+          add(pair, gap - least, kCrossedDeviation, line_weight);
         }
       }
-      if (is_mouth && mouth_closed.has_value() && !closed) AddDrawnGap(opening, look, state, add);
+      if (is_mouth && goal.least_middle_cm > 0 && !goal.closed) AddDrawnGap(opening, look, state, add);
     }
+  }
+
+  static double GapOf(const GapPair& pair, const SeenState& look) {
+    return look.points(1, pair.upper) - (1 - pair.lower.share) * look.points(1, pair.lower.from) -
+           pair.lower.share * look.points(1, pair.lower.to);
   }
 
   /// Lips that are drawn apart stay apart.
@@ -316,8 +316,7 @@ class MapProblem {
     const auto middle = std::min_element(mouth.pairs.begin(), mouth.pairs.end(), [](const auto& a, const auto& b) {
       return std::abs(a.share - 0.5) < std::abs(b.share - 0.5);
     });
-    const double gap = look.points(1, middle->upper) - (1 - middle->lower.share) * look.points(1, middle->lower.from) -
-                       middle->lower.share * look.points(1, middle->lower.to);
+    const double gap = GapOf(*middle, look);
     if (gap < drawn) add(*middle, gap - drawn, kDrawnGapDeviation, std::min(top.confidence, bottom.confidence));
   }
 
@@ -332,7 +331,8 @@ class MapProblem {
     VectorXd priors(num_modes + kPoseUnknowns), offsets(num_modes + kPoseUnknowns);
     const double b_deviation = options_.frame.turn_deviation * kDegree;
     priors << prior_.deviation.array().square().inverse().matrix(), std::pow(options_.frame.scale_deviation, -2),
-        std::pow(b_deviation, -2), 0, 0, std::pow(yaw_deviation_, -2), std::pow(options_.turn_deviation * kDegree, -2);
+        std::pow(b_deviation, -2), Vector2d::Constant(std::pow(kShiftDeviation * eye_distance_, -2)),
+        std::pow(yaw_deviation_, -2), std::pow(options_.turn_deviation * kDegree, -2);
     offsets << prior_.mean - state.weights, 1 - state.a, -state.b, 0, 0, mean_yaw_ - state.yaw, -state.pitch;
     equations.matrix.diagonal() += priors;
     equations.right += priors.cwiseProduct(offsets);
@@ -362,6 +362,19 @@ class MapProblem {
 };
 
 }  // namespace
+
+GapGoal GoalOf(Opening opening, const LabelledDrawing& drawing) {
+  if (opening == Opening::kMouth) {
+    const double sum = drawing.mouth[0] + drawing.mouth[1] + drawing.mouth[2];
+    if (sum <= 0) return {};
+    const bool closed = drawing.mouth[size_t(faces::MouthState::kClosed)] > 0.5 * sum;
+    return {.closed = closed, .least_middle_cm = kOpenLips};
+  }
+  const auto& eye = drawing.eyes[opening == Opening::kRightEye ? 0 : 1];
+  if (eye[0] + eye[1] <= 0) return {};
+  return {.closed = eye[size_t(faces::EyeState::kClosed)] > eye[size_t(faces::EyeState::kOpen)],
+          .least_middle_cm = kOpenLids};
+}
 
 Matrix3d TurnOf(double yaw, double pitch) {
   Matrix3d about_y, about_x;

@@ -3,6 +3,7 @@
 #include "fitting/face_frame.h"
 #include "fitting/label_curves.h"
 #include "fitting/labelled_drawing.h"
+#include "fitting/opening_moves.h"
 #include "render/camera.h"
 
 #include <Eigen/Core>
@@ -13,15 +14,15 @@
 namespace daumier::fitting {
 
 struct LabelledFitOptions {
-  double point_deviation = 0.03;
-  double stroke_deviation = 0.04;
+  double point_deviation = 0.04;
+  double stroke_deviation = 0.03;
   double correlation_length = 0.25;
   double degrees_of_freedom = 4;
   double scale_strength = 20;
   double asymmetry = 0.5;
   double smooth_deviation = 0.02;
   double smooth_length = 0.35;
-  double turn_deviation = 5;
+  double turn_deviation = 3;
   double three_quarter_yaw = 35;
   double three_quarter_deviation = 10;
   int point_rounds = 10;
@@ -82,6 +83,9 @@ struct SolvedFace {
   double residual_scale = 1, rms = 0;
   int num_matched = 0;
 };
+
+/// What a drawing says of an opening: closed, open by some millimetres at least, or neither.
+GapGoal GoalOf(Opening opening, const LabelledDrawing& drawing);
 
 /// The turn of a head: yaw, then pitch, radians.
 Eigen::Matrix3d TurnOf(double yaw, double pitch);

@@ -45,10 +45,6 @@ std::map<int, Reached> ReachAlongEdges(const geometry::Points& points, const geo
   return reached;
 }
 
-double LeastGap(const GapGoal& goal, double share) {
-  return goal.least_middle_cm * 4 * share * (1 - share);
-}
-
 Vector3 PlaceOf(const faces::PolylinePlace& place, const geometry::Points& vertices) {
   return (1 - place.share) * vertices.row(place.from) + place.share * vertices.row(place.to);
 }
@@ -77,6 +73,10 @@ geometry::Points MovesOfLower(const OpeningPairs& opening, const geometry::Point
 }
 
 }  // namespace
+
+double LeastGap(const GapGoal& goal, double share) {
+  return goal.least_middle_cm * 4 * share * (1 - share);
+}
 
 Eigen::VectorXd GapsOf(const OpeningPairs& opening, const geometry::Points& vertices) {
   Eigen::VectorXd gaps(Eigen::Index(opening.pairs.size()));

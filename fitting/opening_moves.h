@@ -13,9 +13,10 @@ Eigen::VectorXd GapsOf(const OpeningPairs& opening, const geometry::Points& vert
 /// How far the lines of an opening shall be from each other.
 struct GapGoal {
   bool closed = false;
-  double least_middle_cm =
-      0;  ///< Where not closed: of the middle; towards the corners 4 s (1 - s) of it, s GapPair::share.
+  double least_middle_cm = 0;  ///< Where not closed: of the middle.
 };
+/// Towards the corners 4 s (1 - s) of the middle's, s = GapPair::share.
+double LeastGap(const GapGoal& goal, double share);
 
 /// Closes or opens mouth and eyes of a face and uncrosses their lines: the least move of the two lines that reaches the
 /// goal, and of the skin about them, which follows by (1 - (d / reach)^2)^2, d the length along mesh edges to the line
