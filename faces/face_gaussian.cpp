@@ -83,6 +83,32 @@ Eigen::VectorXf Reconstruct(const FaceGaussian& gaussian, const Eigen::VectorXf&
   return gaussian.mean + gaussian.rows.transpose() * coefficients;
 }
 
+FaceBasis BasisOf(const FaceGaussian& gaussian) {
+  FaceBasis basis;
+  basis.rows.resize(gaussian.size() + 1, gaussian.num_coordinates());
+  for (int k = 0; k < gaussian.size(); ++k) basis.rows.row(k + 1) = gaussian.rows.row(k).normalized();
+  const auto rows = basis.rows.bottomRows(gaussian.size());
+  const Eigen::VectorXf rest = gaussian.mean - rows.transpose() * (rows * gaussian.mean);
+  basis.rows.row(0) = rest.normalized().transpose();
+  return basis;
+}
+
+GaussianOfBasis InBasis(const FaceGaussian& gaussian, const FaceBasis& basis) {
+  DAUMIER_CHECK(basis.size() == gaussian.size() + 1 && basis.rows.cols() == gaussian.num_coordinates(),
+                "the basis is {} x {}, expected {} x {}", basis.rows.rows(), basis.rows.cols(), gaussian.size() + 1,
+                gaussian.num_coordinates());
+  return {basis.rows * gaussian.mean, gaussian.rows.rowwise().norm(), gaussian.num_symmetric};
+}
+
+FaceGaussian FromBasis(const GaussianOfBasis& gaussian, const FaceBasis& basis) {
+  const Eigen::Index size = gaussian.deviation.size();
+  DAUMIER_CHECK(basis.rows.rows() == size + 1 && gaussian.mean.size() == size + 1 && gaussian.num_symmetric <= size,
+                "the basis has {} rows and the mean {} coordinates, expected {}", basis.rows.rows(),
+                gaussian.mean.size(), size + 1);
+  return {basis.rows.transpose() * gaussian.mean, gaussian.deviation.asDiagonal() * basis.rows.bottomRows(size),
+          gaussian.num_symmetric};
+}
+
 std::string WriteFaceGaussian(const std::filesystem::path& file, const FaceGaussian& gaussian) {
   SafetensorsWriter writer;
   writer.SetMetadata("kind", "face gaussian");

@@ -2,6 +2,7 @@
 #include "core/options.h"
 #include "core/task.h"
 #include "faces/bilinear_model.h"
+#include "faces/face_basis.h"
 
 #include <Eigen/Core>
 
@@ -49,6 +50,20 @@ FaceGaussian FitFaceGaussian(int num_faces, int num_coordinates, const std::func
 Eigen::VectorXf CoefficientsOf(const FaceGaussian& gaussian, std::span<const float> face);
 /// 3V coordinates. @throws Error if the number of coefficients differs.
 Eigen::VectorXf Reconstruct(const FaceGaussian& gaussian, const Eigen::VectorXf& coefficients);
+
+/// An orthonormal basis of all faces of the Gaussian, K + 1 rows: what of the mean its rows do not show, then the rows,
+/// each divided by its length. `deviation` is left empty.
+FaceBasis BasisOf(const FaceGaussian& gaussian);
+
+/// A Gaussian in terms of BasisOf.
+struct GaussianOfBasis {
+  Eigen::VectorXf mean;       ///< K + 1: coordinates of the mean.
+  Eigen::VectorXf deviation;  ///< K: length of each row, cm.
+  int num_symmetric = 0;
+};
+GaussianOfBasis InBasis(const FaceGaussian& gaussian, const FaceBasis& basis);
+/// Undoes InBasis. @throws Error if sizes disagree.
+FaceGaussian FromBasis(const GaussianOfBasis& gaussian, const FaceBasis& basis);
 
 /// One safetensors file (docs/formats.md); atomic. Returns its checksum.
 std::string WriteFaceGaussian(const std::filesystem::path& file, const FaceGaussian& gaussian);

@@ -1,22 +1,26 @@
 #!/usr/bin/env bash
-# Makes the shipped weights from nothing: face-ict, landmarks, portrait.
+# Makes the shipped weights from nothing: face-ict, landmarks, portrait, parser, sketch-ict.
 #   tools/make_weights.sh ICT OUT [WORK]
 # ICT: a checkout of ICT-FaceKit or its tar archive. OUT: folder of the weights. WORK: folder of data and runs, about
-# 1 GB (default: runs/weights). Finished steps are skipped and a stopped step resumes: run the same command again.
+# 3 GB (default: runs/weights). Finished steps are skipped and a stopped step resumes: run the same command again.
 # Finds `daumier` on the PATH. In the environment, if other than below:
-#   PERSONS IMAGES LANDMARK_EPOCHS PORTRAIT_EPOCHS   sizes of the data and lengths of the trainings
+#   PERSONS IMAGES LANDMARK_EPOCHS PORTRAIT_EPOCHS            sizes of the data of portraits and lengths of the trainings
+#   SKETCH_PERSONS PARSER_EPOCHS SKETCH_EPOCHS                 the same of drawings
+#   ONLY        portraits or drawings: these weights alone, after face-ict
 #   PICTURES    pictures with landmark files of the same name, on which errors are measured as well
 #   NEGATIVES   pictures without a face
 #   NOTES       folder of NAME.md with known failures, copied into the card of the weights NAME
 # Every command is in the manifest and the card of the weights that it leads to, with its seconds; the seed is 1.
 set -euo pipefail
 if [ $# -lt 2 ] || [ $# -gt 3 ]; then
-  sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,14s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 ict=$1 out=$2 work=${3:-runs/weights}
 persons=${PERSONS:-150} images=${IMAGES:-4800}
 landmark_epochs=${LANDMARK_EPOCHS:-18} portrait_epochs=${PORTRAIT_EPOCHS:-26}
+sketch_persons=${SKETCH_PERSONS:-200} parser_epochs=${PARSER_EPOCHS:-20} sketch_epochs=${SKETCH_EPOCHS:-16}
+only=${ONLY:-portraits drawings}
 configs=$(cd "$(dirname "$0")/../configs" && pwd)
 [ -e "$ict" ] || { echo "$ict does not exist (expected a checkout of ICT-FaceKit or its tar archive)" >&2; exit 1; }
 mkdir -p "$work/steps" "$work/runs" "$out"
@@ -52,12 +56,12 @@ step() {
   echo "$name: $(($(date +%s) - began)) s" >&2
 }
 
-# train NAME CONFIG OPTION...: the run WORK/runs/NAME. Its graph is the last file that a training writes.
+# train NAME "DATA..." CONFIG OPTION...: the run WORK/runs/NAME. Its graph is the last file that a training writes.
 train() {
-  local name=$1 config=$2 resume=()
-  shift 2
+  local name=$1 data=$2 config=$3 resume=()
+  shift 3
   [ ! -f "$work/runs/$name/manifest.json" ] || resume=(--resume)
-  step "train_$name" "faces portraits" "$work/runs/$name/best/model.onnx" \
+  step "train_$name" "$data" "$work/runs/$name/best/model.onnx" \
     daumier train "$config" --out "$work/runs/$name" "${resume[@]}" "$@"
 }
 
@@ -82,22 +86,50 @@ pictures=() negatives=()
 
 step face-ict "" "$out/face-ict/manifest.json" \
   daumier dataset model --out "$out/face-ict" source.name=ict "source.path=$ict"
-step faces "" "$work/faces/manifest.json" daumier dataset faces --config "$configs/faces/caricature.toml" \
-  --out "$work/faces" "source.path=$ict" "num_persons=$persons" 'expressions=["neutral"]'
-step portraits faces "$work/portraits/manifest.json" daumier dataset portraits \
-  --config "$configs/portraits/small.toml" --out "$work/portraits" "faces=$work/faces" "source.path=$ict" \
-  "num_images=$images"
+make_portraits() {
+  step faces "" "$work/faces/manifest.json" daumier dataset faces --config "$configs/faces/caricature.toml" \
+    --out "$work/faces" "source.path=$ict" "num_persons=$persons" 'expressions=["neutral"]'
+  step portraits faces "$work/portraits/manifest.json" daumier dataset portraits \
+    --config "$configs/portraits/small.toml" --out "$work/portraits" "faces=$work/faces" "source.path=$ict" \
+    "num_images=$images"
 
-train landmarks "$configs/portrait/landmarks.toml" "data.portraits=$work/portraits" "epochs=$landmark_epochs" \
-  validate_every=6 precision=auto
-step eval_landmarks train_landmarks "$work/runs/landmarks/report/manifest.json" \
-  daumier eval "$work/runs/landmarks" "${pictures[@]}" "${negatives[@]}"
-ship landmarks faces portraits train_landmarks eval_landmarks
+  train landmarks "faces portraits" "$configs/portrait/landmarks.toml" "data.portraits=$work/portraits" "epochs=$landmark_epochs" \
+    validate_every=6 precision=auto
+  step eval_landmarks train_landmarks "$work/runs/landmarks/report/manifest.json" \
+    daumier eval "$work/runs/landmarks" "${pictures[@]}" "${negatives[@]}"
+  ship landmarks faces portraits train_landmarks eval_landmarks
 
-train portrait "$configs/portrait/cpu.toml" "data.faces=$work/faces" "data.portraits=$work/portraits" \
-  "source.path=$ict" "epochs=$portrait_epochs" precision=auto
-step eval_portrait train_portrait "$work/runs/portrait/report/manifest.json" \
-  daumier eval "$work/runs/portrait" "${pictures[@]}"
-ship portrait faces portraits train_portrait eval_portrait
+  train portrait "faces portraits" "$configs/portrait/cpu.toml" "data.faces=$work/faces" "data.portraits=$work/portraits" \
+    "source.path=$ict" "epochs=$portrait_epochs" precision=auto
+  step eval_portrait train_portrait "$work/runs/portrait/report/manifest.json" \
+    daumier eval "$work/runs/portrait" "${pictures[@]}"
+  ship portrait faces portraits train_portrait eval_portrait
+}
 
-du -sh "$out/face-ict" "$out/landmarks" "$out/portrait"
+make_drawings() {
+  step drawn_faces "" "$work/drawn_faces/manifest.json" daumier dataset faces \
+    --config "$configs/faces/caricature.toml" --out "$work/drawn_faces" "source.path=$ict" \
+    "num_persons=$sketch_persons"
+  step sketches drawn_faces "$work/sketches/manifest.json" daumier dataset sketches \
+    --config "$configs/sketches/styles.toml" --out "$work/sketches" "faces=$work/drawn_faces"
+
+  train parser "drawn_faces sketches" "$configs/sketch/parser.toml" "data.faces=$work/drawn_faces" \
+    "data.sketches=$work/sketches" "epochs=$parser_epochs"
+  step eval_parser train_parser "$work/runs/parser/report/manifest.json" daumier eval "$work/runs/parser"
+  ship parser drawn_faces sketches train_parser eval_parser
+
+  train sketch-ict "drawn_faces sketches" "$configs/sketch/drawings.toml" "data.faces=$work/drawn_faces" \
+    "data.sketches=$work/sketches" "epochs=$sketch_epochs"
+  step eval_sketch-ict train_sketch-ict "$work/runs/sketch-ict/report/manifest.json" \
+    daumier eval "$work/runs/sketch-ict"
+  ship sketch-ict drawn_faces sketches train_sketch-ict eval_sketch-ict
+}
+
+for kind in $only; do
+  case $kind in
+    portraits | drawings) "make_$kind" ;;
+    *) echo "ONLY: unknown kind '$kind' (expected portraits or drawings)" >&2; exit 2 ;;
+  esac
+done
+
+du -sh "$out"/*

@@ -69,9 +69,10 @@ FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const Sk
       [&](int face) { return std::span<const float>(points[face]); }, task);
 }
 
-faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
-                                    const faces::BilinearModel& bilinear, int size, uint64_t seed, const Task& task) {
-  const std::vector<int> identities = TrainingIdentities(database, split);
+namespace {
+
+/// At most 600 training faces of the grid, ascending.
+std::vector<int> FacesOfBasis(const faces::FaceDatabase& database, const Split& split, uint64_t seed) {
   constexpr int kMostFaces = 600;
   std::vector<int> grid;
   for (const int face : split.train) {
@@ -82,12 +83,15 @@ faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const S
     if (chosen.size() < kMostFaces) chosen.push_back(grid[size_t(index)]);
   }
   std::sort(chosen.begin(), chosen.end());
-  faces::FaceBasis basis = faces::FitFaceBasis(
-      static_cast<int>(chosen.size()), 3 * database.num_vertices(),
-      [&](int i) { return database.vertices(chosen[size_t(i)]); }, size, task);
+  return chosen;
+}
 
+/// How far the coordinates of these faces are from those of their bilinear faces, root mean square.
+Eigen::VectorXf DeviationFrom(const faces::BilinearModel& bilinear, const faces::FaceDatabase& database,
+                              const std::vector<int>& identities, const std::vector<int>& chosen,
+                              const faces::FaceBasis& basis, const Task& task) {
   const Eigen::MatrixXf products = basis.rows * bilinear.core.transpose();  // size x Ku Kv.
-  Eigen::VectorXf squares = Eigen::VectorXf::Zero(size);
+  Eigen::VectorXf squares = Eigen::VectorXf::Zero(basis.size());
   for (const int face : chosen) {
     task.ThrowIfCancelled("stopped while a basis of faces was fitted; nothing was written");
     const int identity = face / database.num_expressions(), expression = face % database.num_expressions();
@@ -99,7 +103,27 @@ faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const S
     const Eigen::Map<const Eigen::VectorXf> truth(coordinates.data(), Eigen::Index(coordinates.size()));
     squares += (basis.rows * truth - products * uv).cwiseAbs2();
   }
-  basis.deviation = (squares / float(chosen.size())).cwiseSqrt();
+  return (squares / float(chosen.size())).cwiseSqrt();
+}
+
+}  // namespace
+
+faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                    const faces::BilinearModel& bilinear, int size, uint64_t seed, const Task& task) {
+  const std::vector<int> chosen = FacesOfBasis(database, split, seed);
+  faces::FaceBasis basis = faces::FitFaceBasis(
+      static_cast<int>(chosen.size()), 3 * database.num_vertices(),
+      [&](int i) { return database.vertices(chosen[size_t(i)]); }, size, task);
+  basis.deviation = DeviationFrom(bilinear, database, TrainingIdentities(database, split), chosen, basis, task);
+  return basis;
+}
+
+faces::FaceBasis GaussianBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                         const faces::BilinearModel& bilinear, const faces::FaceGaussian& gaussian,
+                                         uint64_t seed, const Task& task) {
+  faces::FaceBasis basis = faces::BasisOf(gaussian);
+  basis.deviation = DeviationFrom(bilinear, database, TrainingIdentities(database, split),
+                                  FacesOfBasis(database, split, seed), basis, task);
   return basis;
 }
 

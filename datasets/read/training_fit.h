@@ -42,6 +42,12 @@ faces::FaceBasis FitBasisOnTraining(const faces::FaceDatabase& database, const S
                                     const faces::BilinearModel& bilinear, int size, uint64_t seed,
                                     const Task& task = {});
 
+/// The basis of all faces of a normal distribution (faces::BasisOf), and the distance of such faces from those of the
+/// bilinear model.
+faces::FaceBasis GaussianBasisOnTraining(const faces::FaceDatabase& database, const Split& split,
+                                         const faces::BilinearModel& bilinear, const faces::FaceGaussian& gaussian,
+                                         uint64_t seed, const Task& task = {});
+
 /// The normal distribution of at most 1,200 training faces, evenly spaced. @throws Error as faces::FitFaceGaussian.
 faces::FaceGaussian FitGaussianOnTraining(const faces::FaceDatabase& database, const Split& split,
                                           const faces::FaceGaussianOptions& options, const Task& task = {});

@@ -20,6 +20,7 @@ struct SketchNetworkOptions {
   int shape_hidden = 512;
   int num_points = 256;
   int residual = 0;
+  std::string basis = "faces";
 
   static constexpr int kMaxWidth = 256;
 
@@ -49,6 +50,10 @@ struct SketchNetworkOptions {
     visit("residual", residual, Range{0, 1000},
           "Number of vectors of a linear basis of faces. The network predicts a residual in this basis, which is added "
           "to the bilinear face; the bilinear face is projected onto the basis, too. 0: no residual.");
+    visit("basis", basis, Choices{{"faces", "gaussian"}},
+          "Of that basis. faces: the directions that explain most of training faces; gaussian: those of their normal "
+          "distribution, from which fits to drawings start; `residual` is then 1 more than its components. Shipped "
+          "weights need gaussian.");
   }
 
   bool reads_image() const { return trunk == "compact" || trunk == "alexnet" || trunk == "residual"; }
@@ -57,6 +62,21 @@ struct SketchNetworkOptions {
   /// All channels of all convolutions are multiples of 8 iff width is a multiple of this.
   int width_step() const { return trunk == "alexnet" ? 24 : trunk == "points" ? 4 : trunk == "shape" ? 1 : 8; }
   bool has_whole_blocks() const { return width % width_step() == 0; }
+};
+
+/// Numbers of a network that come from the models of its run.
+struct SketchNetworkSizes {
+  int num_identity = 0, num_expression = 0;  ///< Ku, Kv of the bilinear model.
+  int num_shape = 0;                         ///< Ku + Kv of the curve model.
+  int num_vertices = 0;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("num_identity", num_identity, Range{1, 1e6}, "Identity weights.");
+    visit("num_expression", num_expression, Range{1, 1e6}, "Expression weights.");
+    visit("num_shape", num_shape, Range{1, 1e6}, "Curve coefficients.");
+    visit("num_vertices", num_vertices, Range{1, 1e7}, "Vertices.");
+  }
 };
 
 /// Refuses a training with channels that are no multiples of 8: oneDNN computes 8 at a time, and its AVX2 code (2.6.3)

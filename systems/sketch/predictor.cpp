@@ -12,6 +12,7 @@
 #include "systems/sketch/parser_overlay.h"
 #include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/parser_run_folder.h"
+#include "systems/sketch/sketch_weights.h"
 #include "systems/training_library.h"
 
 #include <algorithm>
@@ -79,15 +80,22 @@ SketchPredictor::SketchPredictor(SketchRunFolder run, std::shared_ptr<const runt
     : run_(std::move(run)),
       options_(options),
       face_template_(std::make_shared<const faces::FaceTemplate>(run_.face_template)),
-      network_(run_, std::move(network)),
-      refiner_(run_.models.bilinear, network_.curves(), options.refinement) {
-  if (options_.framing == "keep") return;
+      network_(run_, std::move(network)) {
+  if (options_.framing == "keep") {
+    if (!options_.refine) return;
+    DAUMIER_CHECK(run_.models.bilinear.num_coordinates() > 0,
+                  "{}: shipped weights have no bilinear model, by which contours are matched: use --no-refine",
+                  run_.directory.string());
+    refiner_.emplace(run_.models.bilinear, network_.curves(), options.refinement);
+    return;
+  }
   DAUMIER_CHECK(parser != nullptr, "a drawing is framed by a parser of drawings, and there is none");
   fitter_.emplace(run_, std::move(parser), options.fitting);
 }
 
 fitting::PredictedFace SketchPredictor::Refined(const fitting::PredictedFace& face, const Strokes& strokes) const {
-  return refiner_.Refine(face, strokes);
+  DAUMIER_CHECK(refiner_.has_value(), "the predictor was opened without framing=keep and refine=true");
+  return refiner_->Refine(face, strokes);
 }
 
 std::vector<systems::Input> SketchPredictor::Separate(systems::Input input) const {
@@ -180,7 +188,7 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
 
 std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::path& run, const Device& device,
                                                         const Json& options) {
-  SketchRunFolder folder = ReadSketchRunFolder(run);
+  SketchRunFolder folder = ReadSketchFolder(run);
   const auto parsed = ParseOptions<PredictOptions>(options, "options of predict");
   std::shared_ptr<const DrawingParser> parser;
   if (parsed.framing != "keep")

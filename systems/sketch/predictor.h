@@ -65,7 +65,8 @@ class SketchPredictor : public systems::Predictor {
   std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs,
                                            const Task& task = {}) const override;
 
-  /// Faces of strokes that are on the canvas, and contours matched with strokes without labels.
+  /// Faces of strokes that are on the canvas, and contours matched with strokes without labels. Refined throws Error
+  /// unless sheets are canvases and contours are matched.
   std::vector<fitting::PredictedFace> FromStrokes(const std::vector<std::vector<render::Stroke>>& sketches) const {
     return network_.Predict(sketches);
   }
@@ -94,8 +95,8 @@ class SketchPredictor : public systems::Predictor {
   PredictOptions options_;
   std::shared_ptr<const faces::FaceTemplate> face_template_;
   StrokeNetwork network_;
-  fitting::ContourRefiner refiner_;
-  std::optional<DrawingFitter> fitter_;  ///< Where drawings are framed.
+  std::optional<fitting::ContourRefiner> refiner_;  ///< Of sheets that are canvases.
+  std::optional<DrawingFitter> fitter_;             ///< Where drawings are framed.
 };
 
 /// The predictor of a run folder, with its network from the training library.

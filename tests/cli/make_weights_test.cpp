@@ -62,7 +62,7 @@ class MakeWeightsTest : public ::testing::Test {
 };
 
 TEST_F(MakeWeightsTest, MakesEachOfTheOthersAndRecordsTheCommands) {
-  const ProcessResult result = Make({"PICTURES=/mine/pictures"});
+  const ProcessResult result = Make({"PICTURES=/mine/pictures", "ONLY=portraits"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(Calls(),
               ElementsAre(StartsWith("dataset model"), StartsWith("dataset faces"), StartsWith("dataset portraits"),
@@ -80,6 +80,23 @@ TEST_F(MakeWeightsTest, MakesEachOfTheOthersAndRecordsTheCommands) {
   EXPECT_THAT(result.err, HasSubstr("(seed 1)"));
 }
 
+TEST_F(MakeWeightsTest, DrawingsHaveDataAndWeightsOfTheirOwn) {
+  const ProcessResult result = Make({"ONLY=drawings", "SKETCH_PERSONS=7"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(Calls(),
+              ElementsAre(StartsWith("dataset model"), HasSubstr("num_persons=7"), StartsWith("dataset sketches"),
+                          HasSubstr("parser.toml"), StartsWith("eval"), StartsWith("export"),
+                          HasSubstr("drawings.toml"), StartsWith("eval"), StartsWith("export")));
+  const Json recipe = ReadJson(folder_ / "work/steps/sketch-ict.recipe");
+  ASSERT_EQ(recipe.size(), 4U);
+  EXPECT_EQ(
+      recipe[1].at("command"),
+      "daumier dataset sketches --config configs/sketches/styles.toml --out WORK/sketches faces=WORK/drawn_faces");
+  const ProcessResult unknown = Make({"ONLY=masks"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("unknown kind 'masks'"));
+}
+
 TEST_F(MakeWeightsTest, FinishedStepsAreSkipped) {
   ASSERT_EQ(Make().exit_code, 0);
   Calls();
@@ -87,6 +104,7 @@ TEST_F(MakeWeightsTest, FinishedStepsAreSkipped) {
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_TRUE(Calls().empty());
   EXPECT_THAT(again.err, HasSubstr("ship_portrait: finished, skipped"));
+  EXPECT_THAT(again.err, HasSubstr("ship_sketch-ict: finished, skipped"));
 }
 
 TEST_F(MakeWeightsTest, AStoppedTrainingResumes) {

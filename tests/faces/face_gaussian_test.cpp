@@ -85,6 +85,22 @@ TEST(FaceGaussian, ComesBackFromItsFileAndADamagedOneIsRefused) {
   testing::ExpectError([&] { ReadFaceGaussian(file); }, "as many coordinates as its mean");
 }
 
+TEST(GaussianBasis, IsOrthonormalAndHoldsTheWholeGaussian) {
+  const FaceGaussian gaussian = FitGaussian(NormalFaces(20, 9), kMirror, {3, 2});
+  const FaceBasis basis = BasisOf(gaussian);
+  ASSERT_EQ(basis.size(), gaussian.size() + 1);
+  const Eigen::MatrixXf products = basis.rows * basis.rows.transpose();
+  EXPECT_LT((products - Eigen::MatrixXf::Identity(basis.size(), basis.size())).cwiseAbs().maxCoeff(), 1e-5);
+  const FaceGaussian again = FromBasis(InBasis(gaussian, basis), basis);
+  EXPECT_LT((again.mean - gaussian.mean).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT((again.rows - gaussian.rows).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_EQ(again.num_symmetric, gaussian.num_symmetric);
+  FaceBasis smaller = basis;
+  smaller.rows = basis.rows.topRows(2);
+  testing::ExpectError([&] { InBasis(gaussian, smaller); }, "the basis is 2 x 9");
+  testing::ExpectError([&] { FromBasis(InBasis(gaussian, basis), smaller); }, "the basis has 2 rows");
+}
+
 TEST(FaceGaussian, RefusesWhatDoesNotFit) {
   const auto faces = NormalFaces(2, 9);
   testing::ExpectError([&] { FitGaussian(faces, {1, 0}, {}); }, "a mirror map of 2 vertices");

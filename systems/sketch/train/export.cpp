@@ -2,9 +2,11 @@
 
 #include "export/onnx_graph.h"
 #include "faces/face_database.h"
+#include "systems/sketch/sketch_weights.h"
 #include "systems/sketch/train/run.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace daumier::sketch {
 namespace {
@@ -102,29 +104,40 @@ exporting::ExportedFunction SketchFunction(SketchNetwork network) {
   return function;
 }
 
+exporting::NetworkFunction MakeSketchFunction(const Json& network) {
+  const SketchNetworkOfWeights made = SketchNetworkFromJson(network);
+  const SketchNetwork module(made.options, made.sizes);
+  return {module.ptr(), SketchFunction(module)};
+}
+
 exporting::RunExport DescribeSketchExport(const fs::path& run_directory) {
   const SketchRun run = LoadSketchRun(run_directory);
   const faces::FaceTemplate& face_template = run.face_template;
-  return {.run_directory = run_directory,
-          .run_manifest = run.manifest,
-          .module = run.network.ptr(),
-          .function = SketchFunction(run.network),
-          .card = {.title = "Sketch to 3D face",
-                   .summary = fmt::format(
-                       "A network with {} trained parameters that turns a line drawing of a face into a 3D face of the "
-                       "'{}' topology, after DeepSketch2Face (Han et al., SIGGRAPH 2017), trained and exported by "
-                       "Daumier.",
-                       run.network->num_parameters(), face_template.source),
-                   .inputs_and_outputs = InputsAndOutputs(*run.network),
-                   .limits = {"It was trained on drawings made by rendering feature curves of synthetic faces, not on "
-                              "drawings by people; lines that those drawings lack (hair, shading, glasses) mislead it.",
-                              "It returns a face of its bilinear model for any input, and gives no confidence.",
-                              "Depth is estimated from a frontal drawing by what is usual in the training faces.",
-                              "It is a tool for drawing. It must not be used to identify or to judge people."}},
-          .counts = {{"vertices", run.network->num_vertices()}, {"parameters", run.network->num_parameters()}},
-          .write_rest = [face_template](const fs::path& folder) {
-            return faces::WriteFaceTemplate(folder, face_template);
-          }};
+  return {
+      .run_directory = run_directory,
+      .run_manifest = run.manifest,
+      .module = run.network.ptr(),
+      .function = SketchFunction(run.network),
+      .card = {.title = "Sketch to 3D face",
+               .summary = fmt::format(
+                   "A network with {} trained parameters that turns a line drawing of a face into a 3D face of the "
+                   "'{}' topology, after DeepSketch2Face (Han et al., SIGGRAPH 2017), trained and exported by "
+                   "Daumier.",
+                   run.network->num_parameters(), face_template.source),
+               .inputs_and_outputs = InputsAndOutputs(*run.network),
+               .limits = {"It was trained on drawings made by rendering feature curves of synthetic faces, not on "
+                          "drawings by people; lines that those drawings lack (hair, shading, glasses) mislead it.",
+                          "It returns a face of its bilinear model for any input, and gives no confidence.",
+                          "Depth is estimated from a frontal drawing by what is usual in the training faces.",
+                          "It is a tool for drawing. It must not be used to identify or to judge people."}},
+      .counts = {{"vertices", run.network->num_vertices()}, {"parameters", run.network->num_parameters()}},
+      .write_rest = [face_template](const fs::path& folder) { return faces::WriteFaceTemplate(folder, face_template); },
+      .for_weights =
+          exporting::RunExport::ForWeights{.network = NetworkToJson({run.network_options, SizesOf(run.models)}),
+                                           .write_rest = [folder = std::make_shared<const SketchRunFolder>(run)](
+                                                             const fs::path&, const fs::path& neighbours) {
+                                             return WriteSketchWeights(*folder, neighbours);
+                                           }}};
 }
 
 }  // namespace daumier::sketch

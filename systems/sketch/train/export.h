@@ -10,6 +10,9 @@ namespace daumier::sketch {
 /// v (N, Kv), residual (N, K) of a network that has one, and vertices (N, V, 3) in cm.
 exporting::ExportedFunction SketchFunction(SketchNetwork network);
 
+/// The network of shipped weights, without their numbers. network: NetworkToJson of SketchNetworkOfWeights.
+exporting::NetworkFunction MakeSketchFunction(const Json& network);
+
 /// The export of a finished sketch run. @throws Error as LoadSketchRun.
 exporting::RunExport DescribeSketchExport(const std::filesystem::path& run_directory);
 

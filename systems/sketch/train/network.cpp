@@ -54,28 +54,17 @@ torch::Tensor Through(nn::Sequential& layers, const torch::Tensor& input) {
 
 }  // namespace
 
-SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const FittedModels& models)
+SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const SketchNetworkSizes& sizes)
     : options_(options) {
-  const faces::BilinearModel& bilinear = models.bilinear;
-  Check(bilinear);
-  Check(models.curves);
-  DAUMIER_CHECK(bilinear.core.cols() % 3 == 0, "the bilinear model has {} coordinates, expected three a vertex",
-                bilinear.core.cols());
   DAUMIER_CHECK(options.trunk != "shape" || options.shape_input == "none",
                 "network.trunk=\"shape\" reads the curve coefficients itself: network.shape_input has to be \"none\"");
-  DAUMIER_CHECK(models.basis.size() == options.residual &&
-                    (options.residual == 0 || (models.basis.rows.cols() == bilinear.core.cols() &&
-                                               models.basis.deviation.size() == options.residual)),
-                "the basis is {} x {}, expected {} x {}", models.basis.rows.rows(), models.basis.rows.cols(),
-                options.residual, bilinear.core.cols());
-  const int shape_size = models.curves.num_identity + models.curves.num_expression;
   const bool early = options.shape_input == "early", late = options.shape_input == "late";
-  trunk_ = models::MakeSketchTrunk(TrunkOf(options), shape_size);
+  trunk_ = models::MakeSketchTrunk(TrunkOf(options), sizes.num_shape);
   if (options.has_whole_blocks()) models::StoreChannelsLast(*trunk_.convolutions);
   register_module("convolutions", trunk_.convolutions);
   register_module("features", trunk_.features);
 
-  const int64_t features = options.hidden + (early ? shape_size : 0);
+  const int64_t features = options.hidden + (early ? sizes.num_shape : 0);
   identity_branch_ = register_module("identity_branch", nn::Sequential());
   identity_width_ = Stack(identity_branch_, features, options.identity_layers, options.branch);
   const bool two = options.branches == "two";
@@ -86,32 +75,72 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
     expression_width_ = identity_width_;
   }
   if (late) {
-    identity_shape_ = register_module("identity_shape", nn::Linear(shape_size, options.shape_hidden));
+    identity_shape_ = register_module("identity_shape", nn::Linear(sizes.num_shape, options.shape_hidden));
     identity_width_ += options.shape_hidden;
-    if (two) expression_shape_ = register_module("expression_shape", nn::Linear(shape_size, options.shape_hidden));
+    if (two) expression_shape_ = register_module("expression_shape", nn::Linear(sizes.num_shape, options.shape_hidden));
     expression_width_ += options.shape_hidden;
   }
-  identity_output_ = register_module("identity_output", nn::Linear(identity_width_, bilinear.num_identity));
-  expression_output_ = register_module("expression_output", nn::Linear(expression_width_, bilinear.num_expression));
+  identity_output_ = register_module("identity_output", nn::Linear(identity_width_, sizes.num_identity));
+  expression_output_ = register_module("expression_output", nn::Linear(expression_width_, sizes.num_expression));
+  if (options.residual > 0) {
+    residual_output_ = register_module(
+        "residual_output", nn::Linear(two ? identity_width_ + expression_width_ : identity_width_, options.residual));
+  }
+  RegisterBuffers(sizes);
+}
 
-  const Standardisation u = Standardise(bilinear.identity_factors), v = Standardise(bilinear.expression_factors);
-  u_mean_ = register_buffer("u_mean", u.mean);
-  u_deviation_ = register_buffer("u_deviation", u.deviation);
-  v_mean_ = register_buffer("v_mean", v.mean);
-  v_deviation_ = register_buffer("v_deviation", v.deviation);
-  const Standardisation shape_u = Standardise(models.curves.identity_factors),
+void SketchNetworkImpl::RegisterBuffers(const SketchNetworkSizes& sizes) {
+  const auto constant = [this](const char* name, std::vector<int64_t> shape, double value) {
+    return register_buffer(name, torch::full(shape, value));
+  };
+  const int64_t products = int64_t(sizes.num_identity) * sizes.num_expression, residual = options_.residual;
+  u_mean_ = constant("u_mean", {sizes.num_identity}, 0);
+  u_deviation_ = constant("u_deviation", {sizes.num_identity}, 1);
+  v_mean_ = constant("v_mean", {sizes.num_expression}, 0);
+  v_deviation_ = constant("v_deviation", {sizes.num_expression}, 1);
+  shape_mean_ = constant("shape_mean", {sizes.num_shape}, 0);
+  shape_deviation_ = constant("shape_deviation", {sizes.num_shape}, 1);
+  if (residual > 0) {
+    residual_deviation_ = constant("residual_deviation", {residual}, 1);
+    products_ = constant("products", {products, residual}, 0);
+  }
+  basis_ = constant("basis", {residual > 0 ? residual : products, 3 * int64_t(sizes.num_vertices)}, 0);
+}
+
+SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const FittedModels& models)
+    : SketchNetworkImpl(options, SizesOf(models)) {
+  const faces::BilinearModel& bilinear = models.bilinear;
+  DAUMIER_CHECK(models.basis.size() == options.residual &&
+                    (options.residual == 0 || (models.basis.rows.cols() == bilinear.core.cols() &&
+                                               models.basis.deviation.size() == options.residual)),
+                "the basis is {} x {}, expected {} x {}", models.basis.rows.rows(), models.basis.rows.cols(),
+                options.residual, bilinear.core.cols());
+  const Standardisation u = Standardise(bilinear.identity_factors), v = Standardise(bilinear.expression_factors),
+                        shape_u = Standardise(models.curves.identity_factors),
                         shape_v = Standardise(models.curves.expression_factors);
-  shape_mean_ = register_buffer("shape_mean", torch::cat({shape_u.mean, shape_v.mean}));
-  shape_deviation_ = register_buffer("shape_deviation", torch::cat({shape_u.deviation, shape_v.deviation}));
+  const at::NoGradGuard no_grad;
+  u_mean_.copy_(u.mean);
+  u_deviation_.copy_(u.deviation);
+  v_mean_.copy_(v.mean);
+  v_deviation_.copy_(v.deviation);
+  shape_mean_.copy_(torch::cat({shape_u.mean, shape_v.mean}));
+  shape_deviation_.copy_(torch::cat({shape_u.deviation, shape_v.deviation}));
   if (options.residual == 0) {
-    basis_ = register_buffer("basis", tensor::CopyToTensor(bilinear.core));
+    basis_.copy_(tensor::CopyToTensor(bilinear.core));
     return;
   }
-  residual_output_ = register_module(
-      "residual_output", nn::Linear(two ? identity_width_ + expression_width_ : identity_width_, options.residual));
-  residual_deviation_ = register_buffer("residual_deviation", tensor::CopyToTensor(models.basis.deviation));
-  products_ = register_buffer("products", tensor::CopyToTensor(bilinear.core * models.basis.rows.transpose()));
-  basis_ = register_buffer("basis", tensor::CopyToTensor(models.basis.rows));
+  residual_deviation_.copy_(tensor::CopyToTensor(models.basis.deviation));
+  products_.copy_(tensor::CopyToTensor(bilinear.core * models.basis.rows.transpose()));
+  basis_.copy_(tensor::CopyToTensor(models.basis.rows));
+}
+
+SketchNetworkSizes SizesOf(const FittedModels& models) {
+  Check(models.bilinear);
+  Check(models.curves);
+  DAUMIER_CHECK(models.bilinear.core.cols() % 3 == 0, "the bilinear model has {} coordinates, expected three a vertex",
+                models.bilinear.core.cols());
+  return {models.bilinear.num_identity, models.bilinear.num_expression,
+          models.curves.num_identity + models.curves.num_expression, int(models.bilinear.core.cols() / 3)};
 }
 
 models::TrunkOptions TrunkOf(const SketchNetworkOptions& options) {

@@ -26,6 +26,9 @@ models::TrunkOptions TrunkOf(const SketchNetworkOptions& options);
 /// keep the layout, which is faster. Undefined images stay undefined.
 torch::Tensor ChannelsLast(const torch::Tensor& images);
 
+/// @throws Error if the models do not belong together.
+SketchNetworkSizes SizesOf(const FittedModels& models);
+
 /// u: (B, Ku), v: (B, Kv) of the bilinear model, in its own units; residual: (B, R) in cm, undefined if there is none.
 struct FaceCoefficients {
   torch::Tensor u, v, residual;
@@ -41,6 +44,8 @@ struct FaceCoefficients {
 /// Runs of widths that a training refuses today (RequireWholeBlocks) still predict, their convolutions in plain layout.
 class SketchNetworkImpl : public torch::nn::Module {
  public:
+  /// Of models with any numbers: shipped weights fill them.
+  SketchNetworkImpl(const SketchNetworkOptions& options, const SketchNetworkSizes& sizes);
   /// @throws Error if the models do not belong together, or a wanted basis has another size than options.residual.
   SketchNetworkImpl(const SketchNetworkOptions& options, const FittedModels& models);
 
@@ -84,6 +89,8 @@ class SketchNetworkImpl : public torch::nn::Module {
   int64_t num_expression_features() const { return expression_width_; }
 
  private:
+  void RegisterBuffers(const SketchNetworkSizes& sizes);
+
   SketchNetworkOptions options_;
   models::SketchTrunk trunk_;
   torch::nn::Sequential identity_branch_{nullptr}, expression_branch_{nullptr};

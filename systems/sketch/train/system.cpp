@@ -51,7 +51,8 @@ systems::SystemTraining SketchTraining() {
           .evaluate = Evaluate,
           .describe_export = DescribeSketchExport,
           .infer_ms = InferMs,
-          .validation_metric = "mean_vertex_error_mm"};
+          .validation_metric = "mean_vertex_error_mm",
+          .make_network = MakeSketchFunction};
 }
 
 systems::SystemTraining ParserTraining() {

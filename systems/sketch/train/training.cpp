@@ -34,7 +34,9 @@ FittedModels BeginRun(const fs::path& directory, const SketchTrainingOptions& op
       bilinear.model, curves.model, {}, datasets::FitGaussianOnTraining(faces, split, options.gaussian, task)};
   if (options.network.residual > 0) {
     models.basis =
-        datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed, task);
+        options.network.basis == "gaussian"
+            ? datasets::GaussianBasisOnTraining(faces, split, bilinear.model, models.gaussian, options.seed, task)
+            : datasets::FitBasisOnTraining(faces, split, bilinear.model, options.network.residual, options.seed, task);
   }
   // Only now does the folder hold a run: options that the fit refuses can be corrected in the same folder.
   WriteFileAtomically(directory / "resolved.toml", ToToml(ToJson(options)));
