@@ -32,8 +32,10 @@ TEST(ParsedPicture, LinesHaveTheColoursOfTheirLabelsAndPointsAreDots) {
     const uint8_t* at = &image.pixels[3 * size_t(y * 256 + x)];
     return render::Rgb{at[0], at[1], at[2]};
   };
-  EXPECT_EQ(pixel(30, 20), ColourOf(faces::LineLabel::kHair));
-  EXPECT_EQ(pixel(75, 20), ColourOf(faces::LineLabel::kBrow));
+  for (size_t channel = 0; channel < 3; ++channel) {  // Lines are antialiased.
+    EXPECT_NEAR(pixel(30, 20)[channel], ColourOf(faces::LineLabel::kHair)[channel], 30);
+    EXPECT_NEAR(pixel(75, 20)[channel], ColourOf(faces::LineLabel::kBrow)[channel], 30);
+  }
   EXPECT_EQ(pixel(100, 100), (render::Rgb{255, 255, 255}));
   const render::Image dots = ParsedPicture(drawing, {.scale = 0.5}, 256);
   EXPECT_EQ(dots.pixels[3 * size_t(100 * 256 + 100) + 1], 0);

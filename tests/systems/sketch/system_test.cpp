@@ -98,7 +98,7 @@ TEST(ParserSystem, AResolvedConfigHasEveryOptionAndResolvesToItself) {
   const Json resolved = ParserSystem().resolve_config(config, "recipe.toml");
   EXPECT_EQ(resolved["network"]["resolution"], 256);
   EXPECT_EQ(ParserSystem().resolve_config(resolved, "recipe.toml"), resolved);
-  EXPECT_EQ(ParserSystem().resolve_prediction({}, "options")["parser"]["rounds"], 2);
+  EXPECT_EQ(ParserSystem().resolve_prediction(Json::object(), "options")["parser"]["rounds"], 2);
   config["epoch"] = 3;
   EXPECT_THROW(ParserSystem().resolve_config(config, "recipe.toml"), UsageError);
 }

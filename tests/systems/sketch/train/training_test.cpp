@@ -4,6 +4,8 @@
 #include "core/manifest.h"
 #include "core/task.h"
 #include "systems/sketch/options.h"
+#include "systems/sketch/parser_options.h"
+#include "systems/sketch/parser_run_folder.h"
 #include "systems/sketch/train/run.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
@@ -56,6 +58,8 @@ TEST_F(SketchTrainingTest, LeavesARunThatIsReadBackAndHasLearnt) {
   const SketchRun run = LoadSketchRun(Run("learns"));
   EXPECT_EQ(run.manifest.counts.at("best_epoch"), summary.best_epoch);
   EXPECT_EQ(run.config.at("data").at("faces"), (*folder_ / "faces").string());
+  EXPECT_EQ(run.models.gaussian.num_coordinates(), run.models.bilinear.num_coordinates());
+  EXPECT_GT(run.models.gaussian.size(), 0);
   std::istringstream log(ReadFile(Run("learns") / "metrics.jsonl"));
   std::vector<double> losses;
   for (std::string line; std::getline(log, line);) {
@@ -181,7 +185,11 @@ TEST(SketchConfigs, AllAreParsed) {
   for (const auto& entry : fs::directory_iterator(testing::SourceRoot() / "configs" / "sketch")) {
     const Json config = LoadConfig(entry.path());
     if (config.contains("rows")) continue;  // tests/train/sketch_ablation_test.cpp
-    EXPECT_NO_THROW(ParseOptions<SketchTrainingOptions>(config, entry.path().string()));
+    if (config.value("system", std::string(kSystem)) == kParserSystem) {
+      EXPECT_NO_THROW(ParseOptions<ParserTrainingOptions>(config, entry.path().string()));
+    } else {
+      EXPECT_NO_THROW(ParseOptions<SketchTrainingOptions>(config, entry.path().string()));
+    }
     ++num_configs;
   }
   EXPECT_GT(num_configs, 0);
