@@ -23,7 +23,7 @@ constexpr size_t kMostSamples = 300;
 constexpr double kShiftDeviation = 10;
 constexpr int kPoseUnknowns = 6;  ///< a, b, shift, yaw, pitch
 /// Gaps, cm: deviations of what a closed mouth, a gap as drawn and lines that must not cross allow.
-constexpr double kClosedDeviation = 0.05, kDrawnGapDeviation = 0.15, kCrossedDeviation = 0.03;
+constexpr double kClosedDeviation = 0.05, kDrawnGapDeviation = 0.3, kCrossedDeviation = 0.03;
 /// An open mouth and an open eye are at least this open in the middle, cm: tools that score drawings count 0.15 and 0.1.
 constexpr double kOpenLips = 0.22, kOpenLids = 0.22;
 /// A line of pairs counts as this many independent ones.
