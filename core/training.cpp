@@ -1,6 +1,7 @@
 #include "core/training.h"
 
 #include "core/error.h"
+#include "core/no_data.h"
 
 #include <filesystem>
 
@@ -24,6 +25,7 @@ Json WithAbsoluteData(Json config, const std::string& where) {
   std::vector<std::string> keys;
   for (const auto& [database, folder] : data.items()) keys.push_back(fmt::format("data.{}=FOLDER", database));
   for (auto& [database, folder] : data.items()) {
+    if (folder == kNoData) continue;
     if (folder == "") {
       throw UsageError(fmt::format("{}: it needs {}, made by `daumier dataset`", where, fmt::join(keys, " and ")));
     }

@@ -113,10 +113,13 @@ make_drawings() {
   step sketches drawn_faces "$work/sketches/manifest.json" daumier dataset sketches \
     --config "$configs/sketches/styles.toml" --out "$work/sketches" "faces=$work/drawn_faces"
 
-  train parser "drawn_faces sketches" "$configs/sketch/parser.toml" "data.faces=$work/drawn_faces" \
-    "data.sketches=$work/sketches" "epochs=$parser_epochs"
+  step profiles drawn_faces "$work/profiles/manifest.json" daumier dataset sketches \
+    --config "$configs/sketches/side.toml" --out "$work/profiles" "faces=$work/drawn_faces"
+
+  train parser "drawn_faces sketches profiles" "$configs/sketch/parser.toml" "data.faces=$work/drawn_faces" \
+    "data.sketches=$work/sketches" "data.profiles=$work/profiles" "epochs=$parser_epochs"
   step eval_parser train_parser "$work/runs/parser/report/manifest.json" daumier eval "$work/runs/parser"
-  ship parser drawn_faces sketches train_parser eval_parser
+  ship parser drawn_faces sketches profiles train_parser eval_parser
 
   train sketch-ict "drawn_faces sketches" "$configs/sketch/drawings.toml" "data.faces=$work/drawn_faces" \
     "data.sketches=$work/sketches" "epochs=$sketch_epochs"

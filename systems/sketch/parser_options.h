@@ -1,17 +1,29 @@
 #pragma once
+#include "core/no_data.h"
 #include "core/training.h"
 #include "datasets/read/splits.h"
 #include "datasets/styles/styled_dataset.h"
-#include "systems/sketch/options.h"
 #include "systems/sketch/parser_network_options.h"
 
 #include <string>
 
 namespace daumier::sketch {
 
+struct ParserDataOptions {
+  std::string faces, sketches;
+  std::string profiles = kNoData;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("faces", faces, Text{}, "Folder of the faces.");
+    visit("sketches", sketches, Text{}, "Folder of their sketches.");
+    visit("profiles", profiles, Text{}, "Folder of their sketches from the side; none: without profiles.");
+  }
+};
+
 struct ParserLossOptions {
   double label_weight = 1.5;
-  double state_weight = 0.5;
+  double state_weight = 1.5;
   double view_weight = 0.5;
   double hair_class_weight = 0.3;
   double other_class_weight = 0.5;
@@ -30,6 +42,13 @@ struct ParserLossOptions {
   }
 };
 
+/// Sketches of faces that a parser reads: one in kProfileEvery faces is also seen from the side.
+struct ParserSketches {
+  const datasets::SketchDatabase& sketches;
+  const datasets::SketchDatabase* profiles = nullptr;
+};
+inline constexpr size_t kProfileEvery = 10;
+
 struct ParserValidationOptions {
   int samples = 400;
 
@@ -41,7 +60,7 @@ struct ParserValidationOptions {
 
 struct ParserTrainingOptions {
   std::string system = "drawing_parser";
-  SketchDataOptions data;
+  ParserDataOptions data;
   datasets::SplitOptions split{.kind = "person", .validation = 0.05, .test = 0.1};
   ParserNetworkOptions network;
   datasets::StyledReading drawings;

@@ -85,7 +85,7 @@ TEST_F(MakeWeightsTest, DrawingsHaveDataAndWeightsOfTheirOwn) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(Calls(),
               ElementsAre(StartsWith("dataset model"), HasSubstr("num_persons=7"), StartsWith("dataset sketches"),
-                          HasSubstr("parser.toml"), StartsWith("eval"), StartsWith("export"),
+                          HasSubstr("side.toml"), HasSubstr("parser.toml"), StartsWith("eval"), StartsWith("export"),
                           HasSubstr("drawings.toml"), StartsWith("eval"), StartsWith("export")));
   const Json recipe = ReadJson(folder_ / "work/steps/sketch-ict.recipe");
   ASSERT_EQ(recipe.size(), 4U);

@@ -104,6 +104,8 @@ class ParserEvaluation {
         sketches_folder_(Folder("sketches", options.data.sketches)),
         faces_(databases.Open<faces::FaceDatabase>(faces_folder_)),
         sketches_(databases.Open<datasets::SketchDatabase>(sketches_folder_)),
+        profiles_(HasProfiles() ? &databases.Open<datasets::SketchDatabase>(Folder("profiles", options.data.profiles))
+                                : nullptr),
         split_(datasets::SplitOfRun(run_directory, run_.manifest, run_.config, faces_)),
         reading_(ParseOptions<datasets::StyledReading>(run_.config.at("drawings"))),
         measured_(EvenlySpaced(datasets::SubsetOf(split_, options.split), options.drawings)),
@@ -140,8 +142,16 @@ class ParserEvaluation {
     return datasets::FindRunData(run_.directory, run_.manifest, run_.config, kind, moved);
   }
 
+  bool HasProfiles() const { return run_.manifest.details.at("data").contains("profiles"); }
+
   datasets::StyledDataset Drawings(const std::vector<int>& of_faces) const {
-    return {{{sketches_, of_faces}}, reading_, run_.manifest.seed + 2, SidesOf(run_.network_options)};
+    return {SourcesOf({sketches_, profiles_}, of_faces), reading_, run_.manifest.seed + 2,
+            SidesOf(run_.network_options)};
+  }
+
+  int FaceOf(int sample) const {
+    const int num_fronts = int(measured_.size());
+    return measured_[size_t(sample < num_fronts ? sample : (sample - num_fronts) * int(kProfileEvery))];
   }
 
   void MeasureDrawing(const datasets::StyledDataset& drawings, int sample, const MeanPoints& mean) {
@@ -174,7 +184,7 @@ class ParserEvaluation {
   reports::MetricTable Table() const {
     reports::MetricTable table{.columns = ParserColumns()};
     for (const int sample : samples_) {
-      table.faces.push_back(measured_[size_t(sample)]);
+      table.faces.push_back(FaceOf(sample));
       table.groups.push_back(faces_.id(table.faces.back()).person);
     }
     table.data_hash = {{"faces", DataHash(faces_folder_)}, {"sketches", DataHash(sketches_folder_)}};
@@ -282,6 +292,7 @@ class ParserEvaluation {
   const fs::path faces_folder_, sketches_folder_;
   const faces::FaceDatabase& faces_;
   const datasets::SketchDatabase& sketches_;
+  const datasets::SketchDatabase* profiles_;
   const datasets::Split split_;
   const datasets::StyledReading reading_;
   const std::vector<int> measured_;  ///< Faces.

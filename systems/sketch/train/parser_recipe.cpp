@@ -32,15 +32,23 @@ torch::Tensor ClassWeights(const ParserLossOptions& options) {
 
 }  // namespace
 
+std::vector<datasets::StyledSource> SourcesOf(const ParserSketches& sketches, const std::vector<int>& faces) {
+  std::vector<datasets::StyledSource> sources = {{sketches.sketches, faces}};
+  if (sketches.profiles == nullptr) return sources;
+  datasets::StyledSource& profiles = sources.emplace_back(datasets::StyledSource{*sketches.profiles, {}});
+  for (size_t i = 0; i < faces.size(); i += kProfileEvery) profiles.faces.push_back(faces[i]);
+  return sources;
+}
+
 datasets::StyledSides SidesOf(const ParserNetworkOptions& options) {
   return {options.resolution, options.map_side(), options.label_side()};
 }
 
-ParserRecipe::ParserRecipe(const ParserTrainingOptions& options, const datasets::SketchDatabase& sketches,
+ParserRecipe::ParserRecipe(const ParserTrainingOptions& options, const ParserSketches& sketches,
                            const std::vector<int>& training, const std::vector<int>& validation, torch::Device device)
     : options_(options),
-      training_({{sketches, training}}, options.drawings, options.seed, SidesOf(options.network)),
-      validation_({{sketches, EvenlySpaced(validation, options.validation.samples)}}, options.drawings,
+      training_(SourcesOf(sketches, training), options.drawings, options.seed, SidesOf(options.network)),
+      validation_(SourcesOf(sketches, EvenlySpaced(validation, options.validation.samples)), options.drawings,
                   options.seed + 1, SidesOf(options.network)),
       device_(device),
       network_(MakeParserNetwork(options.network)),

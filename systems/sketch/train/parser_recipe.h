@@ -16,10 +16,10 @@ namespace daumier::sketch {
 /// labels_percent, mouth_percent, eyes_percent and view_percent (balanced accuracies).
 class ParserRecipe : public train::Recipe {
  public:
-  /// training, validation: faces of `sketches`. Draws the first weights from LibTorch's CPU generator. @throws Error if
+  /// training, validation: faces of the sketches. Draws the first weights from LibTorch's CPU generator. @throws Error if
   /// there is no face of either kind, or as StyledDataset.
-  ParserRecipe(const ParserTrainingOptions& options, const datasets::SketchDatabase& sketches,
-               const std::vector<int>& training, const std::vector<int>& validation, torch::Device device);
+  ParserRecipe(const ParserTrainingOptions& options, const ParserSketches& sketches, const std::vector<int>& training,
+               const std::vector<int>& validation, torch::Device device);
 
   torch::nn::Module& module() override { return *network_; }
   torch::Device device() const override { return device_; }
@@ -38,6 +38,9 @@ class ParserRecipe : public train::Recipe {
   models::HeatMapUnet network_;
   torch::Tensor class_weights_, state_weights_;
 };
+
+/// The sketches of these faces, and profiles of some of them.
+std::vector<datasets::StyledSource> SourcesOf(const ParserSketches& sketches, const std::vector<int>& faces);
 
 /// The sides of what a network reads and learns.
 datasets::StyledSides SidesOf(const ParserNetworkOptions& options);

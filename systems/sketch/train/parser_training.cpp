@@ -31,7 +31,13 @@ TrainingSummary TrainParser(const Json& config, const systems::RunPlace& place, 
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
-  manifest.details["data"] = DataHashes(options.data, sketches);
+  manifest.details["data"] = DataHashes(options.data.faces, options.data.sketches, sketches);
+  const datasets::SketchDatabase* profiles = nullptr;
+  if (options.data.profiles != kNoData) {
+    profiles = &databases.Open<datasets::SketchDatabase>(options.data.profiles);
+    manifest.details["data"]["profiles"] =
+        DataHashes(options.data.faces, options.data.profiles, *profiles).at("sketches");
+  }
   manifest.details["system"] = kParserSystem;
   const Json defaults = ToJson(ParserTrainingOptions());
   if (place.resume) train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
@@ -42,7 +48,7 @@ TrainingSummary TrainParser(const Json& config, const systems::RunPlace& place, 
   if (!begun) WriteManifest(run_directory, manifest);
 
   torch::manual_seed(options.seed);
-  ParserRecipe recipe(options, sketches, split.train, split.validation, torch_device);
+  ParserRecipe recipe(options, {sketches, profiles}, split.train, split.validation, torch_device);
   const int64_t num_parameters = recipe.network()->num_parameters();
   log::Info("Training {} parameters on drawings of {} sketches", num_parameters, recipe.num_samples());
   TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task,

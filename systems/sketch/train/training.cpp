@@ -8,6 +8,7 @@
 #include "datasets/read/run_data.h"
 #include "datasets/read/training_fit.h"
 #include "render/camera_json.h"
+#include "systems/sketch/options.h"
 #include "systems/sketch/train/export.h"
 #include "systems/sketch/train/recipe.h"
 #include "systems/sketch/train/run.h"
@@ -63,12 +64,13 @@ Json SketchFrame(const datasets::SketchDatabase& sketches) {
 
 }  // namespace
 
-Json DataHashes(const SketchDataOptions& data, const datasets::SketchDatabase& sketches) {
-  const std::string faces_hash = DataHash(data.faces);
+Json DataHashes(const std::string& faces, const std::string& sketches_folder,
+                const datasets::SketchDatabase& sketches) {
+  const std::string faces_hash = DataHash(faces);
   DAUMIER_CHECK(sketches.manifest().details.value("faces_data_hash", "") == faces_hash,
                 "{} are sketches of other faces than {}: make them again with `daumier dataset sketches`",
-                data.sketches, data.faces);
-  return {{"faces", faces_hash}, {"sketches", DataHash(data.sketches)}};
+                sketches_folder, faces);
+  return {{"faces", faces_hash}, {"sketches", DataHash(sketches_folder)}};
 }
 
 TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, FolderCache& databases,
@@ -84,7 +86,7 @@ TrainingSummary TrainSketch(const Json& config, const systems::RunPlace& place, 
   const datasets::Split split = datasets::MakeSplit(faces, options.split, options.seed);
 
   Manifest manifest = datasets::ManifestOfTraining(ToJson(options), options.seed, faces, split);
-  manifest.details["data"] = DataHashes(options.data, sketches);
+  manifest.details["data"] = DataHashes(options.data.faces, options.data.sketches, sketches);
   manifest.details["sketches"] = SketchFrame(sketches);
   manifest.details["system"] = kSystem;
 

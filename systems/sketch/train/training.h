@@ -1,13 +1,12 @@
 #pragma once
 #include "core/folder_cache.h"
 #include "datasets/read/sketch_database.h"
-#include "systems/sketch/options.h"
 #include "systems/system.h"
 
 namespace daumier::sketch {
 
-/// {faces, sketches}: which data these are. @throws Error if the sketches are of other faces.
-Json DataHashes(const SketchDataOptions& data, const datasets::SketchDatabase& sketches);
+/// {faces, sketches}: which data these folders are. @throws Error if the sketches are of other faces.
+Json DataHashes(const std::string& faces, const std::string& sketches_folder, const datasets::SketchDatabase& sketches);
 
 /// `daumier train` of a sketch network: opens the databases, splits, fits the bilinear models of faces and of curves
 /// (and the basis of a network with a residual) on training faces, trains, and leaves a run folder that

@@ -9,6 +9,7 @@
 #include <torch/utils.h>
 
 #include <memory>
+#include <numeric>
 
 namespace daumier::sketch {
 namespace {
@@ -34,7 +35,7 @@ class ParserRecipeTest : public ::testing::Test {
   }
   static ParserRecipe SmallRecipe(const ParserTrainingOptions& options) {
     torch::manual_seed(1);
-    return {options, *sketches_, {0, 1, 2, 3}, {0, 1, 2, 3}, torch::kCPU};
+    return {options, {*sketches_}, {0, 1, 2, 3}, {0, 1, 2, 3}, torch::kCPU};
   }
 
   static inline std::unique_ptr<testing::TempDir> folder_;
@@ -86,8 +87,17 @@ TEST_F(ParserRecipeTest, LossIsTheWeightedSumOfItsParts) {
       1e-4);
 }
 
+TEST_F(ParserRecipeTest, OneInTenFacesIsAlsoSeenFromTheSide) {
+  std::vector<int> faces(8);
+  std::iota(faces.begin(), faces.end(), 0);
+  EXPECT_EQ(SourcesOf({*sketches_}, faces).size(), 1u);
+  const auto sources = SourcesOf({*sketches_, sketches_.get()}, faces);
+  ASSERT_EQ(sources.size(), 2u);
+  EXPECT_EQ(sources[1].faces, std::vector<int>{0});
+}
+
 TEST_F(ParserRecipeTest, NeedsFacesOfBothKinds) {
-  testing::ExpectError([] { ParserRecipe(SmallOptions(), *sketches_, {0}, {}, torch::kCPU); },
+  testing::ExpectError([] { ParserRecipe(SmallOptions(), {*sketches_}, {0}, {}, torch::kCPU); },
                        "training and validation faces");
 }
 
