@@ -4,6 +4,7 @@
 #include "core/manifest.h"
 #include "render/image.h"
 #include "tests/cli/pipeline.h"
+#include "tests/support/plain_sketch_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -137,6 +138,28 @@ TEST(PredictWithoutARun, AMisspeltRunIsStillARun) {
       Daumier({"predict", (folder / "runs/sketch").string(), "face.svg", "--out", (folder / "out").string()});
   EXPECT_EQ(absent.exit_code, 1);
   EXPECT_THAT(absent.err, HasSubstr("runs/sketch is not a run folder"));
+}
+
+TEST(PredictByASketchRun, WithoutAParserItSaysWhereOneIsSearchedAndHowToDoWithout) {
+  const TempDir folder;
+  WritePlainSketchRun(folder / "run");
+  WriteFileAtomically(folder / "face.svg",
+                      "<svg xmlns='http://www.w3.org/2000/svg' width='256' height='256'><path d='M40 40H200V220H40Z' "
+                      "fill='none' stroke='black'/></svg>");
+  const auto predict = [&](const std::string& option) {
+    return RunProcess({"/usr/bin/env", "DAUMIER_WEIGHTS=" + (folder / "nowhere").string(), DAUMIER_PROGRAM, "--quiet",
+                       "predict", (folder / "run").string(), (folder / "face.svg").string(), option, "--out",
+                       (folder / "out").string()});
+  };
+  const ProcessResult none = predict("--no-fit");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, AllOf(HasSubstr("there are no shipped weights of one in " + (folder / "nowhere").string()),
+                              HasSubstr("parser=RUN"), HasSubstr("--keep-frame")));
+  EXPECT_THAT(predict("--keep-frame").err, Not(HasSubstr("parser"))) << "the sheet is the canvas";
+  const ProcessResult removed = predict("--deform");
+  EXPECT_EQ(removed.exit_code, 2);
+  EXPECT_THAT(removed.err, HasSubstr("--deform"));
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 }  // namespace
