@@ -6,6 +6,7 @@
 #include "eval/drawing_score.h"
 #include "eval/drawing_table.h"
 #include "eval/mesh_score.h"
+#include "eval/plausibility.h"
 #include "eval/predicted_meshes.h"
 #include "faces/face_database.h"
 #include "reports/report_table.h"
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ScoreArguments {
-  fs::path predictions, labels, truth;
+  fs::path predictions, labels, truth, plausible;
   std::string face_template;
   bool as_json = false;
 };
@@ -67,20 +68,42 @@ void ScorePredictedMeshes(const ScoreArguments& arguments) {
   fmt::print("{}faces: {}\n", reports::TableText(eval::MeshScoreTable(scores)), scores.size());
 }
 
+void ScorePlausibleFaces(const ScoreArguments& arguments) {
+  const eval::PlausibilityScores scores =
+      eval::ScorePlausibility(arguments.predictions, faces::FaceDatabase(arguments.plausible));
+  if (arguments.as_json) {
+    PrintResult(eval::PlausibilityToJson(scores), true);
+    return;
+  }
+  fmt::print(
+      "Mean distance of vertices to the nearest face, mm, face region after similarity.\n"
+      "{} of {} predictions are within {:.2f} mm: so near are 99 % of {} faces to one of another person (median "
+      "{:.2f}).\n\n{}",
+      scores.num_within(), scores.of_predictions.size(), scores.limit_mm, scores.num_faces, scores.median_mm,
+      reports::TableText(eval::PlausibilityTable(scores)));
+}
+
 void Score(const ScoreArguments& arguments) {
-  if (arguments.labels.empty() == arguments.truth.empty())
-    throw UsageError("score needs either --labels FILE (of drawings) or --truth FOLDER (of faces)");
+  const int num_given =
+      int(!arguments.labels.empty()) + int(!arguments.truth.empty()) + int(!arguments.plausible.empty());
+  if (num_given != 1)
+    throw UsageError(
+        "score needs one of --labels FILE (of drawings), --truth FOLDER (of true faces) and --plausible FOLDER (of any "
+        "faces)");
   if (!arguments.labels.empty()) {
     ScoreLabelledDrawings(arguments);
-  } else {
+  } else if (!arguments.truth.empty()) {
     ScorePredictedMeshes(arguments);
+  } else {
+    ScorePlausibleFaces(arguments);
   }
 }
 
 }  // namespace
 
 Verb ScoreVerb() {
-  return {"score", "Errors of predicted meshes: on drawings with labelled points, or against true faces",
+  return {"score",
+          "Errors of predicted meshes: on drawings with labelled points, against true faces, or as faces among others",
           [](CLI::App& command) {
             auto arguments = std::make_shared<ScoreArguments>();
             command
@@ -101,9 +124,16 @@ Verb ScoreVerb() {
                             "person-00003-level-1-smile, or a person of an imported folder), or folder of meshes of "
                             "the same names and vertex order")
                 ->check(CLI::ExistingDirectory);
-            command.add_option("--template", arguments->face_template,
-                               "Run, weights or folder of faces with the template of the meshes; without it the "
-                               "weights that the predictions name. Not read with a folder of faces as truth");
+            command
+                .add_option(
+                    "--plausible", arguments->plausible,
+                    "Folder of faces that `daumier dataset faces` wrote: the distance of each prediction to the "
+                    "nearest of 2,000 of them, against the distances among themselves")
+                ->check(CLI::ExistingDirectory);
+            command.add_option(
+                "--template", arguments->face_template,
+                "Run, weights or folder of faces with the template of the meshes; without it the "
+                "weights that the predictions name. Not read with a folder of faces as truth or --plausible");
             command.add_flag("--json", arguments->as_json, "Print the result as JSON");
             return [arguments] { Score(*arguments); };
           },

@@ -16,6 +16,12 @@ struct CurvePanel {
   std::vector<ChartCurve> curves;
 };
 
+/// A chart of a report.
+struct ReportChart {
+  std::string title, file;  ///< "Errors by strokes", "strokes.svg"
+  std::string caption, svg;
+};
+
 /// Curves as SVG, a panel below the other, all with the same colours and axis of y. A dot marks the least y of each
 /// curve, and the legend lists each curve's minimum, ascending. The axis of y ends a little above the
 /// largest of these least values, so that steep beginnings do not flatten the curves; parts above are cut.

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/coordinates.h"
+#include "systems/sketch/parsed_face.h"
 
 namespace daumier::sketch {
 namespace {
@@ -21,10 +22,13 @@ render::Placement ToPlacement(const fitting::FaceFrame& frame) {
   return {frame.scale, frame.shift, frame.turn_degrees};
 }
 
-fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet) {
+fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet,
+                                    double least_support) {
   fitting::LabelledDrawing labelled;
+  const std::array<double, faces::kNumFacePoints> support = SupportOf(drawing);
   for (size_t i = 0; i < drawing.points.size(); ++i)
-    labelled.points[i] = {render::ToCanvas(canvas_from_sheet, drawing.points[i]), drawing.confidences[i]};
+    labelled.points[i] = {render::ToCanvas(canvas_from_sheet, drawing.points[i]),
+                          drawing.confidences[i] * (least_support + (1 - least_support) * support[i])};
   const std::vector<render::Stroke> strokes = render::MapToCanvas(drawing.strokes, canvas_from_sheet);
   for (size_t s = 0; s < strokes.size(); ++s) labelled.strokes.push_back({strokes[s].points, drawing.labels[s]});
   labelled.mouth = drawing.mouth;
@@ -45,8 +49,8 @@ DrawingFitter::DrawingFitter(const SketchRunFolder& run, std::shared_ptr<const D
 }
 
 render::Placement DrawingFitter::FrameOf(const ParsedDrawing& drawing) const {
-  const auto frame =
-      fitting::FindFaceFrame(points_, mean_projected_, ToLabelled(drawing, drawing.frame), options_.solver.frame);
+  const auto frame = fitting::FindFaceFrame(
+      points_, mean_projected_, ToLabelled(drawing, drawing.frame, options_.least_support), options_.solver.frame);
   DAUMIER_CHECK(frame.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
   return render::Composed(render::Inverse(ToPlacement(*frame)), drawing.frame);
 }
@@ -54,7 +58,7 @@ render::Placement DrawingFitter::FrameOf(const ParsedDrawing& drawing) const {
 fitting::LabelledFit DrawingFitter::Fit(const ParsedDrawing& drawing, const render::Placement& frame,
                                         std::span<const float> predicted) const {
   const fitting::FacePrior prior{faces::CoefficientsOf(fitter_.gaussian(), predicted), options_.prior_share};
-  std::optional<fitting::LabelledFit> fit = fitter_.Fit(ToLabelled(drawing, frame), prior);
+  std::optional<fitting::LabelledFit> fit = fitter_.Fit(ToLabelled(drawing, frame, options_.least_support), prior);
   DAUMIER_CHECK(fit.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
   return *std::move(fit);
 }

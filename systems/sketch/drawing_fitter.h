@@ -12,18 +12,23 @@ namespace daumier::sketch {
 
 struct DrawingFitOptions {
   double prior_share = 0.6;
+  double least_support = 1;
   fitting::LabelledFitOptions solver = {};
 
   template <class V>
   void Visit(V&& visit) {
     visit("prior_share", prior_share, Range{1e-3, 10},
           "Deviation of a fitted face from the network's, as a share of that of faces.");
+    visit("least_support", least_support, Range{0, 1},
+          "Share of its confidence that a point keeps where no line of the drawing can show it.");
     visit("solver", solver, Table{}, "The solver.");
   }
 };
 
-/// A parsed drawing on a canvas, as a fit reads it.
-fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet);
+/// A parsed drawing on a canvas, as a fit reads it. Of a confidence the share least_support + (1 - least_support) *
+/// SupportOf(drawing) is kept.
+fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet,
+                                    double least_support = 1);
 
 /// The upright face of a drawing, and where the drawing lies.
 struct FittedFace {

@@ -18,6 +18,7 @@ void CheckEvalOptions(const SketchEvalOptions& options) {
   refuse(options.deform, "deform");
   refuse(options.fit, "fit");
   refuse(options.styled, "styled");
+  refuse(options.strokes > 0, "strokes");
 }
 
 }  // namespace daumier::sketch

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/options.h"
+#include "systems/sketch/drawing_fitter.h"
 
 #include <string>
 
@@ -25,6 +26,8 @@ struct SketchEvalOptions {
   SketchEvalData data = {};
   std::string parser = {};
   bool baselines = true, fit = false, refine = false, deform = false;
+  int strokes = 0;
+  DrawingFitOptions fitting = {};
 
   template <class V>
   void Visit(V&& visit) {
@@ -54,6 +57,12 @@ struct SketchEvalOptions {
           "faces this is always done.");
     visit("parser", parser, Text{},
           "Run or weights of the task drawing_parser, for fits. Empty: those in the shipped weights.");
+    visit(
+        "strokes", strokes, Range{0, 100000},
+        "Also measure the error by the number of strokes: of so many evenly spaced faces, drawn in styles of people, "
+        "after their first 1, 2, 3, 4, 6, 8, 12, 16, 24, 32 and all strokes, and of a fifth of them after each stroke. "
+        "0: not.");
+    visit("fitting", fitting, Table{}, "How faces are fitted to parsed drawings by `strokes`.");
   }
 };
 

@@ -2,14 +2,13 @@
 
 #include "core/error.h"
 #include "core/log.h"
-#include "datasets/styles/face_lines.h"
 #include "geometry/coordinates.h"
 #include "render/faces_on_sheet.h"
 #include "render/sparse_strokes.h"
 #include "systems/predict_each.h"
 #include "systems/shipped_weights.h"
 #include "systems/sketch/input_drawing.h"
-#include "systems/sketch/parser_overlay.h"
+#include "systems/sketch/parsed_face.h"
 #include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/parser_run_folder.h"
 #include "systems/sketch/sketch_weights.h"
@@ -24,8 +23,7 @@ namespace {
 
 using Strokes = std::vector<render::Stroke>;
 
-constexpr double kLeastProfile = 0.6;  // Probability of a profile that is refused.
-constexpr double kWildDrawing = 3;     // Residual scale from which a drawing hardly looks like a face.
+constexpr double kWildDrawing = 3;  // Residual scale from which a drawing hardly looks like a face.
 
 geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geometry::Points& vertices) {
   const auto& landmarks = face_template.annotation.landmarks;
@@ -51,21 +49,6 @@ Json StatesToJson(const ParsedDrawing& parsed) {
           {"eye_right", faces::kEyeStateNames[Likeliest(parsed.eyes[0])]},
           {"eye_left", faces::kEyeStateNames[Likeliest(parsed.eyes[1])]},
           {"view", faces::kDrawnViewNames[Likeliest(parsed.view)]}};
-}
-
-void RefuseProfile(const ParsedDrawing& parsed) {
-  const double profile = parsed.view[size_t(faces::DrawnView::kProfile)];
-  if (profile < kLeastProfile) return;
-  throw Error(
-      fmt::format("the drawing shows a face from the side (probability {:.2f}). Faces are predicted from the front, or "
-                  "turned by up to about 60 degrees: draw both eyes",
-                  profile));
-}
-
-std::vector<render::Stroke> LinesOfFace(const ParsedDrawing& parsed) {
-  std::vector<render::Stroke> lines = LabelRuns(parsed);
-  std::erase_if(lines, [](const render::Stroke& line) { return !datasets::ShowsFace(faces::LineLabel(line.kind)); });
-  return lines.empty() ? parsed.strokes : lines;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "geometry/obj.h"
 #include "render/framing.h"
 #include "tests/cli/pipeline.h"
+#include "tests/support/synthetic_database.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,9 +79,29 @@ TEST_F(ScoreCommand, MeasuresMeshesAgainstTrueOnes) {
   EXPECT_NEAR(result.at("aligned").at("mean").get<double>(), 0, 1e-3);
 }
 
+TEST_F(ScoreCommand, MeasuresHowNearFacesAreToOthers) {
+  BuildSyntheticFaces(folder_ / "faces");
+  const faces::FaceDatabase database(folder_ / "faces");
+  MakeDirectory(folder_ / "meshes");
+  geometry::WriteObj(folder_ / "meshes/own.obj", faces::SurfaceMesh(database.face_template(), database.points(3)));
+  geometry::Points folded = database.points(3);
+  folded.col(1) = folded.col(1).cwiseAbs();
+  geometry::WriteObj(folder_ / "meshes/folded.obj", faces::SurfaceMesh(database.face_template(), folded));
+  const ProcessResult json = Daumier({"score", In("meshes"), "--plausible", In("faces"), "--json"});
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  const Json result = Json::parse(json.out);
+  EXPECT_EQ(result.at("num_population"), database.num_faces());
+  EXPECT_EQ(result.at("num_within"), 1);
+  EXPECT_EQ(result.at("predictions")[1].at("name"), "own");
+  EXPECT_NEAR(result.at("predictions")[1].at("distance_mm").get<double>(), 0, 1e-3);
+  EXPECT_EQ(result.at("predictions")[1].at("nearest"), database.Describe(3));
+  const ProcessResult text = Daumier({"score", In("meshes"), "--plausible", In("faces")});
+  EXPECT_THAT(text.out, HasSubstr("1 of 2 predictions are within"));
+}
+
 TEST_F(ScoreCommand, SaysWhatIsMissing) {
   EXPECT_EQ(Score({}).exit_code, 2);
-  EXPECT_THAT(Score({}).err, HasSubstr("either --labels FILE (of drawings) or --truth FOLDER"));
+  EXPECT_THAT(Score({}).err, HasSubstr("one of --labels FILE (of drawings), --truth FOLDER"));
   const ProcessResult no_template = Score({"--labels", In("labels.json")});
   EXPECT_EQ(no_template.exit_code, 2);
   EXPECT_THAT(no_template.err, HasSubstr("Name a run, weights or a folder of faces: --template FOLDER"));

@@ -7,6 +7,7 @@
 #include "systems/sketch/metrics.h"
 #include "systems/sketch/train/external_evaluation.h"
 #include "systems/sketch/train/measurement.h"
+#include "systems/sketch/train/stroke_prefixes.h"
 
 #include <algorithm>
 
@@ -20,6 +21,7 @@ struct Measured {
   const SketchTestSet& test;
   const SketchEvalOptions& options;
   SketchMeasurement measurement;
+  std::optional<PrefixReport> prefixes;
   double seconds;
 
   const SketchRun& run() const { return test.data().run; }
@@ -56,6 +58,7 @@ Json MetricsOf(const Measured& measured) {
           {"ridge_mm", ErrorOf(table, kRidge)},
           {"ridge_lambda", lambda ? Json(*lambda) : Json()},
           {"model_limit_mm", ErrorOf(table, kModelLimit)},
+          {"strokes", measured.prefixes ? measured.prefixes->metrics : Json()},
           {"table", reports::TableJson(table)},
           {"data_hash", table.data_hash},
           {"seconds", measured.seconds},
@@ -89,6 +92,10 @@ reports::ReportData ReportOf(const Measured& measured) {
                   {"seconds", fmt::format("{:.1f}", measured.seconds)}};
   if (const std::optional<double>& lambda = measured.measurement.ridge_lambda)
     report.facts.push_back({"ridge's lambda, chosen on validation faces", fmt::format("{:g}", *lambda)});
+  if (measured.prefixes) {
+    report.tables.push_back(measured.prefixes->table);
+    for (const reports::ReportFact& fact : measured.prefixes->facts) report.facts.push_back(fact);
+  }
   return report;
 }
 
@@ -96,7 +103,10 @@ Manifest ManifestOf(const Measured& measured) {
   const auto weights = [](const fs::path& run) { return Sha256OfFile(BestWeights(run)); };
   const SketchEvalOptions& options = measured.options;
   Manifest manifest{.kind = "report", .verb = "eval"};
-  manifest.config = {{"split", options.split}, {"strength", options.strength}, {"styled", options.styled}};
+  manifest.config = {{"split", options.split},
+                     {"strength", options.strength},
+                     {"styled", options.styled},
+                     {"strokes", options.strokes}};
   manifest.seed = measured.run().manifest.seed;
   manifest.sources = measured.run().manifest.sources;
   manifest.counts = {{"faces", measured.table().faces.size()}, {"persons", measured.test.num_persons()}};
@@ -114,7 +124,10 @@ reports::Evaluation EvaluateSketchRun(const fs::path& run_directory, const Sketc
   const Stopwatch stopwatch;
   const SketchRunData data = OpenSketchRunData(run_directory, databases, options.data);
   const SketchTestSet test(data, options, task);
-  Measured measured{test, options, MeasureSketchRun(test, options), 0};
+  Measured measured{test, options, MeasureSketchRun(test, options), {}, 0};
+  if (options.strokes > 0)
+    measured.prefixes =
+        ReportPrefixes(MeasurePrefixes(test, options.strokes, options.parser, options.fitting), data.run.manifest.seed);
   measured.seconds = stopwatch.seconds();
   return {.table = measured.table(),
           .metrics = MetricsOf(measured),

@@ -13,7 +13,8 @@ namespace daumier::sketch {
 /// which is the result then. Further rows: the training-free baselines and ridge regression on curve coefficients
 /// (baseline_rows.h); `fit`: morphable-model fitting (fits.h); `refine`: the result after contour matching; `deform`:
 /// the network's faces fitted to the sketches as a parser reads them (DrawingFitter). With `strength` > 0 each sketch is
-/// augmented once; with `styled` it is drawn in a style of people. With `faces` the run is measured on other faces: EvaluateOnExternalFaces.
+/// augmented once; with `styled` it is drawn in a style of people. `strokes`:
+/// errors by the number of strokes (ReportPrefixes), a table, a chart and the key `strokes`. With `faces` the run is measured on other faces: EvaluateOnExternalFaces.
 /// metrics: num_faces, num_persons, split, shape_input, mean_vertex_error_mm, p90_vertex_error_mm,
 /// mean_face_baseline_mm, nearest_neighbour_mm, ridge_mm, model_limit_mm; also interval_mm, interocular_share,
 /// augmentation_strength, styled, shape_error_px (given, predicted, recovered), ridge_lambda, regions_mm (of the result: eyes,

@@ -28,6 +28,7 @@ TEST(SketchEvalOptions, OtherFacesExcludeSubsetsOfTheSplit) {
   expect("deform", [](SketchEvalOptions& options) { options.deform = true; });
   expect("fit", [](SketchEvalOptions& options) { options.fit = true; });
   expect("styled", [](SketchEvalOptions& options) { options.styled = true; });
+  expect("strokes", [](SketchEvalOptions& options) { options.strokes = 200; });
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+#include "systems/sketch/parsed_face.h"
+
+#include "core/error.h"
+#include "datasets/styles/face_lines.h"
+#include "systems/sketch/parser_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace daumier::sketch {
+namespace {
+
+constexpr double kLeastProfile = 0.6;  // Probability of a profile that is refused.
+
+}  // namespace
+
+std::vector<render::Stroke> LinesOfFace(const ParsedDrawing& drawing) {
+  std::vector<render::Stroke> lines = LabelRuns(drawing);
+  std::erase_if(lines, [](const render::Stroke& line) { return !datasets::ShowsFace(faces::LineLabel(line.kind)); });
+  return lines.empty() ? drawing.strokes : lines;
+}
+
+void RefuseProfile(const ParsedDrawing& drawing) {
+  const double profile = drawing.view[size_t(faces::DrawnView::kProfile)];
+  if (profile < kLeastProfile) return;
+  throw Error(
+      fmt::format("the drawing shows a face from the side (probability {:.2f}). Faces are predicted from the front, or "
+                  "turned by up to about 60 degrees: draw both eyes",
+                  profile));
+}
+
+bool CanShow(faces::LineLabel label, faces::FacePoint point) {
+  using enum faces::LineLabel;
+  using enum faces::FacePoint;
+  switch (point) {
+    case kBrowRightOuter:
+    case kBrowRightInner:
+    case kBrowLeftInner:
+    case kBrowLeftOuter:
+      return label == kBrow;
+    case kNoseBottom:
+    case kNoseWingRight:
+    case kNoseWingLeft:
+      return label == kNose;
+    case kMouthRight:
+    case kMouthLeft:
+    case kLipTop:
+    case kLipBottom:
+    case kInnerTop:
+    case kInnerBottom:
+      return label == kUpperLip || label == kLowerLip || label == kInnerMouth;
+    case kChin:
+    case kContourRight:
+    case kContourLeft:
+      return label == kSilhouette;
+    default:
+      return label == kUpperLid || label == kLowerLid || label == kIris;
+  }
+}
+
+std::array<double, faces::kNumFacePoints> SupportOf(const ParsedDrawing& drawing) {
+  std::array<double, faces::kNumFacePoints> squares;
+  squares.fill(std::numeric_limits<double>::infinity());
+  for (size_t s = 0; s < drawing.strokes.size(); ++s) {
+    for (size_t p = 0; p < drawing.strokes[s].points.size(); ++p) {
+      const auto& [x, y] = drawing.strokes[s].points[p];
+      for (size_t i = 0; i < squares.size(); ++i)
+        if (CanShow(drawing.labels[s][p], faces::FacePoint(i)))
+          squares[i] = std::min(squares[i], (drawing.points[i] - Eigen::Vector2d(x, y)).squaredNorm());
+    }
+  }
+  std::array<double, faces::kNumFacePoints> support;
+  std::ranges::transform(squares, support.begin(), [&](double square) {
+    const double beyond = std::max(0.0, drawing.frame.scale * std::sqrt(square) - kSupportTolerance) / kSupportReach;
+    return std::exp(-0.5 * beyond * beyond);
+  });
+  return support;
+}
+
+}  // namespace daumier::sketch

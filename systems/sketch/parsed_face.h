@@ -1,0 +1,27 @@
+#pragma once
+#include "render/strokes.h"
+#include "systems/sketch/drawing_parser.h"
+
+#include <array>
+#include <vector>
+
+/// What of a parsed drawing predicts a face.
+namespace daumier::sketch {
+
+/// The lines that show the face (datasets::ShowsFace), which a network reads; all lines if none does.
+std::vector<render::Stroke> LinesOfFace(const ParsedDrawing& drawing);
+
+/// @throws Error if the drawing shows a profile, which no face is predicted from.
+void RefuseProfile(const ParsedDrawing& drawing);
+
+/// Whether a line of this label can show the point: lids and iris points of eyes, the silhouette the contour.
+bool CanShow(faces::LineLabel label, faces::FacePoint point);
+
+/// Of each point how far the drawing itself shows it, 0..1: 1 if a line that can show it passes within
+/// kSupportTolerance, the promise of styled drawings (datasets::StyledDrawing), and beyond exp(-x^2 / 2), x the further
+/// distance in kSupportReach; pixels of the canvas of drawing.frame. Elsewhere a parser extrapolates.
+std::array<double, faces::kNumFacePoints> SupportOf(const ParsedDrawing& drawing);
+
+inline constexpr double kSupportTolerance = 4, kSupportReach = 4;
+
+}  // namespace daumier::sketch

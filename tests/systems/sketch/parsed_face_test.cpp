@@ -1,0 +1,72 @@
+#include "systems/sketch/parsed_face.h"
+
+#include "tests/support/expect_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace daumier::sketch {
+namespace {
+
+using enum faces::LineLabel;
+using faces::FacePoint;
+
+/// A line of each label at y = 10, 20, ...; all points at (0, 0) on a sheet of half the canvas's scale.
+ParsedDrawing LinesOfLabels(const std::vector<faces::LineLabel>& labels) {
+  ParsedDrawing drawing;
+  drawing.points.fill(Eigen::Vector2d::Zero());
+  drawing.frame.scale = 2;
+  float y = 0;
+  for (const faces::LineLabel label : labels) {
+    y += 10;
+    drawing.strokes.push_back({0, {{0, y}, {5, y}}});
+    drawing.labels.push_back({label, label});
+  }
+  return drawing;
+}
+
+TEST(LinesOfFace, AreThoseThatShowItOrAll) {
+  const auto lines = LinesOfFace(LinesOfLabels({kHair, kNose, kNeck, kBrow}));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].kind, int(kNose));
+  EXPECT_EQ(lines[1].points[0][1], 40);
+  EXPECT_EQ(LinesOfFace(LinesOfLabels({kHair, kOther})).size(), 2U);
+}
+
+TEST(RefuseProfile, RefusesAProbableOne) {
+  ParsedDrawing drawing;
+  drawing.view = {0.5, 0, 0, 0.5};
+  EXPECT_NO_THROW(RefuseProfile(drawing));
+  drawing.view = {0.3, 0, 0, 0.7};
+  testing::ExpectError([&] { RefuseProfile(drawing); }, "from the side (probability 0.70)");
+}
+
+TEST(CanShow, EachPointHasALabelAndHairShowsNone) {
+  for (int i = 0; i < faces::kNumFacePoints; ++i) {
+    int num = 0;
+    for (int label = 0; label < faces::kNumLineLabels; ++label)
+      num += CanShow(faces::LineLabel(label), FacePoint(i)) ? 1 : 0;
+    EXPECT_GT(num, 0) << i;
+    EXPECT_FALSE(CanShow(kHair, FacePoint(i)));
+    for (int label = 0; label < faces::kNumLineLabels; ++label)
+      EXPECT_EQ(CanShow(faces::LineLabel(label), FacePoint(i)),
+                CanShow(faces::LineLabel(label), faces::MirroredPoint(FacePoint(i))));
+  }
+}
+
+TEST(SupportOf, FallsWithTheDistanceOnTheCanvas) {
+  ParsedDrawing drawing = LinesOfLabels({kNose, kBrow});
+  const auto at = [](FacePoint point) { return size_t(point); };
+  drawing.points[at(FacePoint::kNoseBottom)] = {5, 12};     // 4 pixels of the canvas.
+  drawing.points[at(FacePoint::kNoseWingRight)] = {0, 14};  // 8 pixels: one reach beyond the tolerance.
+  drawing.points[at(FacePoint::kBrowLeftInner)] = {0, 10};  // On a line of another label, 20 pixels from its own.
+  const auto support = SupportOf(drawing);
+  EXPECT_NEAR(support[at(FacePoint::kNoseBottom)], 1, 1e-12);
+  EXPECT_NEAR(support[at(FacePoint::kNoseWingRight)], std::exp(-0.5), 1e-12);
+  EXPECT_NEAR(support[at(FacePoint::kBrowLeftInner)], std::exp(-8), 1e-12);
+  EXPECT_EQ(support[at(FacePoint::kChin)], 0) << "no line can show it";
+}
+
+}  // namespace
+}  // namespace daumier::sketch
