@@ -15,7 +15,8 @@ models::HeatMapUnet MakeParserNetwork(const ParserNetworkOptions& options) {
                                                         .num_points = faces::kNumFacePoints,
                                                         .num_classes = faces::kNumLineLabels,
                                                         .states = {states.begin(), states.end()},
-                                                        .finds_boxes = false});
+                                                        .finds_boxes = false,
+                                                        .states_at_points = options.states_at_points});
 }
 
 }  // namespace daumier::sketch
