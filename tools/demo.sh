@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The main job on the default source: faces -> sketches -> train -> eval -> ONNX -> pictures, into runs/demo and data/demo.
+# The main job on the default source: faces -> sketches -> train -> eval -> ONNX -> pictures, into runs/demo and data/demo;
+# then, with the shipped weights, three drawings -> heads.
 # Finds `daumier` on the PATH; `./dev demo` puts it there. --fresh starts from nothing.
 set -euo pipefail
 data=data/demo run=runs/demo
@@ -16,11 +17,14 @@ resume=()
 step daumier train configs/sketch/demo.toml --out "$run" "${resume[@]}" data.faces="$data/faces" data.sketches="$data/sketches"
 step daumier eval "$run"
 step daumier export "$run" --out "$run/export"
+step daumier predict docs/examples/drawings/man.svg docs/examples/drawings/girl.svg \
+  docs/examples/drawings/quickdraw.ndjson --out "$run/drawings"
 
 cat <<DONE
 
 The demo took $(($(date +%s) - began)) s. Look at
   $run/report/index.html       errors, sheets, heat maps
   $data/gallery/               the faces and sketches it learned from
+  $run/drawings/man.png        a drawing and its head; also girl, quickdraw (docs/examples/drawings)
   $run/export/model.onnx       the network, with parity.json and model_card.md
 DONE
