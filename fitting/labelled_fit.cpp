@@ -73,12 +73,23 @@ std::vector<float> FloatsOf(const geometry::Points& points) {
   return result;
 }
 
+Eigen::Matrix3d TurnOfHead(const LabelledFit& fit) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  return TurnOf(fit.yaw_degrees * kDegree, fit.pitch_degrees * kDegree);
+}
+
 }  // namespace
 
+std::vector<float> TurnedAs(const LabelledFit& fit, const Eigen::VectorXf& face) {
+  geometry::Points points = geometry::PointsFrom({face.data(), size_t(face.size())});
+  const Eigen::Matrix3d turn = TurnOfHead(fit);
+  points = ((points.rowwise() - fit.pivot.transpose()) * turn.transpose()).rowwise() + fit.pivot.transpose();
+  return FloatsOf(points);
+}
+
 std::vector<float> Upright(const LabelledFit& fit) {
-  constexpr double kDegree = std::numbers::pi / 180;
-  const Eigen::Matrix3d turn = TurnOf(fit.yaw_degrees * kDegree, fit.pitch_degrees * kDegree);
   geometry::Points points = geometry::PointsFrom(fit.vertices);
+  const Eigen::Matrix3d turn = TurnOfHead(fit);
   points = ((points.rowwise() - fit.pivot.transpose()) * turn).rowwise() + fit.pivot.transpose();
   return FloatsOf(points);
 }

@@ -35,6 +35,8 @@ struct LabelledFit {
   int num_crossed_lips = 0, num_crossed_lids = 0;  ///< Pairs of places that cross by more than 0.1 mm.
 };
 
+/// An upright face (3V, cm) turned as that of the fit.
+std::vector<float> TurnedAs(const LabelledFit& fit, const Eigen::VectorXf& face);
 /// The face back in the pose of its template.
 std::vector<float> Upright(const LabelledFit& fit);
 

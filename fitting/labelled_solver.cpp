@@ -24,6 +24,8 @@ constexpr double kShiftDeviation = 10;
 constexpr int kPoseUnknowns = 6;  ///< a, b, shift, yaw, pitch
 /// Gaps, cm: deviations of what a closed mouth, a gap as drawn and lines that must not cross allow.
 constexpr double kClosedDeviation = 0.05, kDrawnGapDeviation = 0.3, kCrossedDeviation = 0.03;
+/// No mouth opens farther, cm, whatever a drawing of uncertain scale shows.
+constexpr double kWidestDrawnGap = 6;
 /// An open mouth and an open eye are at least this open in the middle, cm: tools that score drawings count 0.15 and 0.1.
 constexpr double kOpenLips = 0.22, kOpenLids = 0.22;
 /// A line of pairs counts as this many independent ones.
@@ -311,8 +313,9 @@ class MapProblem {
     const LabelledPoint &top = drawing_.point(FacePoint::kInnerTop), &bottom = drawing_.point(FacePoint::kInnerBottom);
     if (top.confidence <= 0 || bottom.confidence <= 0) return;
     const FaceFrame frame = state.frame();
-    const double drawn =
-        (frame.SheetFromCanvas(bottom.position) - frame.SheetFromCanvas(top.position)).y() / seen_.camera.scale;
+    const double drawn = std::min(
+        (frame.SheetFromCanvas(bottom.position) - frame.SheetFromCanvas(top.position)).y() / seen_.camera.scale,
+        kWidestDrawnGap);
     const auto middle = std::min_element(mouth.pairs.begin(), mouth.pairs.end(), [](const auto& a, const auto& b) {
       return std::abs(a.share - 0.5) < std::abs(b.share - 0.5);
     });

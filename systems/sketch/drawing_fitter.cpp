@@ -4,6 +4,10 @@
 #include "geometry/coordinates.h"
 #include "systems/sketch/parsed_face.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace daumier::sketch {
 namespace {
 
@@ -37,6 +41,34 @@ fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::
   return labelled;
 }
 
+double NumFeatures(const ParsedDrawing& drawing) {
+  // Points of a feature are neighbours; the centres of the eyes come last.
+  using enum faces::FacePoint;
+  constexpr std::array<std::pair<faces::FacePoint, faces::FacePoint>, 6> kFeatures = {
+      {{kEyeRightOuter, kEyeRightBottom},
+       {kEyeLeftInner, kEyeLeftBottom},
+       {kBrowRightOuter, kBrowLeftOuter},
+       {kNoseBottom, kNoseWingLeft},
+       {kMouthRight, kInnerBottom},
+       {kChin, kContourLeft}}};
+  const std::array<double, faces::kNumFacePoints> support = SupportOf(drawing);
+  double num = 0;
+  for (const auto& [first, last] : kFeatures) {
+    double best = *std::max_element(support.begin() + int(first), support.begin() + int(last) + 1);
+    if (first == kEyeRightOuter) best = std::max(best, support[size_t(kEyeRightCentre)]);
+    if (first == kEyeLeftInner) best = std::max(best, support[size_t(kEyeLeftCentre)]);
+    num += best;
+  }
+  return num;
+}
+
+double TrustOf(double num_features, double half_trust) {
+  if (half_trust <= 0) return 1;
+  constexpr double kSteepness = 8;
+  const double n = std::pow(num_features, kSteepness);
+  return n / (n + std::pow(half_trust, kSteepness));
+}
+
 DrawingFitter::DrawingFitter(const SketchRunFolder& run, std::shared_ptr<const DrawingParser> parser,
                              const DrawingFitOptions& options)
     : parser_(std::move(parser)),
@@ -60,6 +92,10 @@ fitting::LabelledFit DrawingFitter::Fit(const ParsedDrawing& drawing, const rend
   const fitting::FacePrior prior{faces::CoefficientsOf(fitter_.gaussian(), predicted), options_.prior_share};
   std::optional<fitting::LabelledFit> fit = fitter_.Fit(ToLabelled(drawing, frame, options_.least_support), prior);
   DAUMIER_CHECK(fit.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
+  const auto trust = float(TrustOf(NumFeatures(drawing), options_.half_trust));
+  const std::vector<float> mean = fitting::TurnedAs(*fit, fitter_.gaussian().mean);
+  for (size_t i = 0; i < mean.size(); ++i) fit->vertices[i] = trust * fit->vertices[i] + (1 - trust) * mean[i];
+  fit->coefficients *= trust;
   return *std::move(fit);
 }
 

@@ -13,6 +13,7 @@ namespace daumier::sketch {
 struct DrawingFitOptions {
   double prior_share = 0.6;
   double least_support = 1;
+  double half_trust = 3;
   fitting::LabelledFitOptions solver = {};
 
   template <class V>
@@ -21,6 +22,10 @@ struct DrawingFitOptions {
           "Deviation of a fitted face from the network's, as a share of that of faces.");
     visit("least_support", least_support, Range{0, 1},
           "Share of its confidence that a point keeps where no line of the drawing can show it.");
+    visit("half_trust", half_trust, Range{0, 6},
+          "Of the six features of a face (eyes, brows, nose, mouth, contour) so many have to be drawn until the fitted "
+          "face "
+          "counts as much as the mean face. 0: it always counts alone.");
     visit("solver", solver, Table{}, "The solver.");
   }
 };
@@ -29,6 +34,13 @@ struct DrawingFitOptions {
 /// SupportOf(drawing) is kept.
 fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet,
                                     double least_support = 1);
+
+/// How many of the six features of a face a drawing shows: right eye, left eye, brows, nose, mouth and contour, each as far as
+/// its best point is shown (SupportOf).
+double NumFeatures(const ParsedDrawing& drawing);
+/// The probability that a parse of n features is right: n^8 / (n^8 + h^8), 1 where h is 0. Of few lines a parser often reads
+/// a part as the whole.
+double TrustOf(double num_features, double half_trust);
 
 /// The upright face of a drawing, and where the drawing lies.
 struct FittedFace {
@@ -47,7 +59,8 @@ class DrawingFitter {
   ParsedDrawing Parse(const std::vector<render::Stroke>& strokes) const { return parser_->Parse(strokes); }
   /// Sheet to canvas, by the points and the mean face (fitting::FindFaceFrame). @throws Error if no point is found.
   render::Placement FrameOf(const ParsedDrawing& drawing) const;
-  /// The face on the canvas of the camera, from the vertices (3V, cm) that a network predicts. frame: FrameOf.
+  /// The face on the canvas of the camera, from the vertices (3V, cm) that a network predicts. frame: FrameOf. Vertices are
+  /// the mean over what the parse may be, right (TrustOf) or not: trust * fitted face + (1 - trust) * mean face.
   fitting::LabelledFit Fit(const ParsedDrawing& drawing, const render::Placement& frame,
                            std::span<const float> predicted) const;
   /// Parse, FrameOf, Fit.

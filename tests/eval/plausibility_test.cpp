@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "core/statistics.h"
 #include "eval/mesh_score.h"
+#include "geometry/alignment.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
 

@@ -28,6 +28,23 @@ double MeanFaceDistance(const LabelledFace& face, const LabelledDrawing& drawing
   return MeanPointDistance(face, mean, drawing);
 }
 
+TEST(TurnedAs, UprightUndoesIt) {
+  const LabelledFace& face = TheFace();
+  LabelledFit fit;
+  fit.yaw_degrees = 25;
+  fit.pitch_degrees = -10;
+  fit.pivot = {0.5, 1, -2};
+  fit.vertices = TurnedAs(fit, face.gaussian.mean);
+  const std::vector<float> upright = Upright(fit);
+  double most = 0, moved = 0;
+  for (size_t i = 0; i < upright.size(); ++i) {
+    most = std::max(most, std::abs(double(upright[i]) - face.gaussian.mean[Eigen::Index(i)]));
+    moved = std::max(moved, std::abs(double(fit.vertices[i]) - face.gaussian.mean[Eigen::Index(i)]));
+  }
+  EXPECT_LT(most, 1e-4);
+  EXPECT_GT(moved, 0.1);
+}
+
 TEST(LabelledFit, ReachesThePointsOfAFaceOfItsGaussian) {
   const LabelledFace& face = TheFace();
   const LabelledFitter fitter = FitterOf(face);

@@ -1,6 +1,7 @@
 #include "systems/sketch/drawing_fitter.h"
 
 #include "geometry/coordinates.h"
+#include "systems/sketch/parsed_face.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/ideal_parser_network.h"
@@ -56,12 +57,23 @@ class DrawingFitterTest : public ::testing::Test {
     }
     return points;
   }
-  /// A face as it lies on a sheet, its points alone.
+  /// A label whose lines show the point, of which the fit has no curve where it can be avoided.
+  static faces::LineLabel LabelOf(size_t point) {
+    for (const auto label : {faces::LineLabel::kIris, faces::LineLabel::kNose, faces::LineLabel::kBrow,
+                             faces::LineLabel::kInnerMouth, faces::LineLabel::kSilhouette})
+      if (CanShow(label, faces::FacePoint(point))) return label;
+    return faces::LineLabel::kOther;
+  }
+  /// A face as it lies on a sheet: its points, with a dot at each.
   static ParsedDrawing DrawingOfPoints(const std::vector<float>& face, const render::Placement& sheet_from_canvas) {
     ParsedDrawing drawing;
     drawing.points = PointsOf(face);
     for (Eigen::Vector2d& point : drawing.points) point = render::ToCanvas(sheet_from_canvas, point);
     std::fill_n(drawing.confidences.begin(), faces::kNumLandmarkPoints, 1.0);
+    for (size_t i = 0; i < size_t(faces::kNumLandmarkPoints); ++i) {
+      drawing.strokes.push_back({0, {{float(drawing.points[i].x()), float(drawing.points[i].y())}}});
+      drawing.labels.push_back({LabelOf(i)});
+    }
     drawing.frame = FrameOfPoints(drawing.points);
     return drawing;
   }
@@ -127,6 +139,43 @@ TEST_F(DrawingFitterTest, ALabelledDrawingIsTheParsedOneOnTheCanvas) {
     EXPECT_EQ(labelled.points[i].position, render::ToCanvas(kSheet, parsed.points[i]));
     EXPECT_EQ(labelled.points[i].confidence, parsed.confidences[i]);
   }
+}
+
+TEST_F(DrawingFitterTest, APointThatNoLineShowsKeepsTheLeastSupportOfItsConfidence) {
+  ParsedDrawing drawing = DrawingOfPoints(MeanFace(), kSheet);
+  const auto chin = size_t(faces::FacePoint::kChin), nose = size_t(faces::FacePoint::kNoseBottom);
+  for (auto& labels : drawing.labels)
+    if (labels[0] == faces::LineLabel::kSilhouette) labels[0] = faces::LineLabel::kHair;
+  const fitting::LabelledDrawing labelled = ToLabelled(drawing, kSheet, 0.25);
+  EXPECT_NEAR(labelled.points[chin].confidence, 0.25, 1e-12);
+  EXPECT_NEAR(labelled.points[nose].confidence, 1, 1e-12);
+}
+
+TEST_F(DrawingFitterTest, FeaturesCountAsFarAsLinesShowThem) {
+  ParsedDrawing drawing = DrawingOfPoints(MeanFace(), kSheet);
+  EXPECT_NEAR(NumFeatures(drawing), 6, 1e-9);
+  drawing.strokes.resize(4);  // The right eye alone.
+  drawing.labels.resize(4);
+  EXPECT_LT(NumFeatures(drawing), 1.2);
+  EXPECT_GE(NumFeatures(drawing), 1);
+}
+
+TEST(TrustOf, IsHalfAtHalfTrust) {
+  EXPECT_EQ(TrustOf(0, 2), 0);
+  EXPECT_EQ(TrustOf(2, 2), 0.5);
+  EXPECT_NEAR(TrustOf(4, 2), 256.0 / 257, 1e-12);
+  EXPECT_EQ(TrustOf(0, 0), 1);
+}
+
+TEST_F(DrawingFitterTest, OfALoneEyeTheMeanFaceIsLeft) {
+  ParsedDrawing drawing = DrawingOfPoints(MeanFace(), kSheet);
+  drawing.strokes.resize(4);
+  drawing.labels.resize(4);
+  const auto distance = [&](const std::vector<float>& face) {
+    return (geometry::PointsFrom(face) - geometry::PointsFrom(MeanFace())).rowwise().norm().mean();
+  };
+  const fitting::LabelledFit fit = fitter_->Fit(drawing, render::Inverse(kSheet), OtherFace());
+  EXPECT_LT(distance(fitting::Upright(fit)), 0.1 * distance(OtherFace()));
 }
 
 TEST_F(DrawingFitterTest, ADrawingWithoutAPointIsRefused) {
