@@ -56,14 +56,6 @@ torch::Tensor Enlarged(const torch::Tensor& maps) {
       maps, nn::functional::InterpolateFuncOptions().scale_factor(std::vector<double>{2, 2}).mode(torch::kNearest));
 }
 
-/// maps: (B, C, H, W), heat_maps: (B, L, H, W). Returns (B, L C): of each point the mean of the maps, weighted by the
-/// softmax of its heat map, through which no gradient passes.
-torch::Tensor AtPoints(const torch::Tensor& maps, const torch::Tensor& heat_maps) {
-  const torch::Tensor scores = heat_maps.requires_grad() ? heat_maps.detach() : heat_maps;
-  const torch::Tensor places = scores.flatten(2).softmax(2).to(maps.scalar_type());
-  return torch::bmm(places, maps.flatten(2).transpose(1, 2)).flatten(1);
-}
-
 void CheckOptions(const HeatMapUnetOptions& options) {
   DAUMIER_CHECK(options.width >= kBlock && options.width % kBlock == 0 && options.point_width >= kBlock &&
                     options.point_width % kBlock == 0,
@@ -97,8 +89,7 @@ HeatMapUnetImpl::HeatMapUnetImpl(const HeatMapUnetOptions& options) : options_(o
   to_half_ = register_module("to_half", Pointwise(points, w));
   pixels_ = register_module("pixels", NormalisedMap(w, w));
   label_head_ = register_module("label_head", Head(w, options.num_classes));
-  const int at_points = options.states_at_points ? options.num_points * points : 0;
-  state_features_ = register_module("state_features", nn::Linear(16 * w + at_points, 4 * w));
+  state_features_ = register_module("state_features", nn::Linear(16 * w, 4 * w));
   state_head_ = register_module("state_head", nn::Linear(4 * w, options.num_state_scores()));
   if (options.finds_boxes) AddBoxHead();
   StoreChannelsLast(*this);
@@ -137,8 +128,7 @@ HeatMapOutputs HeatMapUnetImpl::Parse(const HeatMapFeatures& features) {
   outputs.heat_maps = heat_map_head_->forward(quarter);
   outputs.labels = label_head_->forward(pixels_->forward(features.half + Enlarged(to_half_->forward(quarter))));
   const torch::Tensor deep = features.sixteenth;
-  torch::Tensor summary = torch::cat({deep.mean({2, 3}), deep.amax({2, 3})}, 1);
-  if (options_.states_at_points) summary = torch::cat({summary, AtPoints(quarter, outputs.heat_maps)}, 1);
+  const torch::Tensor summary = torch::cat({deep.mean({2, 3}), deep.amax({2, 3})}, 1);
   outputs.states = state_head_->forward(state_features_->forward(summary).relu());
   return outputs;
 }

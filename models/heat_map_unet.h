@@ -19,9 +19,6 @@ struct HeatMapUnetOptions {
   int num_classes = 8;            ///< C, of a pixel.
   std::vector<int> states = {2};  ///< Number of classes of each state of the whole picture.
   bool finds_boxes = true;        ///< Whether there is a search head.
-  /// Whether states also read the maps at a quarter of the side where each point is: their mean, weighted by the softmax
-  /// of its heat map.
-  bool states_at_points = false;
 
   /// S: scores of all states' classes in a row.
   int num_state_scores() const { return std::accumulate(states.begin(), states.end(), 0); }

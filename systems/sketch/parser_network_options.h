@@ -10,7 +10,6 @@ struct ParserNetworkOptions {
   int width = 16;
   int point_width = 48;
   double deviation = 1.2;
-  bool states_at_points = false;
 
   template <class V>
   void Visit(V&& visit) {
@@ -21,7 +20,6 @@ struct ParserNetworkOptions {
     visit("point_width", point_width, Range{16, 256}, "Channels from which heat maps are made; a multiple of 8.");
     visit("deviation", deviation, Range{0.3, 8},
           "Deviation of the Gaussian that a heat map has to show, in its cells.");
-    visit("states_at_points", states_at_points, Flag{}, "States also read the features where each point is.");
   }
 
   int map_side() const { return resolution / 4; }

@@ -41,23 +41,6 @@ TEST(HeatMapUnet, HeatMapsBeginFlatAndBoxesUnlikely) {
   EXPECT_LT(outputs.boxes.select(1, 0).sigmoid().mean().item<double>(), 0.05);
 }
 
-TEST(HeatMapUnet, StatesAtPointsReadTheFeaturesOfPointsAndPassNoGradientToTheirPlaces) {
-  torch::manual_seed(1);
-  HeatMapUnetOptions options = Small();
-  options.finds_boxes = false;
-  const int64_t without = HeatMapUnet(options)->num_parameters();
-  options.states_at_points = true;
-  HeatMapUnet network(options);
-  EXPECT_EQ(network->num_parameters() - without, 24 * 16 * 32);
-  network->forward(torch::rand({2, 1, 64, 64})).states.sum().backward();
-  for (const auto& parameter : network->named_parameters()) {
-    const bool has_gradient =
-        parameter.value().grad().defined() && parameter.value().grad().abs().sum().item<double>() > 0;
-    if (parameter.key().starts_with("heat_map_head")) EXPECT_FALSE(has_gradient);
-    if (parameter.key().starts_with("points.0")) EXPECT_TRUE(has_gradient);
-  }
-}
-
 TEST(HeatMapUnet, RefusesSidesThatAreNoMultiplesOf16AndMissingHeads) {
   HeatMapUnet network(Small());
   testing::ExpectError([&] { network->forward(torch::rand({1, 1, 64, 72})); }, "multiples of 16");

@@ -15,8 +15,7 @@ models::HeatMapUnet MakeParserNetwork(const ParserNetworkOptions& options) {
                                                         .num_points = faces::kNumFacePoints,
                                                         .num_classes = faces::kNumLineLabels,
                                                         .states = {states.begin(), states.end()},
-                                                        .finds_boxes = false,
-                                                        .states_at_points = options.states_at_points});
+                                                        .finds_boxes = false});
 }
 
 }  // namespace daumier::sketch

@@ -18,7 +18,7 @@ namespace {
 
 TEST(ParserExport, OnnxAgreesWithLibTorchAtSeveralBatchSizes) {
   torch::manual_seed(3);
-  const ParserNetworkOptions options{.resolution = 64, .width = 16, .point_width = 16, .states_at_points = true};
+  const ParserNetworkOptions options{.resolution = 64, .width = 16, .point_width = 16};
   models::HeatMapUnet network = MakeParserNetwork(options);
   network->forward(torch::rand({4, 1, 64, 64}));  // Batch norms move away from 0 and 1.
   network->eval();
