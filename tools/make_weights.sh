@@ -19,7 +19,7 @@ fi
 ict=$1 out=$2 work=${3:-runs/weights}
 persons=${PERSONS:-150} images=${IMAGES:-4800}
 landmark_epochs=${LANDMARK_EPOCHS:-18} portrait_epochs=${PORTRAIT_EPOCHS:-26}
-sketch_persons=${SKETCH_PERSONS:-200} parser_epochs=${PARSER_EPOCHS:-20} sketch_epochs=${SKETCH_EPOCHS:-16}
+sketch_persons=${SKETCH_PERSONS:-200} parser_epochs=${PARSER_EPOCHS:-14} sketch_epochs=${SKETCH_EPOCHS:-30}
 only=${ONLY:-portraits drawings}
 configs=$(cd "$(dirname "$0")/../configs" && pwd)
 [ -e "$ict" ] || { echo "$ict does not exist (expected a checkout of ICT-FaceKit or its tar archive)" >&2; exit 1; }
