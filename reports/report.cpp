@@ -132,6 +132,7 @@ void WriteReport(const std::filesystem::path& folder, const ReportData& data) {
   render::WriteImage(folder / "sheet.png", painter.Sheet());
   render::WriteImage(folder / "mean_error.png", painter.MeanError());
   WriteFileAtomically(folder / "errors.svg", curve);
+  for (const ReportChart& chart : data.charts) WriteFileAtomically(folder / chart.file, chart.svg);
   WriteFileAtomically(folder / "index.html", ReportPage(data));
 }
 

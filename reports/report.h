@@ -1,6 +1,7 @@
 #pragma once
 #include "geometry/mesh.h"
 #include "render/image.h"
+#include "reports/curve_chart.h"
 #include "reports/face_surface.h"
 #include "reports/html_page.h"
 
@@ -29,14 +30,15 @@ struct ReportData {
   Eigen::VectorXd mean_error_mm;       ///< V: mean over all test faces; NaN where no error is counted.
   std::vector<double> face_errors_mm;  ///< Mean vertex error of each test face, in any order.
   std::vector<ReportTable> tables;
-  std::vector<ReportFact> facts;  ///< Data hash, split, seed, command, seconds.
+  std::vector<ReportChart> charts = {};  ///< Further ones.
+  std::vector<ReportFact> facts;         ///< Data hash, split, seed, command, seconds.
   /// Upper end of the heat maps' colours; 0: twice the mean of face_errors_mm, rounded up.
   double error_range_mm = 0.0;
 };
 
 /// Writes into an existing folder, each file atomically: sheet.png (a row a sample: sketch | truth | prediction |
 /// error, without the sketches if there are none, in one frame that holds the true faces), mean_error.png (the mean
-/// error on the mean face, front and side), errors.svg (histogram and cumulative share of face_errors_mm) and
+/// error on the mean face, front and side), errors.svg (histogram and cumulative share of face_errors_mm), the charts and
 /// index.html, which shows them with the tables and facts, needs nothing from elsewhere, and escapes all text that it
 /// is given.
 /// @throws Error if shapes disagree, there are no samples or no errors, or a file cannot be written.

@@ -30,5 +30,13 @@ TEST(ReportPage, HoldsTablesFactsAndPicturesAndNeedsNothingFromElsewhere) {
   EXPECT_EQ(Count(page, "<link") + Count(page, "@import") + Count(page, "url("), 0);
 }
 
+TEST(ReportPage, ShowsFurtherCharts) {
+  ReportData data = SyntheticReport();
+  data.charts = {{"Errors by <strokes>", "strokes.svg", "Fewer is worse.", "<svg/>"}};
+  const std::string page = ReportPage(data);
+  EXPECT_EQ(Count(page, "<img src=\"strokes.svg\""), 1);
+  EXPECT_EQ(Count(page, "Errors by &lt;strokes&gt;") > 0, true);
+}
+
 }  // namespace
 }  // namespace daumier::reports

@@ -94,6 +94,7 @@ reports::ReportData ReportOf(const Measured& measured) {
     report.facts.push_back({"ridge's lambda, chosen on validation faces", fmt::format("{:g}", *lambda)});
   if (measured.prefixes) {
     report.tables.push_back(measured.prefixes->table);
+    report.charts.push_back(measured.prefixes->chart);
     for (const reports::ReportFact& fact : measured.prefixes->facts) report.facts.push_back(fact);
   }
   return report;
