@@ -23,9 +23,9 @@ struct DrawingFitOptions {
     visit("least_support", least_support, Range{0, 1},
           "Share of its confidence that a point keeps where no line of the drawing can show it.");
     visit("half_trust", half_trust, Range{0, 6},
-          "Of the six features of a face (eyes, brows, nose, mouth, contour) so many have to be drawn until the fitted "
+          "Number of drawn features of the six of a face (two eyes, brows, nose, mouth, contour) at which the fitted "
           "face "
-          "counts as much as the mean face. 0: it always counts alone.");
+          "counts as much as the mean face. 0: the fitted face counts alone.");
     visit("solver", solver, Table{}, "The solver.");
   }
 };

@@ -59,9 +59,8 @@ struct SketchEvalOptions {
           "Run or weights of the task drawing_parser, for fits. Empty: those in the shipped weights.");
     visit(
         "strokes", strokes, Range{0, 100000},
-        "Also measure the error by the number of strokes: of so many evenly spaced faces, drawn in styles of people, "
-        "after their first 1, 2, 3, 4, 6, 8, 12, 16, 24, 32 and all strokes, and of a fifth of them after each stroke. "
-        "0: not.");
+        "Number of evenly spaced faces whose drawings, in styles of people, are also measured after their first 1, 2, "
+        "3, 4, 6, 8, 12, 16, 24, 32 and all strokes, and a fifth of them after each stroke. 0: none.");
     visit("fitting", fitting, Table{}, "How faces are fitted to parsed drawings by `strokes`.");
   }
 };

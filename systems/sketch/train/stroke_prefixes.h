@@ -15,7 +15,7 @@ namespace daumier::sketch {
 
 /// Numbers of strokes at which every drawing is measured.
 inline constexpr int kPrefixes[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
-/// Of so many drawings one is measured after each of its strokes.
+/// Every fifth drawing is measured after each of its strokes.
 inline constexpr int kEveryStrokeOf = 5;
 
 /// Errors of the faces that the first strokes of a drawing give: mean distance over the region `face`, mm.
@@ -27,7 +27,7 @@ struct PrefixErrors {
   std::vector<faces::LineLabel> last_label = {};  ///< What the last of these strokes shows.
   double mean_face_mm = 0;
 
-  /// The prefix of at most so many strokes: beyond its last stroke a drawing stays as it is.
+  /// Position of the longest prefix of at most this number of strokes: beyond its last stroke a drawing stays as it is.
   size_t at(int strokes) const;
   /// Whether each number of strokes was measured.
   bool has_every_stroke() const;
