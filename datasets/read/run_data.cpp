@@ -42,7 +42,7 @@ fs::path FindMovedWithRun(const fs::path& run, const fs::path& recorded, const s
 }  // namespace
 
 fs::path FindRunData(const fs::path& run, const Manifest& manifest, const Json& config, const std::string& kind,
-                     const std::string& moved) {
+                     const std::string& moved, const std::string& manifest_kind) {
   const std::string trained_on = DataEntry(manifest.details, kind, run / "manifest.json");
   const fs::path recorded = DataEntry(config, kind, ResolvedConfig(run));
   fs::path folder = moved.empty() ? recorded : fs::path(moved);
@@ -53,7 +53,7 @@ fs::path FindRunData(const fs::path& run, const Manifest& manifest, const Json& 
                   recorded.string(), kind, run.string(), kind);
     log::Info("The {} of {} have moved with it; reading {}", kind, run.string(), folder.string());
   }
-  ReadManifest(folder, kind);
+  ReadManifest(folder, manifest_kind.empty() ? kind : manifest_kind);
   DAUMIER_CHECK(DataHash(folder) == trained_on,
                 "{}: the {} differ from the training data of {} (data hash {}). Restore the original folder or retrain",
                 folder.string(), kind, run.string(), trained_on.substr(0, 12));

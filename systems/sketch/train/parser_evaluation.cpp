@@ -104,8 +104,9 @@ class ParserEvaluation {
         sketches_folder_(Folder("sketches", options.data.sketches)),
         faces_(databases.Open<faces::FaceDatabase>(faces_folder_)),
         sketches_(databases.Open<datasets::SketchDatabase>(sketches_folder_)),
-        profiles_(HasProfiles() ? &databases.Open<datasets::SketchDatabase>(Folder("profiles", options.data.profiles))
-                                : nullptr),
+        profiles_(HasProfiles()
+                      ? &databases.Open<datasets::SketchDatabase>(Folder("profiles", options.data.profiles, "sketches"))
+                      : nullptr),
         split_(datasets::SplitOfRun(run_directory, run_.manifest, run_.config, faces_)),
         reading_(ParseOptions<datasets::StyledReading>(run_.config.at("drawings"))),
         measured_(EvenlySpaced(datasets::SubsetOf(split_, options.split), options.drawings)),
@@ -138,8 +139,8 @@ class ParserEvaluation {
   }
 
  private:
-  fs::path Folder(const char* kind, const std::string& moved) const {
-    return datasets::FindRunData(run_.directory, run_.manifest, run_.config, kind, moved);
+  fs::path Folder(const char* kind, const std::string& moved, const std::string& manifest_kind = "") const {
+    return datasets::FindRunData(run_.directory, run_.manifest, run_.config, kind, moved, manifest_kind);
   }
 
   bool HasProfiles() const { return run_.manifest.details.at("data").contains("profiles"); }

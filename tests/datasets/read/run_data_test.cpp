@@ -49,6 +49,13 @@ TEST_F(RunDataTest, RefusesFacesThatTheRunWasNotTrainedOn) {
                        "absent does not exist (expected a folder of faces)");
 }
 
+TEST_F(RunDataTest, AnEntryMayHaveAnotherNameThanTheKindOfItsFolder) {
+  config_["data"]["others"] = config_["data"]["faces"];
+  manifest_.details["data"]["others"] = manifest_.details["data"]["faces"];
+  EXPECT_EQ(FindRunData(run_, manifest_, config_, "others", "", "faces"), folder_ / "faces");
+  testing::ExpectError([&] { FindRunData(run_, manifest_, config_, "others"); }, "expected a folder of others");
+}
+
 TEST_F(RunDataTest, FacesThatMovedAreNamedOrFound) {
   const auto move = [&](const std::filesystem::path& to) {
     std::filesystem::create_directories(to.parent_path());
