@@ -74,15 +74,20 @@ DrawingFitter::DrawingFitter(const SketchRunFolder& run, std::shared_ptr<const D
     : parser_(std::move(parser)),
       options_(options),
       fitter_(run.face_template, run.camera, GaussianOf(run), options.solver),
-      points_(faces::FindFacePoints(run.face_template)) {
+      points_(faces::FindFacePoints(run.face_template)),
+      camera_(run.camera) {
   const Eigen::VectorXf& mean = run.models.gaussian.mean;
   mean_projected_ =
       render::Project(run.camera, geometry::PointsFrom(std::span(mean.data(), size_t(mean.size())))).leftCols<2>();
 }
 
-render::Placement DrawingFitter::FrameOf(const ParsedDrawing& drawing) const {
+render::Placement DrawingFitter::FrameOf(const ParsedDrawing& drawing, std::span<const float> vertices) const {
+  return FrameOn(drawing, render::Project(camera_, geometry::PointsFrom(vertices)).leftCols<2>());
+}
+
+render::Placement DrawingFitter::FrameOn(const ParsedDrawing& drawing, const Eigen::MatrixX2d& projected) const {
   const auto frame = fitting::FindFaceFrame(
-      points_, mean_projected_, ToLabelled(drawing, drawing.frame, options_.least_support), options_.solver.frame);
+      points_, projected, ToLabelled(drawing, drawing.frame, options_.least_support), options_.solver.frame);
   DAUMIER_CHECK(frame.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
   return render::Composed(render::Inverse(ToPlacement(*frame)), drawing.frame);
 }

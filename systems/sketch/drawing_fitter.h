@@ -57,8 +57,10 @@ class DrawingFitter {
                 const DrawingFitOptions& options = {});
 
   ParsedDrawing Parse(const std::vector<render::Stroke>& strokes) const { return parser_->Parse(strokes); }
-  /// Sheet to canvas, by the points and the mean face (fitting::FindFaceFrame). @throws Error if no point is found.
-  render::Placement FrameOf(const ParsedDrawing& drawing) const;
+  /// Sheet to canvas, by the points and the mean face (fitting::FindFaceFrame), or the face of these vertices (3V, cm).
+  /// @throws Error if no point is found.
+  render::Placement FrameOf(const ParsedDrawing& drawing) const { return FrameOn(drawing, mean_projected_); }
+  render::Placement FrameOf(const ParsedDrawing& drawing, std::span<const float> vertices) const;
   /// The face on the canvas of the camera, from the vertices (3V, cm) that a network predicts. frame: FrameOf. Vertices are
   /// the mean over what the parse may be, right (TrustOf) or not: trust * fitted face + (1 - trust) * mean face.
   fitting::LabelledFit Fit(const ParsedDrawing& drawing, const render::Placement& frame,
@@ -67,10 +69,13 @@ class DrawingFitter {
   FittedFace FittedTo(const std::vector<render::Stroke>& sketch, std::span<const float> predicted) const;
 
  private:
+  render::Placement FrameOn(const ParsedDrawing& drawing, const Eigen::MatrixX2d& projected) const;
+
   std::shared_ptr<const DrawingParser> parser_;
   DrawingFitOptions options_;
   fitting::LabelledFitter fitter_;
   faces::FacePointVertices points_;
+  render::Camera camera_;
   Eigen::MatrixX2d mean_projected_;  ///< The mean face, V x 2, on the canvas.
 };
 

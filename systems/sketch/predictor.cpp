@@ -122,9 +122,10 @@ SketchPredictor::Found SketchPredictor::OfParsed(const Strokes& strokes, const T
 void SketchPredictor::FitTo(const ParsedDrawing& parsed, Found& found) const {
   const fitting::LabelledFit fit = fitter_->Fit(parsed, found.placement, found.face.vertices);
   const bool is_front = Likeliest(parsed.view) == size_t(faces::DrawnView::kFront);
-  // A turned face is written upright; its turn is in the record.
+  // A turned face is written upright, in the frame where it is nearest to the drawing; its turn is in the record.
   found.face.vertices = is_front ? fit.vertices : fitting::Upright(fit);
-  found.placement = render::Composed(render::Inverse(ToPlacement(fit.frame)), found.placement);
+  found.placement = is_front ? render::Composed(render::Inverse(ToPlacement(fit.frame)), found.placement)
+                             : fitter_->FrameOf(parsed, found.face.vertices);
   found.record["fit"] = {{"points_rms_share", fit.rms},          {"residual_scale", fit.residual_scale},
                          {"yaw_degrees", fit.yaw_degrees},       {"pitch_degrees", fit.pitch_degrees},
                          {"flipped_triangles", fit.num_flipped}, {"crossed_lips", fit.num_crossed_lips},

@@ -81,7 +81,8 @@ TEST_F(SketchFitsTest, AFittedRowHasTheFaceOfEachParsedSketch) {
       ParserNetworkOptions(), std::make_shared<testing::IdealParserNetwork>(ParserNetworkOptions()));
   const auto faces = std::span(data_.split.train).first(3);
   eval::FaceRows start(3, 3 * Eigen::Index(data_.faces.num_vertices()));
-  start.rowwise() = data_.run.models.gaussian.mean.transpose();
+  const faces::FaceGaussian& gaussian = data_.run.models.gaussian;
+  start.rowwise() = gaussian.mean.transpose() + 2 * gaussian.rows.row(0);
   const eval::FaceRows fitted = FittedRow(data_, reader_, parser).Fit(faces, start);
   const DrawingFitter fitter(data_.run, parser);
   for (size_t i = 0; i < faces.size(); ++i) {
