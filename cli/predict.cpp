@@ -164,11 +164,12 @@ Verb PredictVerb() {
             "of lines (PNG, "
             "JPEG, WebP, BMP, TIFF). Of a landmarks or portrait run: pictures of faces. A folder of them; and "
             "key=value");
-        command.add_option("--weights", arguments->weights,
-                           "Shipped weights: their name (landmarks, portrait), or their folder. Without it the "
-                           "choice follows from the inputs: line drawings and portraits are distinguished by content. "
-                           "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
-                           "program's folder and of those above it");
+        command.add_option(
+            "--weights", arguments->weights,
+            "Shipped weights: their name (sketch-ict, parser, portrait, landmarks), or their folder. Without it the "
+            "choice follows from the inputs: line drawings and portraits are distinguished by content. "
+            "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
+            "program's folder and of those above it");
         command.add_flag("--keep-frame", arguments->keep_frame,
                          "Use the sheet as the canvas of the training sketches; without it, the drawing is parsed to "
                          "find its frame");

@@ -23,6 +23,7 @@ namespace {
 
 using Strokes = std::vector<render::Stroke>;
 
+constexpr double kFarPoints = 0.4;  // Of the eye distance, likewise.
 constexpr double kWildDrawing = 3;  // Residual scale from which a drawing hardly looks like a face.
 
 geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geometry::Points& vertices) {
@@ -130,6 +131,11 @@ void SketchPredictor::FitTo(const ParsedDrawing& parsed, Found& found) const {
                          {"yaw_degrees", fit.yaw_degrees},       {"pitch_degrees", fit.pitch_degrees},
                          {"flipped_triangles", fit.num_flipped}, {"crossed_lips", fit.num_crossed_lips},
                          {"crossed_lids", fit.num_crossed_lids}};
+  if (fit.residual_scale <= kWildDrawing && fit.rms > kFarPoints)
+    found.warnings.push_back(fmt::format(
+        "the points of the drawing are {:.0f} % of the distance of the eyes from those of the face (faces by "
+        "most people less than {:.0f} %). Is it one face, upright, drawn by lines?",
+        100 * fit.rms, 100 * kFarPoints));
   if (fit.residual_scale > kWildDrawing)
     found.warnings.push_back(
         fmt::format("the drawing differs from any face: {:.1f} times as much as careful drawings (faces by most people "
