@@ -55,7 +55,8 @@ SortedHoles SortHoles(const geometry::TriangleMesh& neutral, const geometry::Tri
                                                             : holes.others;
     kind.push_back(std::move(loop));
   }
-  const auto middle_x = [&](const std::vector<int>& loop) { return neutral.vertices(loop, 0).mean(); };
+  // Copied first: Eigen 3.4.0 sums an indexed column of a row-major matrix wrongly.
+  const auto middle_x = [&](const std::vector<int>& loop) { return Eigen::VectorXd(neutral.vertices(loop, 0)).mean(); };
   std::sort(holes.eyes.begin(), holes.eyes.end(),
             [&](const auto& a, const auto& b) { return middle_x(a) < middle_x(b); });
   // One mouth has a bag.

@@ -78,7 +78,8 @@ BrowPatches::BrowPatches(const FaceTemplate& face) : eye_span_(EyeSpan(face)) {
     // The line that is drawn lies at the outer edge of a lid that has a thickness.
     for (const FeatureCurve& curve : face.annotation.curves) {
       if (curve.kind != "upper_eye" || curve.view != View::kFrontal || curve.vertices.size() < 4) continue;
-      const double x = face.neutral(curve.vertices, 0).mean();
+      // Copied first: Eigen 3.4.0 sums an indexed column of a row-major matrix wrongly.
+      const double x = Eigen::VectorXd(face.neutral(curve.vertices, 0)).mean();
       if ((x > 0.5 * (lines[0].centre[0].x() + lines[1].centre[0].x())) == (side == 1)) lid = curve.vertices;
     }
     const auto& l = face.annotation.landmarks;

@@ -1,5 +1,6 @@
 #include "core/training.h"
 
+#include "core/no_data.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -52,6 +53,12 @@ TEST(WithAbsoluteData, AnEmptyFolderIsAUsageErrorThatNamesEveryDataOption) {
   EXPECT_THROW(WithAbsoluteData(config, "recipe.toml"), UsageError);
   ExpectError([&] { WithAbsoluteData(config, "recipe.toml"); },
               "recipe.toml: it needs data.faces=FOLDER and data.sketches=FOLDER");
+}
+
+TEST(WithAbsoluteData, AFolderThatATrainingDoesWithoutStays) {
+  const Json config = WithAbsoluteData(DataConfig("faces", kNoData), "recipe.toml");
+  EXPECT_EQ(config["data"]["sketches"], kNoData);
+  EXPECT_EQ(config["data"]["faces"], (fs::current_path() / "faces").string());
 }
 
 TEST(ParseTraining, FillsDefaultsAndMakesFoldersAbsolute) {
