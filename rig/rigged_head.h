@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "faces/head_material.h"
+#include "geometry/mesh.h"
+#include "rig/morph_targets.h"
+
+namespace daumier::rig {
+
+/// An eyeball that turns about its own centre.
+struct RiggedEye {
+  geometry::TriangleMesh mesh;                 ///< cm, about its centre, looking to +z; UV in the head's atlas.
+  std::vector<faces::HeadMaterial> materials;  ///< One a triangle.
+  geometry::Vector3 centre;                    ///< cm, in the head's frame.
+};
+
+/// A head that a game or a web page animates: one closed mesh with what is behind its lips, morph targets, and two
+/// eyeballs. Every corner has UV in one atlas (TextureSpace).
+struct RiggedHead {
+  geometry::TriangleMesh mesh;                 ///< Skin, rims of the lids and inside of the mouth; cm, y up, facing +z.
+  std::vector<faces::HeadMaterial> materials;  ///< One a triangle of `mesh`.
+  MorphTargets targets;                        ///< Of the vertices of `mesh`.
+  std::vector<RiggedEye> eyes;                 ///< The head's right one (-x), then its left one.
+  geometry::Vector3 head_pivot;                ///< About which a head nods, cm: between the ears.
+  geometry::Vector3 jaw_pivot;                 ///< About which a jaw opens, cm.
+  std::string source;                          ///< FaceTemplate::source
+  std::string licence;                         ///< Of the source, for the written file.
+};
+
+}  // namespace daumier::rig
