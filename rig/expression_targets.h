@@ -1,0 +1,33 @@
+#pragma once
+
+#include "faces/expression_transfer.h"
+#include "faces/face_model.h"
+#include "rig/morph_targets.h"
+
+#include <string>
+#include <vector>
+
+namespace daumier::rig {
+
+/// Makes the 52 expressions of ArkitNames() for any face of a source's topology, by deformation transfer from the
+/// source's own [Pan et al. 2024, section 3.3]. Made once for a source.
+class ExpressionTargets {
+ public:
+  /// @throws Error as ArkitShapesOf.
+  explicit ExpressionTargets(const faces::FaceModel& model);
+
+  /// 52 targets in the order and spelling of ArkitNames(), for the V vertices of the topology. `neutral`: V x 3, cm.
+  /// Targets that the source cannot make, and tongueOut, are zero. On up to `threads` cores, whose number changes
+  /// nothing. Thread-safe.
+  /// @throws Error as faces::ExpressionTransfer::Offsets.
+  MorphTargets On(const geometry::Points& neutral, unsigned threads = 8) const;
+
+  /// What the source cannot make, a line each.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::vector<std::string> warnings_;
+  faces::ExpressionTransfer transfer_;
+};
+
+}  // namespace daumier::rig

@@ -1,0 +1,48 @@
+#include "rig/expression_targets.h"
+
+#include "faces/face_model_file.h"
+#include "rig/arkit_names.h"
+#include "tests/rig/named_model.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
+
+#include <gtest/gtest.h>
+
+namespace daumier::rig {
+namespace {
+
+Eigen::VectorXf Column(const MorphTargets& targets, std::string_view name) {
+  return targets.offsets.col(*FindArkitName(name));
+}
+
+TEST(ExpressionTargets, AreTheFiftyTwoNamesInOrder) {
+  const faces::FaceModel model = testing::NamedModel();
+  const MorphTargets targets = ExpressionTargets(model).On(model.face_template.neutral);
+  ASSERT_EQ(targets.num_targets(), kNumArkitNames);
+  EXPECT_TRUE(std::ranges::equal(targets.names, ArkitNames()));
+  EXPECT_EQ(targets.offsets.rows(), model.face_template.neutral.size());
+}
+
+TEST(ExpressionTargets, ThreadsDoNotMatter) {
+  const faces::FaceModel model = testing::NamedModel();
+  const ExpressionTargets targets(model);
+  EXPECT_EQ(targets.On(model.face_template.neutral, 1).offsets, targets.On(model.face_template.neutral, 8).offsets);
+}
+
+TEST(ExpressionTargets, SayWhatTheSourceCannotMake) {
+  const faces::FaceModel model = testing::NamedModel();
+  const ExpressionTargets expressions(model);
+  EXPECT_EQ(expressions.warnings().size(), 52u - 6 - 1) << "six are made, and tongueOut is of the tongue";
+  EXPECT_NE(expressions.warnings().front().find("eyeLookDownLeft"), std::string::npos);
+  const MorphTargets targets = expressions.On(model.face_template.neutral);
+  EXPECT_TRUE(Column(targets, "eyeLookDownLeft").isZero(0));
+  EXPECT_TRUE(Column(targets, "tongueOut").isZero(0));
+}
+
+TEST(ExpressionTargets, OfIctAreAllButTongueOut) {
+  const ExpressionTargets expressions(faces::ReadFaceModel(testing::SourceRoot() / "weights/face-ict"));
+  EXPECT_TRUE(expressions.warnings().empty());
+}
+
+}  // namespace
+}  // namespace daumier::rig
