@@ -9,6 +9,7 @@
 #include "faces/import/npy.h"
 #include "faces/marked_points.h"
 #include "render/read_drawing.h"
+#include "rig/clip_files.h"
 
 #include <fmt/ranges.h>
 
@@ -26,6 +27,10 @@ void ReadMeshFile(const std::filesystem::path& path) {
   faces::ReadMesh(path);
 }
 
+void ReadClipFile(const std::filesystem::path& path) {
+  rig::Resample(rig::ReadClip(path), 60);
+}
+
 constexpr Target kTargets[] = {
     {"svg", "a.svg", ReadDrawing},
     {"quickdraw", "a.ndjson", ReadDrawing},
@@ -41,6 +46,8 @@ constexpr Target kTargets[] = {
     {"safetensors", "a.safetensors", [](const std::filesystem::path& path) { SafetensorsFile{path}; }},
     {"annotation", "a.json",
      [](const std::filesystem::path& path) { faces::ParseAnnotationFile(ReadFile(path), "annotation"); }},
+    {"clip_csv", "a.csv", ReadClipFile},
+    {"clip_json", "a.json", ReadClipFile},
 };
 
 }  // namespace
