@@ -8,6 +8,9 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Eigen3 REQUIRED)
 find_library(DNNL_LIBRARY dnnl REQUIRED)
 find_path(DNNL_INCLUDE_DIR dnnl.h REQUIRED)
+add_library(network_libraries INTERFACE)
+target_link_libraries(network_libraries INTERFACE ${DNNL_LIBRARY})
+target_include_directories(network_libraries SYSTEM INTERFACE ${DNNL_INCLUDE_DIR})
 
 # Ceres drags ATLAS into an executable, and a program's libraries are searched in the order of linking: the first
 # libblas serves LibTorch. The system's own choice (an alternative, OpenBLAS where it is installed) comes first here.
@@ -34,6 +37,10 @@ find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
 add_library(markup_libraries INTERFACE)
 target_link_libraries(markup_libraries INTERFACE pugixml::pugixml ZLIB::ZLIB)
+
+find_package(meshoptimizer REQUIRED)
+add_library(compression_libraries INTERFACE)
+target_link_libraries(compression_libraries INTERFACE meshoptimizer::meshoptimizer)
 
 find_package(LibArchive REQUIRED)
 find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)  # CMake's own module needs the language C.

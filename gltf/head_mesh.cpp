@@ -1,0 +1,142 @@
+#include "gltf/head_mesh.h"
+
+#include "geometry/normals.h"
+#include "gltf/head_document.h"
+
+#include <array>
+#include <cmath>
+
+namespace daumier::gltf {
+namespace {
+
+/// sRGB, 0 .. 255.
+render::Rgb PlainColour(faces::HeadMaterial material) {
+  using faces::HeadMaterial;
+  switch (material) {
+    case HeadMaterial::kSkin:
+      return {214, 168, 144};
+    case HeadMaterial::kLidRim:
+      return {196, 140, 122};
+    case HeadMaterial::kSclera:
+      return {236, 232, 226};
+    case HeadMaterial::kLimbus:
+      return {58, 46, 40};
+    case HeadMaterial::kIris:
+      return {96, 120, 138};
+    case HeadMaterial::kPupil:
+      return {16, 14, 14};
+    case HeadMaterial::kInnerLip:
+      return {172, 92, 88};
+    case HeadMaterial::kMouth:
+      return {128, 58, 58};
+    case HeadMaterial::kThroat:
+      return {58, 20, 24};
+  }
+  return {214, 168, 144};
+}
+
+uint8_t LinearFromSrgb(uint8_t value) {
+  const double s = value / 255.0, linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  return static_cast<uint8_t>(std::lround(255 * linear));
+}
+
+std::vector<std::array<uint8_t, 4>> ColoursOf(const std::vector<faces::HeadMaterial>& materials) {
+  std::vector<std::array<uint8_t, 4>> colours;
+  for (const faces::HeadMaterial material : materials) {
+    const render::Rgb colour = PlainColour(material);
+    colours.push_back({LinearFromSrgb(colour[0]), LinearFromSrgb(colour[1]), LinearFromSrgb(colour[2]), 255});
+  }
+  return colours;
+}
+
+/// N x 2 with v downwards, as glTF has it.
+FloatRows FlippedUv(const SplitMesh& split) {
+  FloatRows uv(split.uv.rows(), 2);
+  uv.col(0) = split.uv.col(0).cast<float>();
+  uv.col(1) = (1 - split.uv.col(1).array()).cast<float>();
+  return uv;
+}
+
+/// N x 3, m: target t of the split vertices.
+FloatRows Displacements(const rig::MorphTargets& targets, int t, const SplitMesh& split) {
+  FloatRows displacements(split.num_vertices(), 3);
+  for (int n = 0; n < split.num_vertices(); ++n) {
+    const Eigen::Vector3f offset = targets.offsets.col(t).segment<3>(3 * split.source_vertices[size_t(n)]);
+    for (int c = 0; c < 3; ++c) {
+      const float metres = 0.01f * offset[c];
+      displacements(n, c) = std::abs(metres) < kLeastDisplacement ? 0.f : metres;
+    }
+  }
+  return displacements;
+}
+
+geometry::TriangleMesh Displaced(const geometry::TriangleMesh& mesh, const rig::MorphTargets& targets, int t) {
+  geometry::TriangleMesh displaced = mesh;
+  for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+    displaced.vertices.row(v) += targets.offsets.col(t).segment<3>(3 * v).cast<double>().transpose();
+  }
+  return displaced;
+}
+
+/// `mesh.primitives[0]`, without targets.
+Json Primitive(GlbBuilder& builder, const SplitMesh& split, const FloatRows& positions, const FloatRows& normals,
+               int material) {
+  Json attributes;
+  attributes["POSITION"] = builder.AddAttribute(positions, kPositionExponent, true);
+  attributes["NORMAL"] = builder.AddAttribute(normals, kNormalExponent);
+  if (split.uv.rows() > 0) attributes["TEXCOORD_0"] = builder.AddAttribute(FlippedUv(split), kUvExponent);
+  if (!split.materials.empty()) attributes["COLOR_0"] = builder.AddColors(ColoursOf(split.materials));
+  return {{"attributes", attributes},
+          {"indices", builder.AddIndices(split.indices, split.num_vertices())},
+          {"material", material}};
+}
+
+}  // namespace
+
+FloatRows PositionsFrom(const geometry::Vector3& pivot, const geometry::Points& vertices, const SplitMesh& split) {
+  FloatRows positions(split.num_vertices(), 3);
+  for (int n = 0; n < split.num_vertices(); ++n) {
+    positions.row(n) =
+        Metres(vertices.row(split.source_vertices[size_t(n)]).transpose(), pivot).cast<float>().transpose();
+  }
+  return positions;
+}
+
+FloatRows SplitNormals(const geometry::TriangleMesh& mesh, const SplitMesh& split) {
+  const geometry::Points source = geometry::VertexNormals(mesh);
+  FloatRows normals(split.num_vertices(), 3);
+  for (int n = 0; n < split.num_vertices(); ++n) {
+    const Eigen::RowVector3f normal = source.row(split.source_vertices[size_t(n)]).cast<float>();
+    normals.row(n) = normal.any() ? normal : Eigen::RowVector3f(0, 0, 1);
+  }
+  return normals;
+}
+
+int AddMesh(GlbBuilder& builder, const char* name, const geometry::TriangleMesh& mesh,
+            const std::vector<faces::HeadMaterial>& materials, const geometry::Vector3& pivot,
+            const rig::MorphTargets& targets, int material, bool is_coloured, const HeadFileOptions& options) {
+  SplitMesh split = SplitAtSeams(mesh, is_coloured ? materials : std::vector<faces::HeadMaterial>());
+  if (builder.encoding() == GlbEncoding::kMeshopt) split = OrderForCompression(split);
+  const FloatRows normals = SplitNormals(mesh, split);
+  Json primitive = Primitive(builder, split, PositionsFrom(pivot, mesh.vertices, split), normals, material);
+  for (int t = 0; t < targets.num_targets(); ++t) {
+    Json target;
+    target["POSITION"] = builder.AddAttribute(Displacements(targets, t, split), kPositionExponent, true);
+    if (options.normals) {
+      const FloatRows displaced = SplitNormals(Displaced(mesh, targets, t), split);
+      target["NORMAL"] = builder.AddAttribute(displaced - normals, kNormalExponent);
+    }
+    primitive["targets"].push_back(std::move(target));
+  }
+  Json item = {{"name", name}};
+  if (targets.num_targets() > 0) {
+    const Json extras = {{"targetNames", targets.names}};
+    primitive["extras"] = extras;
+    item["weights"] = std::vector<int>(targets.names.size(), 0);
+    item["extras"] = extras;
+  }
+  item["primitives"] = Json::array({primitive});
+  return builder.Add("meshes", std::move(item));
+}
+
+}  // namespace daumier::gltf
