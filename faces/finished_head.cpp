@@ -174,9 +174,22 @@ std::vector<Eyeball> FinishedHead::Eyeballs(const geometry::Points& face) const 
   return eyeballs;
 }
 
+std::vector<HoleClosure> FinishedHead::rims() const {
+  std::vector<HoleClosure> rims;
+  for (const Eye& eye : eyes_) rims.push_back(eye.rim);
+  return rims;
+}
+
 geometry::Points FinishedHead::Vertices(const geometry::Points& face) const {
   DAUMIER_CHECK(face.rows() == num_face_vertices_, "the face has {} vertices, its topology {}", face.rows(),
                 num_face_vertices_);
+  return Vertices(face, Eyeballs(face));
+}
+
+geometry::Points FinishedHead::Vertices(const geometry::Points& face, const std::vector<Eyeball>& eyeballs) const {
+  DAUMIER_CHECK(face.rows() == num_face_vertices_, "the face has {} vertices, its topology {}", face.rows(),
+                num_face_vertices_);
+  DAUMIER_CHECK(eyeballs.size() == eyes_.size(), "{} eyeballs are given for {} eyes", eyeballs.size(), eyes_.size());
   geometry::Points vertices(num_vertices_, 3);
   const auto with_edge_points = geometry::WithEdgePoints(face, edge_points_);
   vertices.topRows(with_edge_points.rows()) = with_edge_points;
@@ -186,7 +199,6 @@ geometry::Points FinishedHead::Vertices(const geometry::Points& face) const {
   }
   for (const HoleClosure& cap : caps_)
     vertices.middleRows(cap.first_vertex, cap.num_vertices()) = CapPoints(LoopPoints(vertices, cap.loop));
-  const std::vector<Eyeball> eyeballs = Eyeballs(face);
   for (size_t i = 0; i < eyes_.size(); ++i) {
     vertices.row(eyes_[i].rim.apex()) = eyeballs[i].centre.transpose();
     vertices.middleRows(eyes_[i].first_vertex, NumEyeballVertices()) = EyeballPoints(eyeballs[i]);

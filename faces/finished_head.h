@@ -42,8 +42,16 @@ class FinishedHead {
   int num_mouth_triangles() const { return num_mouth_triangles_; }
   const std::vector<HeadMaterial>& part_materials() const { return part_materials_; }  ///< One a triangle of parts().
 
+  /// The patches that close its holes: that of the neck's cut first among `caps`; rims of lids from the right to the
+  /// left, each with its eyeball's centre as apex; and that of the mouth.
+  const std::vector<HoleClosure>& caps() const { return caps_; }
+  std::vector<HoleClosure> rims() const;
+  const std::optional<HoleClosure>& mouth() const { return mouth_; }
+
   /// num_vertices() x 3 for a face, V x 3, cm. A smooth function of the face. @throws Error if it has another size.
   geometry::Points Vertices(const geometry::Points& face) const;
+  /// The same with eyeballs that are given, from its right to its left. @throws Error also if their number differs.
+  geometry::Points Vertices(const geometry::Points& face, const std::vector<Eyeball>& eyeballs) const;
   /// The eyeballs of a face, from its right to its left.
   std::vector<Eyeball> Eyeballs(const geometry::Points& face) const;
   /// num_vertices() for values of the face's vertices, V: interpolated at edge points, NaN at the vertices of parts.

@@ -45,6 +45,9 @@ inline constexpr double kGutter = 8.0 / 1024;
 /// gutter copies, so that filtering and mipmaps find no foreign colour at the border of a chart.
 std::vector<int> NearestShownTexels(const TexelMap& texels, int reach);
 
+/// How many texels have their middle inside of two triangles or more, by more than 1e-6 of both's extent.
+int NumOverlappingTexels(const TextureSpace& space, int size);
+
 /// The head and its eyes as one mesh in the neutral pose: vertices and triangles as TextureSpace numbers them.
 geometry::TriangleMesh JoinedMesh(const RiggedHead& head);
 
