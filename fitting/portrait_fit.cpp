@@ -52,9 +52,11 @@ class PortraitLandmarkCost : public ceres::CostFunction {
   const PortraitTarget& target_;
 };
 
-std::unique_ptr<ceres::CostFunction> ZeroPrior(int size, double deviation) {
-  const ceres::Matrix weights = ceres::Matrix::Identity(size, size) / deviation;
-  return std::make_unique<ceres::NormalPrior>(weights, ceres::Vector::Zero(size));
+/// About given coefficients, or about 0.
+ceres::CostFunction* PriorAbout(const Eigen::VectorXd& start, bool about_start, double deviation) {
+  const ceres::Matrix weights = ceres::Matrix::Identity(start.size(), start.size()) / deviation;
+  const ceres::Vector zero = ceres::Vector::Zero(start.size());
+  return std::make_unique<ceres::NormalPrior>(weights, about_start ? ceres::Vector(start) : zero).release();
 }
 
 PortraitTarget TargetOf(const PicturePoints& landmarks, const Eigen::VectorXd& weights, double deviation_px) {
@@ -115,20 +117,32 @@ struct PortraitUnknowns {
   Eigen::VectorXd identity, expression;
 };
 
+/// Which of the unknowns are found.
+struct FreeUnknowns {
+  bool pose = true, identity = true, expression = true;
+};
+constexpr FreeUnknowns kPoseAlone{.identity = false, .expression = false};
+
 double SolvePortrait(const LandmarkModel& model, const PortraitTarget& target, const PortraitFitOptions& options,
-                     PortraitFreedom freedom, PortraitUnknowns& unknowns) {
+                     const FreeUnknowns& free, PortraitUnknowns& unknowns) {
   ceres::Problem problem;
   double *const pose = unknowns.pose.data(), *const identity = unknowns.identity.data(),
                 *const expression = unknowns.expression.data();
   problem.AddResidualBlock(new PortraitLandmarkCost(model, target), nullptr, pose, identity, expression);
-  if (freedom == PortraitFreedom::kPose) {
+  if (!free.pose) problem.SetParameterBlockConstant(pose);
+  if (!free.identity) {
     problem.SetParameterBlockConstant(identity);
+  } else {
+    problem.AddResidualBlock(PriorAbout(unknowns.identity, options.about_start, options.identity_deviation), nullptr,
+                             identity);
+  }
+  if (!free.expression) {
     problem.SetParameterBlockConstant(expression);
   } else {
     const bool unit = model.expression_weights() == faces::ExpressionWeights::kUnit;
-    problem.AddResidualBlock(ZeroPrior(model.num_identity(), options.identity_deviation).release(), nullptr, identity);
-    problem.AddResidualBlock(ZeroPrior(model.num_expression(), unit ? options.expression_deviation : 1).release(),
-                             nullptr, expression);
+    problem.AddResidualBlock(
+        PriorAbout(unknowns.expression, options.about_start, unit ? options.expression_deviation : 1), nullptr,
+        expression);
     for (int e = 0; unit && e < model.num_expression(); ++e) {
       problem.SetParameterLowerBound(expression, e, 0);
       problem.SetParameterUpperBound(expression, e, 1);
@@ -144,6 +158,18 @@ double SolvePortrait(const LandmarkModel& model, const PortraitTarget& target, c
   ceres::Solve(solver, &problem, &summary);
   DAUMIER_CHECK(summary.IsSolutionUsable(), "the portrait could not be fitted: {}", summary.message);
   return summary.final_cost;
+}
+
+PortraitFit FitOf(const LandmarkModel& model, const PortraitTarget& target, double deviation_px,
+                  const PortraitUnknowns& found, Eigen::VectorXf coefficients) {
+  PortraitFit fit{std::move(coefficients)};
+  fit.coefficients.segment(faces::kIdentitySlot.first, model.num_identity()) = found.identity.cast<float>();
+  fit.coefficients.segment(faces::kExpressionSlot.first, model.num_expression()) = found.expression.cast<float>();
+  fit.coefficients.segment(faces::kPoseSlot.first, 6) = found.pose.cast<float>();
+  const Eigen::VectorXd pixels = model.At(found.pose, found.identity, found.expression).pixels;
+  fit.rms_px =
+      deviation_px * std::sqrt(target.scale.cwiseProduct(pixels - target.pixels).squaredNorm() / target.sum_of_weights);
+  return fit;
 }
 
 }  // namespace
@@ -209,22 +235,31 @@ PortraitFit FitPortrait(const LandmarkModel& model, const PicturePoints& landmar
   for (const double degrees : {0.0, -40.0, 40.0}) {
     PortraitUnknowns start{StartPose(model, target, degrees * std::numbers::pi / 180),
                            Eigen::VectorXd::Zero(model.num_identity()), Eigen::VectorXd::Zero(model.num_expression())};
-    const double cost = SolvePortrait(model, target, options, PortraitFreedom::kPose, start);
+    const double cost = SolvePortrait(model, target, options, kPoseAlone, start);
     if (cost >= least) continue;
     least = cost;
     best = start;
   }
-  if (options.freedom == PortraitFreedom::kPoseAndFace)
-    SolvePortrait(model, target, options, PortraitFreedom::kPoseAndFace, best);
-  PortraitFit fit;
-  fit.coefficients = Eigen::VectorXf::Zero(faces::kNumCoefficients);
-  fit.coefficients.segment(faces::kIdentitySlot.first, model.num_identity()) = best.identity.cast<float>();
-  fit.coefficients.segment(faces::kExpressionSlot.first, model.num_expression()) = best.expression.cast<float>();
-  fit.coefficients.segment(faces::kPoseSlot.first, 6) = best.pose.cast<float>();
-  const Eigen::VectorXd pixels = model.At(best.pose, best.identity, best.expression).pixels;
-  fit.rms_px = options.deviation_px *
-               std::sqrt(target.scale.cwiseProduct(pixels - target.pixels).squaredNorm() / target.sum_of_weights);
-  return fit;
+  if (options.freedom == PortraitFreedom::kPoseAndFace) SolvePortrait(model, target, options, {}, best);
+  return FitOf(model, target, options.deviation_px, best, Eigen::VectorXf::Zero(faces::kNumCoefficients));
+}
+
+PortraitFit AdjustPortrait(const LandmarkModel& model, const Eigen::VectorXf& coefficients,
+                           const PicturePoints& landmarks, const Eigen::VectorXd& weights,
+                           PortraitAdjustment adjustment, const PortraitFitOptions& options) {
+  DAUMIER_CHECK(coefficients.size() == faces::kNumCoefficients, "{} coefficients of a portrait, expected {}",
+                coefficients.size(), faces::kNumCoefficients);
+  const PortraitTarget target = TargetOf(landmarks, weights, options.deviation_px);
+  PortraitUnknowns found{coefficients.segment(faces::kPoseSlot.first, 6).cast<double>(),
+                         coefficients.segment(faces::kIdentitySlot.first, model.num_identity()).cast<double>(),
+                         coefficients.segment(faces::kExpressionSlot.first, model.num_expression()).cast<double>()};
+  const bool all = adjustment == PortraitAdjustment::kAll;
+  SolvePortrait(model, target, options,
+                {.pose = all || adjustment == PortraitAdjustment::kPose,
+                 .identity = all || adjustment == PortraitAdjustment::kIdentityAndExpression,
+                 .expression = adjustment != PortraitAdjustment::kPose},
+                found);
+  return FitOf(model, target, options.deviation_px, found, coefficients);
 }
 
 }  // namespace daumier::fitting

@@ -17,6 +17,7 @@ struct PortraitFitOptions {
   double identity_deviation = 1;      ///< Of identity weights; 1 is the model's own prior.
   double expression_deviation = 0.5;  ///< Of expression weights of kUnit from 0; those of kStandardNormal have 1.
   int iterations = 50;                ///< Steps of the solver at most, of each start.
+  bool about_start = false;           ///< Of AdjustPortrait: the priors are about the given coefficients, not about 0.
 };
 
 struct PortraitFit {
@@ -58,5 +59,15 @@ class LandmarkModel {
 /// @throws Error if a size differs, a weight is negative, or fewer than four landmarks count.
 PortraitFit FitPortrait(const LandmarkModel& model, const PicturePoints& landmarks, const Eigen::VectorXd& weights,
                         const PortraitFitOptions& options = {});
+
+/// What of a coarse face a fit to landmarks adjusts.
+enum class PortraitAdjustment { kPose, kExpression, kIdentityAndExpression, kAll };
+
+/// Adjusts some coefficients of a known face [Pan et al. 2024, eq. 7 and 8: Adjust Exp, Adjust Id+Exp]: as FitPortrait,
+/// from the given coefficients, of which all others stay. The pose has no prior.
+/// coefficients: 239. @throws Error as FitPortrait, or if there are not 239.
+PortraitFit AdjustPortrait(const LandmarkModel& model, const Eigen::VectorXf& coefficients,
+                           const PicturePoints& landmarks, const Eigen::VectorXd& weights,
+                           PortraitAdjustment adjustment, const PortraitFitOptions& options = {});
 
 }  // namespace daumier::fitting

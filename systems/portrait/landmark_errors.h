@@ -1,20 +1,15 @@
 #pragma once
+#include "faces/landmark_parts.h"
 #include "systems/portrait/landmark_sample.h"
 
 #include <array>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace daumier::portrait {
 
-/// Parts of the 68 landmarks in iBUG order.
-struct LandmarkPart {
-  std::string_view name;
-  int begin, end;  ///< begin <= i < end.
-};
-inline constexpr std::array<LandmarkPart, 5> kLandmarkParts = {
-    {{"jaw", 0, 17}, {"brows", 17, 27}, {"nose", 27, 36}, {"eyes", 36, 48}, {"mouth", 48, 68}}};
+using faces::kLandmarkParts;
+using faces::LandmarkPart;
 
 /// Distance of the outer eye corners, 36 and 45, pixels. points: 68 x 2.
 double InterocularDistance(std::span<const float> points);

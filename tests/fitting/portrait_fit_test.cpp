@@ -115,6 +115,70 @@ TEST(FitPortrait, IgnoresLandmarksOfWeightZero) {
             0.05);
 }
 
+/// A face of the model whose landmarks are seen, and coefficients of another one in another pose.
+struct AdjustmentProblem {
+  LandmarkModel model{FittedModel()};
+  PicturePoints landmarks{68, 2};
+  Eigen::VectorXf truth = Eigen::VectorXf::Zero(faces::kNumCoefficients), start = truth;
+
+  AdjustmentProblem() {
+    truth[0] = 0.8F, truth[4] = -0.6F, truth[80] = 0.5F;
+    truth.tail<6>() = SomePose(0.2).cast<float>();
+    start = truth;
+    start[144] = 3;  // Albedo.
+    landmarks = Seen(model, SomePose(0.2), truth.head(model.num_identity()).cast<double>(),
+                     truth.segment(80, model.num_expression()).cast<double>());
+  }
+};
+
+TEST(AdjustPortrait, FindsWhatIsFreeAndLeavesTheRest) {
+  const AdjustmentProblem problem;
+  const PortraitFitOptions options{.deviation_px = 0.01};
+  const auto adjust = [&](PortraitAdjustment adjustment, const Eigen::VectorXf& start) {
+    return AdjustPortrait(problem.model, start, problem.landmarks, Eigen::VectorXd::Ones(68), adjustment, options);
+  };
+  Eigen::VectorXf start = problem.start;
+  start[233 + 3] += 0.5F, start[234] += 0.2F;
+  const PortraitFit by_pose = adjust(PortraitAdjustment::kPose, start);
+  EXPECT_LT(by_pose.rms_px, 0.02);
+  EXPECT_EQ(by_pose.coefficients.head(233), problem.start.head(233));
+
+  start = problem.start;
+  start[80] = 0.1F, start[82] = 0.6F;
+  const PortraitFit by_expression = adjust(PortraitAdjustment::kExpression, start);
+  EXPECT_LT(by_expression.rms_px, 0.02);
+  EXPECT_NEAR(by_expression.coefficients[80], 0.5, 0.05);
+  EXPECT_EQ(by_expression.coefficients.head(80), problem.start.head(80));
+  EXPECT_EQ(by_expression.coefficients.tail(95), problem.start.tail(95));
+
+  start[0] = 0, start[4] = 0;
+  EXPECT_GT(adjust(PortraitAdjustment::kExpression, start).rms_px, 0.3);
+  const PortraitFit by_both = adjust(PortraitAdjustment::kIdentityAndExpression, start);
+  EXPECT_LT(by_both.rms_px, 0.05);
+  EXPECT_EQ(by_both.coefficients.tail(95), problem.start.tail(95));
+}
+
+TEST(AdjustPortrait, PriorsMayBeAboutTheGivenFace) {
+  const AdjustmentProblem problem;
+  const auto adjust = [&](bool about_start) {
+    return AdjustPortrait(problem.model, problem.truth, problem.landmarks, Eigen::VectorXd::Ones(68),
+                          PortraitAdjustment::kAll, {.deviation_px = 10, .about_start = about_start})
+        .coefficients;
+  };
+  EXPECT_LT((adjust(true) - problem.truth).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_GT((adjust(false) - problem.truth).cwiseAbs().maxCoeff(), 0.05);
+}
+
+TEST(AdjustPortrait, RefusesOtherCoefficients) {
+  const AdjustmentProblem problem;
+  testing::ExpectError(
+      [&] {
+        AdjustPortrait(problem.model, problem.start.head(6), problem.landmarks, Eigen::VectorXd::Ones(68),
+                       PortraitAdjustment::kPose);
+      },
+      "6 coefficients of a portrait, expected 239");
+}
+
 TEST(FitPortrait, RefusesWhatIsNoSetOfLandmarks) {
   const LandmarkModel model(FittedModel());
   PicturePoints landmarks = PicturePoints::Random(68, 2);
