@@ -29,6 +29,12 @@ MaterialLook LookOf(faces::HeadMaterial material) {
       return {{92, 46, 44}, 0.0f};
     case kThroat:
       return {{52, 24, 24}, 0.0f};
+    case kTooth:
+      return {{236, 230, 214}, 0.5f};
+    case kGum:
+      return {{168, 92, 88}, 0.3f};
+    case kTongue:
+      return {{172, 88, 84}, 0.3f};
     default:
       return {render::ShadingStyle().clay, 0.0f};
   }

@@ -30,6 +30,7 @@ void WriteHead(const std::filesystem::path& path, const faces::FinishedHead& hea
   std::erase_if(parts, [](const geometry::ObjPart& part) { return part.num_triangles == 0; });
   std::vector<geometry::ObjMaterial> materials;
   for (const auto& [material, name] : faces::kHeadMaterials) {
+    if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.material == name; })) continue;
     const MaterialLook look = LookOf(material);
     materials.push_back({name, render::LinearLight(look.colour), look.gloss});
   }
