@@ -1,0 +1,93 @@
+#pragma once
+#include "core/options.h"
+#include "faces/face_model.h"
+#include "fitting/texture_eyes.h"
+#include "fitting/texture_surface.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace daumier::fitting {
+
+/// The mirror map of the annotation, faces::Scalp::weights, and: hair is painted on the scalp, above the brows and where
+/// beards grow. joined_from_face: for each vertex of the template its number in the texture space of `num_vertices`, -1:
+/// none. Vertices that are not the template's have no mirror image and no hair. @throws Error as Scalp and SkinField.
+TextureGuide MakeTextureGuide(const faces::FaceTemplate& face_template, const std::vector<int>& joined_from_face,
+                              int num_vertices);
+
+/// A head as a picture shows it.
+struct ShownHead {
+  geometry::Points vertices;                     ///< Of the texture space, with expression, not posed, cm.
+  std::array<geometry::Vector3, 2> eye_centres;  ///< Likewise: the head's right eye, then its left one.
+  PortraitPose pose = PortraitPose::Zero();
+  PictureCamera camera;
+  std::optional<PortraitLight> light;  ///< Needed to delight.
+};
+
+struct TextureOptions {
+  int size = 1024;
+  bool delight = true;
+  double margin = 0.008;
+  TextureFill fill = TextureFill::kSmooth;  ///< For measurements.
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("size", size, Range{64, 4096}, "Side of the texture, texels.");
+    visit("delight", delight, Flag{},
+          "Divide colours by the light of the coefficients, so that the texture is albedo.");
+    visit("margin", margin, Range{0, 0.1},
+          "Width of the border within which pixels of a part of the face are not trusted, as a share of the head's "
+          "height.");
+  }
+};
+
+/// The texture of a head, and what its texels of skin were taken from: shares that sum to 1.
+struct HeadTexture {
+  render::Image picture;  ///< size x size, RGB.
+  render::Image
+      sources;  ///< The same size, RGB: green what the picture shows, blue mirrored, red filled; black no skin.
+  double seen = 0, mirrored = 0, filled = 0;
+};
+
+/// Paints textures of the heads of one topology from pictures. Const and thread-safe.
+class HeadPainter {
+ public:
+  /// @throws Error if the guide has not a number for each vertex, or as TextureSpace::Rasterise.
+  HeadPainter(rig::TextureSpace space, TextureGuide guide, const TextureOptions& options = {});
+
+  /// The texture of a head from a picture (RGB or grey, any size) and its parsing mask (PictureClass, of its size):
+  ///   skin     the picture's colour where it shows it [Pan et al. 2024, eq. 12], nothing of hair, glasses, eyes and
+  ///            background; the mirror image where that is seen, matched in tone; the smoothest continuation elsewhere.
+  ///   scalp    likewise from the picture's hair, if it shows any; else skin.
+  ///   eyes     PaintEye. Lid rims, mouth, teeth and tongue have plain colours.
+  /// @throws Error if sizes disagree, or if options.delight and the head has no light.
+  HeadTexture Paint(const ShownHead& head, const render::Image& picture, const render::Image& mask) const;
+
+  const rig::TextureSpace& space() const { return space_; }
+  const TextureOptions& options() const { return options_; }
+
+ private:
+  float At(size_t texel, const Eigen::VectorXf& values) const;
+  void PaintEyes(const ShownHead& head, const geometry::Points& posed, const PictureCamera& camera,
+                 const PictureLayer& eyes, std::vector<Eigen::Vector3f>& colours) const;
+  HeadTexture TextureOf(const SurfaceTexture& surface, std::vector<Eigen::Vector3f> colours) const;
+
+  rig::TextureSpace space_;
+  TextureGuide guide_;
+  TextureOptions options_;
+  rig::TexelMap texels_;
+  std::vector<int> gutter_;  ///< NearestShownTexels.
+  MirroredCorners mirrored_;
+  geometry::Triangles skin_;  ///< Triangles of skin, neck and lid rims: over which colours spread.
+  std::array<EyeChart, 2> eyes_;
+  Eigen::VectorXf mouth_depth_;  ///< A vertex of the space: 0 at the lips .. 1 in the mouth.
+};
+
+inline HeadTexture PaintHead(const rig::TextureSpace& space, const TextureGuide& guide, const ShownHead& head,
+                             const render::Image& picture, const render::Image& mask,
+                             const TextureOptions& options = {}) {
+  return HeadPainter(space, guide, options).Paint(head, picture, mask);
+}
+
+}  // namespace daumier::fitting
