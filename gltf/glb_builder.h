@@ -22,8 +22,9 @@ enum class GlbEncoding {
 };
 
 /// Steps to which GlbEncoding::kMeshopt rounds, as exponents of 2.
-inline constexpr int kPositionExponent = -17;  ///< m: an error of at most 0.004 mm.
-inline constexpr int kNormalExponent = -10;
+inline constexpr int kPositionExponent = -16;      ///< m: an error of at most 0.008 mm.
+inline constexpr int kDisplacementExponent = -15;  ///< m: at most 0.016 mm.
+inline constexpr int kNormalExponent = -9;
 inline constexpr int kUvExponent = -14;
 inline constexpr int kWeightExponent = -12;
 

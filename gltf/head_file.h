@@ -13,10 +13,10 @@ namespace daumier::gltf {
 struct HeadFileOptions {
   /// Targets displace normals, too: exact shading, at twice the size.
   bool normals = false;
-  /// EXT_meshopt_compression, steps of 2^-17 m, and the texture as JPEG: a small file for web pages, which programs
-  /// without that extension refuse.
+  /// EXT_meshopt_compression, numbers in steps (glb_builder.h), and the texture as JPEG: a small file for web pages,
+  /// which programs without that extension refuse.
   bool compressed = false;
-  /// Of the head's pivot over the ground, m: that of a grown person who stands.
+  /// Of the head's pivot over the ground, m: that of an adult.
   double pivot_height_m = 1.55;
   /// Of a .vrm, which requires both.
   std::string title = "Head";
@@ -45,7 +45,7 @@ std::string HeadToGlb(const rig::RiggedHead& head, const render::Image* texture,
 
 /// A VRM 1.0 file: the same head on a skeleton without a body (the 15 bones that VRM requires, as nodes), with
 /// expressions: the presets of VRM whose targets the head has, and one custom expression a target, named as the target in
-/// PascalCase ("perfect sync"). Eyes turn towards what is looked at, up to 30 degrees. No animation, which VRM does not
+/// PascalCase ("perfect sync"). The gaze turns the eyes by up to 30 degrees. No animation, which VRM does not
 /// use. @throws Error as HeadToGlb; if the title, the authors or a name among them is empty; if the head has no eyes.
 std::string HeadToVrm(const rig::RiggedHead& head, const render::Image* texture, const HeadFileOptions& options = {});
 

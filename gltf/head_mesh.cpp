@@ -31,6 +31,12 @@ render::Rgb PlainColour(faces::HeadMaterial material) {
       return {128, 58, 58};
     case HeadMaterial::kThroat:
       return {58, 20, 24};
+    case HeadMaterial::kTooth:
+      return {230, 222, 204};
+    case HeadMaterial::kGum:
+      return {190, 104, 104};
+    case HeadMaterial::kTongue:
+      return {188, 96, 96};
   }
   return {214, 168, 144};
 }
@@ -121,7 +127,7 @@ int AddMesh(GlbBuilder& builder, const char* name, const geometry::TriangleMesh&
   Json primitive = Primitive(builder, split, PositionsFrom(pivot, mesh.vertices, split), normals, material);
   for (int t = 0; t < targets.num_targets(); ++t) {
     Json target;
-    target["POSITION"] = builder.AddAttribute(Displacements(targets, t, split), kPositionExponent, true);
+    target["POSITION"] = builder.AddAttribute(Displacements(targets, t, split), kDisplacementExponent, true);
     if (options.normals) {
       const FloatRows displaced = SplitNormals(Displaced(mesh, targets, t), split);
       target["NORMAL"] = builder.AddAttribute(displaced - normals, kNormalExponent);
