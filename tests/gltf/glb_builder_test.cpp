@@ -84,6 +84,17 @@ TEST(GlbBuilder, CompressedViewsNameTheExtensionWhichTheFileRequires) {
   EXPECT_EQ(file.json()["buffers"][0]["byteLength"], file.binary().size());
 }
 
+TEST(GlbBuilder, CompressesKeysOfMoreTargetsThanAnElementTakes) {
+  GlbBuilder builder(GlbEncoding::kMeshopt);
+  const int few = builder.AddKeys(FloatRows::Constant(3, 64, 0.5f), true, kWeightExponent);
+  const int many = builder.AddKeys(FloatRows::Constant(3, 67, 0.5f), true, kWeightExponent);
+  const testing::GlbReader file(builder.Finish());
+  EXPECT_EQ(file.view_of(few)["extensions"]["EXT_meshopt_compression"]["byteStride"], 256);
+  EXPECT_EQ(file.view_of(many)["extensions"]["EXT_meshopt_compression"]["byteStride"], 4);
+  EXPECT_EQ(file.view_of(many)["extensions"]["EXT_meshopt_compression"]["count"], 3 * 67);
+  EXPECT_EQ(file.accessor(many)["count"], 3 * 67);
+}
+
 TEST(GlbBuilder, RefusesElementsThatGltfLacks) {
   GlbBuilder builder(GlbEncoding::kPlain);
   testing::ExpectError([&] { builder.AddAttribute(FloatRows::Zero(2, 5), 0); }, "expected 1 .. 4");
