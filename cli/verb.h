@@ -27,6 +27,7 @@ Verb EvalVerb();
 Verb PredictVerb();
 Verb ScoreVerb();
 Verb DrawVerb();
+Verb RigVerb();
 Verb ExportVerb();
 Verb InfoVerb();
 

@@ -1,6 +1,7 @@
 #include "render/shading.h"
 
 #include "core/error.h"
+#include "geometry/corner_uv.h"
 #include "geometry/normals.h"
 #include "render/rasteriser.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace daumier::render {
 namespace {
@@ -48,6 +50,34 @@ const std::array<Light, 3>& Lights() {
   return lights;
 }
 
+/// Linear colours of a texture.
+class TextureColours {
+ public:
+  explicit TextureColours(const Image& image) : image_(image) {
+    for (int value = 0; value < 256; ++value) linear_[size_t(value)] = LinearOf(uint8_t(value));
+  }
+
+  /// Between the four texels around (u, v); those at the border continue.
+  Colour At(const Eigen::Vector2f& uv) const {
+    const float x = uv.x() * float(image_.width) - 0.5f, y = (1.0f - uv.y()) * float(image_.height) - 0.5f;
+    const float left = std::floor(x), top = std::floor(y);
+    const Colour upper = Between(Texel(top, left), Texel(top, left + 1), x - left);
+    const Colour lower = Between(Texel(top + 1, left), Texel(top + 1, left + 1), x - left);
+    return Between(upper, lower, y - top);
+  }
+
+ private:
+  static Colour Between(const Colour& a, const Colour& b, float share) { return a + share * (b - a); }
+  Colour Texel(float row, float column) const {
+    const int r = static_cast<int>(std::clamp(row, 0.0f, float(image_.height - 1)));
+    const int c = static_cast<int>(std::clamp(column, 0.0f, float(image_.width - 1)));
+    return {linear_[image_.at(r, c, 0)], linear_[image_.at(r, c, 1)], linear_[image_.at(r, c, 2)]};
+  }
+
+  const Image& image_;
+  std::array<float, 256> linear_{};
+};
+
 /// What a point is made of. `wet`: strength of a sharp highlight.
 struct Substance {
   Colour albedo;
@@ -78,6 +108,8 @@ struct Scene {
   geometry::Points surface_normals = {}, closing_normals = {};  ///< V x 3, in the camera's frame.
   std::vector<Colour> vertex_colours = {};
   std::vector<Substance> closing = {};
+  const geometry::TriangleMesh* textured = nullptr;  ///< The surface, if it has a texture.
+  std::optional<TextureColours> texture = {};
 };
 
 /// The surface's triangles, then the closing ones.
@@ -104,6 +136,15 @@ Scene MakeScene(const RenderInput& input, const geometry::TriangleMesh& mesh, co
   scene.surface_normals = geometry::VertexNormals(surface) * world_from_camera;
   scene.closing_normals = geometry::VertexNormals({surface.vertices, input.closing_triangles}) * world_from_camera;
   for (const Rgb& colour : input.vertex_colours) scene.vertex_colours.push_back(LinearOf(colour));
+  if (input.texture != nullptr) {
+    DAUMIER_CHECK(input.texture->channels == 3 && !input.texture->pixels.empty(),
+                  "a texture of {} x {} x {} values, expected RGB", input.texture->height, input.texture->width,
+                  input.texture->channels);
+    DAUMIER_CHECK(surface.has_uv() || surface.triangles.rows() == 0, "a texture is given for a surface without UV");
+    geometry::CheckUv(surface);
+    scene.textured = &surface;
+    scene.texture.emplace(*input.texture);
+  }
   if (scene.vertex_colours.empty()) scene.vertex_colours.assign(surface.vertices.rows(), LinearOf(clay));
   for (const Rgb& colour : input.closing_colours) scene.closing.push_back({LinearOf(colour)});
   for (size_t i = 0; i < input.closing_gloss.size(); ++i) scene.closing[i].wet = input.closing_gloss[i];
@@ -122,7 +163,14 @@ Colour ShadePixel(const Scene& scene, const Camera& camera, const Raster& raster
   for (int k = 0; k < 3; ++k) {
     normal += double{barycentric[k]} * normals.row(corners(k)).transpose();
     point += double{barycentric[k]} * scene.mesh.vertices.row(corners(k)).transpose();
-    if (on_surface) substance.albedo += barycentric[k] * scene.vertex_colours[corners(k)];
+    if (on_surface && !scene.texture) substance.albedo += barycentric[k] * scene.vertex_colours[corners(k)];
+  }
+  if (on_surface && scene.texture) {
+    Eigen::Vector2f uv = Eigen::Vector2f::Zero();
+    for (int k = 0; k < 3; ++k)
+      uv +=
+          barycentric[k] * scene.textured->uv.row(scene.textured->uv_triangles(triangle, k)).transpose().cast<float>();
+    substance.albedo = scene.texture->At(uv);
   }
   if (!on_surface) substance = scene.closing[triangle - scene.num_surface_triangles];
 

@@ -4,6 +4,7 @@
 #include "render/image.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace daumier::render {
@@ -19,6 +20,7 @@ struct RenderInput {
   /// Surface and closing triangles bound a solid, so that those seen from inside are left out: such are only seen where
   /// the solid pierces itself.
   bool is_solid = false;
+  std::shared_ptr<const Image> texture = {};  ///< RGB, of the surface, which then has UV, in place of vertex_colours.
 };
 
 /// The linear light of each channel of an sRGB colour, from 0 to 1 [IEC 61966-2-1].
@@ -35,8 +37,9 @@ struct ShadingStyle {
 /// front of the picture, a cool fill from the right, a rim from behind and a sky above, all fixed to the camera, so
 /// that every view is lit alike. Light is added up and averaged over samples in linear colour. Triangles seen from
 /// inside are lit half as much.
-/// @throws Error if there is not one colour a vertex, or one colour, or one gloss, a closing triangle, or as
-/// Rasterise does.
+/// A texture is interpolated bilinearly in linear colour.
+/// @throws Error if there is not one colour a vertex, or one colour, or one gloss, a closing triangle; if the texture is
+/// not RGB, or the surface has no UV for it; or as Rasterise and CheckUv.
 Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingStyle& style = {});
 
 }  // namespace daumier::render

@@ -124,8 +124,8 @@ std::vector<double> NumbersOfMatrix(const Json& matrix) {
   return numbers.size() == 16 ? numbers : std::vector<double>();
 }
 
-/// The turn of the head by the matrix from the canonical face to the camera's space; nothing without one. Rows of a
-/// matrix are told from its columns by the last row, 0 0 0 1.
+/// The turn of the head by the matrix from the canonical face to the camera's space; nothing without one. Whether
+/// the file lists rows or columns follows from the last row, 0 0 0 1.
 std::optional<std::array<double, 3>> HeadTurnOf(const Json& frame) {
   const Json* matrices = FindKey(frame, {"facialTransformationMatrixes", "facial_transformation_matrixes",
                                          "facialTransformationMatrix", "transformationMatrix", "matrix"});

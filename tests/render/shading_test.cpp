@@ -153,6 +153,40 @@ TEST(RenderMesh, RefusesOtherNumbersOfColours) {
   EXPECT_THROW(RenderMesh({Square(), {}, {}, std::vector<Rgb>(1)}, camera), Error);
 }
 
+/// The square with the picture's corners at its own.
+RenderInput TexturedSquare(Image texture) {
+  RenderInput input{Square()};
+  input.surface.uv.resize(4, 2);
+  input.surface.uv << 0, 0, 1, 0, 1, 1, 0, 1;
+  input.surface.uv_triangles = input.surface.triangles;
+  input.texture = std::make_shared<const Image>(std::move(texture));
+  return input;
+}
+
+TEST(RenderMesh, ATextureLiesOnTheSurfaceWithItsFirstRowOnTop) {
+  Image texture(2, 2, 3, 0);
+  texture.at(0, 0, 0) = texture.at(0, 1, 1) = texture.at(1, 0, 2) = 255;  // Red, green; blue, black.
+  const Image image = RenderMesh(TexturedSquare(texture), Front(1.0, 16), {.flatness = 1.0});
+  EXPECT_EQ(Pixel(image, 1, 1), (Rgb{255, 0, 0}));
+  EXPECT_EQ(Pixel(image, 1, 14), (Rgb{0, 255, 0}));
+  EXPECT_EQ(Pixel(image, 14, 1), (Rgb{0, 0, 255}));
+  EXPECT_EQ(Pixel(image, 14, 14), kBlack);
+}
+
+TEST(RenderMesh, ATextureIsInterpolatedInLinearLight) {
+  Image texture(1, 2, 3, 0);
+  for (int k = 0; k < 3; ++k) texture.at(0, 1, k) = 255;
+  const Image image = RenderMesh(TexturedSquare(texture), Front(1.0, 15), {.flatness = 1.0});
+  EXPECT_NEAR(image.at(7, 7), 188, 1) << "half of white is 188 in sRGB";
+}
+
+TEST(RenderMesh, RefusesATextureThatIsGreyOrHasNoUv) {
+  EXPECT_THROW(RenderMesh(TexturedSquare(Image(2, 2, 1)), Front(1.0, 16)), Error);
+  RenderInput bare = TexturedSquare(Image(2, 2, 3));
+  bare.surface = Square();
+  EXPECT_THROW(RenderMesh(bare, Front(1.0, 16)), Error);
+}
+
 TEST(RenderMesh, RefusesTrianglesOfMissingVertices) {
   RenderInput surface{Square()}, closing{Square()};
   surface.surface.triangles(1, 2) = 4;

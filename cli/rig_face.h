@@ -1,0 +1,37 @@
+#pragma once
+#include "faces/face_model.h"
+#include "faces/source.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace daumier::cli {
+
+/// Whether a rig begins with the expression that a face shows.
+enum class ShownExpression {
+  kRemoved,  ///< Where the prediction states it, as those of portraits do.
+  kKept,
+};
+
+/// A face that is to be rigged.
+struct FaceToRig {
+  faces::FaceModel model;            ///< Of its topology.
+  geometry::Points neutral;          ///< V x 3, cm.
+  std::string name;                  ///< Of the file, or of the face in its database.
+  std::vector<std::string> remarks;  ///< What was done to it.
+};
+
+/// Reads a face:
+/// - a mesh (.obj, .ply) of the V vertices of a face model's topology, or with as many as its finished head, of which
+///   the first V are the face's; as `daumier predict` writes it, also without its extension (predicted/drawing);
+/// - FOLDER/NAME where FOLDER holds a database of faces: "face-00012", or "person-00003-level-1-neutral".
+/// The face model is that of `source`; without it the first that has the topology, of the shipped ones, then MakeHuman's
+/// where it is installed.
+/// @throws UsageError if there is no such face; Error naming the topologies that were tried, if a vertex is not finite,
+/// if the polygons are not the topology's (vertices in another order), or if the size suggests another unit.
+FaceToRig ReadFaceToRig(const std::filesystem::path& face, const std::optional<faces::SourceOptions>& source,
+                        ShownExpression expression);
+
+}  // namespace daumier::cli

@@ -1,0 +1,34 @@
+#pragma once
+#include "rig/morph_targets.h"
+#include "rig/weights_clip.h"
+
+#include <array>
+#include <string_view>
+
+namespace daumier::rig {
+
+/// Which order and spelling of targets a program expects.
+enum class NamePreset {
+  kArkit,       ///< Apple's order: eyeBlinkLeft, jawLeft.
+  kArkitSides,  ///< Apple's order: eyeBlink_L, jawLeft.
+  kUnreal,      ///< Apple's order: EyeBlinkLeft, JawLeft.
+  kMediaPipe,   ///< `_neutral`, which moves nothing, then MediaPipe's order, so that its index is that of the target.
+};
+
+struct NamedPreset {
+  std::string_view name;
+  NamePreset preset;
+};
+/// The words of the command line.
+inline constexpr std::array<NamedPreset, 4> kNamePresets = {{{"arkit", NamePreset::kArkit},
+                                                             {"arkit_lr", NamePreset::kArkitSides},
+                                                             {"unreal", NamePreset::kUnreal},
+                                                             {"mediapipe", NamePreset::kMediaPipe}}};
+
+/// Targets in the order and spelling of a preset: ARKit's, in any spelling and order, then the others unchanged. Targets
+/// of ARKit that are absent stay absent.
+MorphTargets InPreset(const MorphTargets& targets, NamePreset preset);
+/// A clip with the same spelling. Its eyes keep their turns, which EyeTurns finds by ARKit's own spelling alone.
+WeightsClip InPreset(const WeightsClip& clip, NamePreset preset);
+
+}  // namespace daumier::rig

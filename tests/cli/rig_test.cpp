@@ -1,0 +1,173 @@
+// `daumier rig` as its users run it.
+#include "core/files.h"
+#include "core/json.h"
+#include "core/manifest.h"
+#include "faces/face_model_file.h"
+#include "geometry/obj.h"
+#include "render/image.h"
+#include "reports/head_file.h"
+#include "tests/cli/pipeline.h"
+#include "tests/geometry/shapes.h"
+#include "tests/support/glb_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace daumier::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// The mean face of the shipped face model, as a mesh.
+class RigCommand : public ::testing::Test {
+ protected:
+  static const faces::FaceModel& Model() {
+    static const faces::FaceModel model = faces::ReadFaceModelWeights(SourceRoot() / "weights/face-ict");
+    return model;
+  }
+  RigCommand() { Write("face.obj", Model().face_template.neutral); }
+
+  void Write(const std::string& name, const geometry::Points& vertices) const {
+    geometry::WriteObj(folder_ / name, faces::SurfaceMesh(Model().face_template, vertices));
+  }
+  std::string In(const std::string& name) const { return (folder_ / name).string(); }
+  ProcessResult Rig(const std::string& face, const std::string& out, std::vector<std::string> options = {}) const {
+    options.insert(options.begin(), {"rig", In(face), "--out", In(out)});
+    return Daumier(options);
+  }
+
+  const TempDir folder_;
+};
+
+TEST_F(RigCommand, WritesAHeadThatMovesAndAPictureOfIt) {
+  const ProcessResult result = Rig("face.obj", "head.glb", {"--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json summary = Json::parse(result.out);
+  EXPECT_EQ(summary.at("targets"), 52);
+  EXPECT_EQ(summary.at("source"), "ict");
+  const GlbReader head(ReadFile(folder_ / "head.glb"));
+  EXPECT_EQ(head.json()["meshes"][0]["extras"]["targetNames"].size(), 52u);
+  EXPECT_EQ(head.json()["meshes"][0]["extras"]["targetNames"][0], "eyeBlinkLeft");
+  EXPECT_EQ(head.json()["animations"].size(), 1u);
+  EXPECT_THAT(head.json()["asset"]["copyright"].get<std::string>(), HasSubstr("MIT"));
+  EXPECT_GT(render::ReadImage(folder_ / "head.png").width, 1000);
+  // The same command again, and its bytes.
+  const std::string bytes = ReadFile(folder_ / "head.glb");
+  ASSERT_EQ(Rig("face", "head.glb").exit_code, 0) << "the mesh without its extension";
+  EXPECT_EQ(ReadFile(folder_ / "head.glb"), bytes);
+}
+
+TEST_F(RigCommand, PlaysARecordingInTheNamesOfAProgram) {
+  WriteFileAtomically(folder_ / "take.csv",
+                      "Timecode,BlendShapeCount,JawOpen,EyeLookOutLeft,Smirk\n0:0:0:0,61,0,0,0\n0:0:0:2,61,1,1,0\n");
+  const ProcessResult result = Rig("face.obj", "head.glb",
+                                   {"--animate", In("take.csv"), "--names", "unreal", "--visemes", "--frames",
+                                    In("frames"), "--frame-size", "48", "--vrm", "--compress"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("50 of 52 targets are missing and 0: "), HasSubstr("Smirk")));
+  const GlbReader head(ReadFile(folder_ / "head.glb"));
+  const Json names = head.json()["meshes"][0]["extras"]["targetNames"];
+  ASSERT_EQ(names.size(), 67u);
+  EXPECT_EQ(names[17], "JawOpen");
+  EXPECT_EQ(names[52], "viseme_sil");
+  // The last key of the weights: JawOpen and EyeLookOutLeft are 1; and the left eye has turned by 30 degrees.
+  for (const Json& channel : head.json()["animations"][0]["channels"]) {
+    const Json& sampler = head.json()["animations"][0]["samplers"][channel["sampler"].get<size_t>()];
+    const auto keys = head.Floats(sampler["output"].get<int>());
+    const std::string node = head.json()["nodes"][channel["target"]["node"].get<size_t>()]["name"];
+    if (channel["target"]["path"] == "weights") {
+      EXPECT_NEAR(keys.bottomRows(67).sum(), 2, 1e-5);
+      EXPECT_NEAR(keys(keys.rows() - 67 + 17, 0), 1, 1e-5);
+    } else if (node == "LeftEye") {
+      EXPECT_NEAR(keys(keys.rows() - 1, 1), std::sin(15 * std::numbers::pi / 180), 1e-4);
+    }
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "head.vrm"));
+  EXPECT_LT(fs::file_size(folder_ / "head_compressed.glb"), 900'000u);
+  const Manifest frames = ReadManifest(folder_ / "frames", "frames");
+  EXPECT_EQ(frames.counts["frames"], 3);
+  EXPECT_EQ(render::ReadImage(folder_ / "frames/frame_00003.png").width, 48);
+  EXPECT_NE(ReadFile(folder_ / "frames/frame_00001.png"), ReadFile(folder_ / "frames/frame_00003.png"));
+}
+
+TEST_F(RigCommand, RigsFinishedHeadsAndRemovesTheExpressionThatAPredictionStates) {
+  const faces::FaceModel& model = Model();
+  Eigen::VectorXf weights = Eigen::VectorXf::Zero(model.expression_shapes.cols());
+  weights[5] = 0.5f;
+  const Eigen::VectorXd offset = (model.expression_shapes * weights).cast<double>();
+  const geometry::Points smiling =
+      model.face_template.neutral + Eigen::Map<const geometry::Points>(offset.data(), offset.size() / 3, 3);
+  MakeDirectory(folder_ / "predicted");
+  reports::WriteHead(folder_ / "predicted/portrait.obj", faces::FinishedHead(model.face_template), smiling);
+  const Json record = {{"coefficients", {{"expression", std::vector<float>(weights.begin(), weights.end())}}}};
+  WriteFileAtomically(folder_ / "predicted/manifest.json",
+                      Json{{"details", {{"drawings", {{"portrait", record}}}}}}.dump());
+  const auto highest = [&](const std::string& out, const std::vector<std::string>& options) {
+    const ProcessResult result = Rig("predicted/portrait", out, options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const GlbReader head(ReadFile(folder_ / out));
+    return head.Floats(head.json()["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>());
+  };
+  ASSERT_EQ(Rig("face.obj", "neutral.glb").exit_code, 0);
+  const GlbReader neutral(ReadFile(folder_ / "neutral.glb"));
+  const auto expected =
+      neutral.Floats(neutral.json()["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>());
+  EXPECT_NEAR((highest("removed.glb", {}) - expected).cwiseAbs().maxCoeff(), 0, 2e-6);
+  EXPECT_GT((highest("kept.glb", {"--keep-expression"}) - expected).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST_F(RigCommand, RefusesOtherTopologiesWithWhatItTried) {
+  geometry::WriteObj(folder_ / "ball.obj", Sphere(1, 3));
+  const ProcessResult ball = Rig("ball.obj", "head.glb");
+  EXPECT_EQ(ball.exit_code, 1);
+  EXPECT_THAT(ball.err, AllOf(HasSubstr("ball.obj has 642 vertices"), HasSubstr("tried: ict (10350 vertices, a head "),
+                              HasSubstr("cannot be rigged yet")));
+  geometry::Points sorted = Model().face_template.neutral.colwise().reverse();
+  geometry::TriangleMesh mesh = faces::SurfaceMesh(Model().face_template, sorted);
+  mesh.triangles = (int(sorted.rows()) - 1 - mesh.triangles.array()).matrix();
+  geometry::WriteObj(folder_ / "sorted.obj", mesh);
+  EXPECT_THAT(Rig("sorted.obj", "head.glb").err, HasSubstr("Export it with the order of vertices kept"));
+  Write("metres.obj", 0.01 * Model().face_template.neutral);
+  EXPECT_THAT(Rig("metres.obj", "head.glb").err, HasSubstr("Scale it to centimetres"));
+  EXPECT_FALSE(fs::exists(folder_ / "head.glb"));
+  EXPECT_FALSE(fs::exists(folder_ / "head.png"));
+}
+
+TEST_F(RigCommand, RefusesMisuse) {
+  WriteFileAtomically(folder_ / "head.png", "a picture of mine");
+  WriteFileAtomically(folder_ / "mine.glb", "no head");
+  MakeDirectory(folder_ / "photos");
+  WriteFileAtomically(folder_ / "photos/a.png", "precious");
+  const std::vector<std::pair<ProcessResult, std::string>> misuses = {
+      {Rig("face.obj", "head.obj"), "ends in .glb"},
+      {Rig("face.obj", "head.glb"), "head.png"},
+      {Rig("face.obj", "mine.glb"), "mine.glb"},
+      {Rig("face.obj", "a.glb", {"--frames", In("photos")}), "photos"},
+      {Rig("nobody.obj", "a.glb"), "there is no "},
+      {Rig("photos", "a.glb"), "is a folder"},
+      {Rig("face.obj", "a.glb", {"--names", "rpm"}), "--names"},
+      {Rig("face.obj", "a.glb", {"source.nam=ict"}), "source.name"},
+      {Rig("face.obj", "none/a.glb"), "none"}};
+  for (const auto& [result, part] : misuses) {
+    EXPECT_EQ(result.exit_code, 2) << part << ": " << result.err;
+    EXPECT_THAT(result.err, HasSubstr(part));
+  }
+  EXPECT_EQ(ReadFile(folder_ / "head.png"), "a picture of mine");
+  EXPECT_EQ(ReadFile(folder_ / "mine.glb"), "no head");
+  EXPECT_FALSE(fs::exists(folder_ / "head.glb"));
+}
+
+TEST_F(RigCommand, ABadClipWritesNothing) {
+  WriteFileAtomically(folder_ / "take.csv", "time,jawOpen\n0,0\n1,wide\n");
+  const ProcessResult result = Rig("face.obj", "head.glb", {"--animate", In("take.csv")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("take.csv: line 3: column jawOpen: 'wide' is no number"));
+  EXPECT_FALSE(fs::exists(folder_ / "head.glb"));
+}
+
+}  // namespace
+}  // namespace daumier::testing
