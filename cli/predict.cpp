@@ -6,6 +6,7 @@
 #include "core/process_task.h"
 #include "core/weights_folder.h"
 #include "systems/predict_files.h"
+#include "systems/prediction_options.h"
 #include "systems/shipped_weights.h"
 #include "systems/weights_choice.h"
 
@@ -52,6 +53,27 @@ struct Prediction {
   fs::path out;
 };
 
+bool MakesMeshes(const systems::System& system) {
+  return std::ranges::count(system.result_files, ".obj") > 0;
+}
+
+/// Warns where the task of a choice makes no mesh, but another one would that reads the same kind of picture.
+void WarnWithoutMesh(const systems::WeightsChoice& choice, const std::vector<fs::path>& places) {
+  const systems::System& system = SystemOfRunOrWeights(choice.weights);
+  if (MakesMeshes(system)) return;
+  const auto better = std::ranges::find_if(Systems(), [&](const systems::System& other) {
+    return MakesMeshes(other) && other.open != nullptr && other.shipped_rank > system.shipped_rank &&
+           other.picture_content.suits == system.picture_content.suits;
+  });
+  if (better == Systems().end()) return;
+  log::Warn(
+      "{} are predicted by the weights {}, without a mesh: there are no weights of the task '{}' in {}. Restore them, "
+      "or "
+      "name a run of it",
+      system.picture_content.plural, WeightsName(choice.weights), better->name,
+      places.empty() ? "any folder" : choice.weights.parent_path().string());
+}
+
 /// Predictions by shipped weights. Where the pictures are of two kinds, each has a folder of its weights' name in `out`.
 /// @throws UsageError where there are none.
 std::vector<Prediction> ByShippedWeights(const PredictArguments& arguments, const std::vector<fs::path>& files) {
@@ -60,6 +82,7 @@ std::vector<Prediction> ByShippedWeights(const PredictArguments& arguments, cons
   std::vector<systems::WeightsChoice> choices;
   if (arguments.weights.empty()) {
     choices = ChooseWeights(files, Systems(), shipped, places);
+    for (const systems::WeightsChoice& choice : choices) WarnWithoutMesh(choice, places);
   } else {
     choices = {{WeightsNamed(arguments.weights, shipped, places), files}};
   }
@@ -85,9 +108,9 @@ struct ReadyPrediction {
   systems::PredictionInputs inputs;
 };
 
-ReadyPrediction Prepared(const PredictArguments& arguments, const std::vector<std::string>& overrides, Prediction what,
-                         const Task& task) {
-  const systems::System& system = SystemOfRunOrWeights(what.run);
+/// `overrides`: those of this task.
+ReadyPrediction Prepared(const PredictArguments& arguments, const systems::System& system,
+                         std::vector<std::string> overrides, Prediction what, const Task& task) {
   if (system.open == nullptr) {
     std::vector<std::string_view> names;
     for (const systems::System& other : Systems())
@@ -95,6 +118,10 @@ ReadyPrediction Prepared(const PredictArguments& arguments, const std::vector<st
     throw Error(fmt::format("{}: this is a run of the task '{}', which predicts nothing (expected a run of '{}')",
                             what.run.string(), system.name, fmt::join(names, "' or '")));
   }
+  const auto is_refine = [](const std::string& word) { return word.starts_with("refine="); };
+  if (arguments.keep_frame && IsWeightsFolder(what.run) && std::ranges::none_of(overrides, is_refine) &&
+      systems::HasPredictionOption(system, "framing"))
+    overrides.push_back("refine=false");  // Shipped weights have no model by which contours are matched.
   Json options = system.resolve_prediction(ConfigArguments{{}, overrides}.Load(), "predict");
   ParseDevice(arguments.device);
   CheckOutputFolder(what.out, systems::PredictionOutput(), {what.run});  // Before files are read.
@@ -135,9 +162,12 @@ void Predict(const PredictArguments& arguments) {
   std::vector<Prediction> predictions =
       names_run ? std::vector<Prediction>{{arguments.run, files, arguments.out}} : ByShippedWeights(arguments, files);
   const Task task = TaskOfProcess();
+  std::vector<const systems::System*> tasks;
+  for (const Prediction& prediction : predictions) tasks.push_back(&SystemOfRunOrWeights(prediction.run));
   std::vector<ReadyPrediction> ready;  // All are checked before the first is written.
-  for (Prediction& prediction : predictions)
-    ready.push_back(Prepared(arguments, overrides, std::move(prediction), task));
+  for (size_t i = 0; i < predictions.size(); ++i)
+    ready.push_back(Prepared(arguments, *tasks[i], systems::OverridesOf(*tasks[i], tasks, overrides),
+                             std::move(predictions[i]), task));
   systems::PredictionSummary summary;
   for (ReadyPrediction& prediction : ready) {
     systems::PredictionSummary one = Run(arguments, std::move(prediction), task);
@@ -179,7 +209,7 @@ Verb PredictVerb() {
         command.add_flag(
             "--no-refine", arguments->no_refine,
             "With --keep-frame: write the face of the network as it is; without it, its contours are matched with the "
-            "strokes");
+            "strokes, but not by shipped weights, which have no model for that");
         command.add_flag(
             "--no-fit", arguments->no_fit,
             "Write the face of the network in the frame of the parsed drawing; without it, the face is fitted to "

@@ -63,10 +63,13 @@ MatrixX2d DrawingScorer::OnCanvas(const geometry::Points& vertices) const {
   return render::Project(camera_, vertices.topRows(neutral_.rows())).leftCols<2>();
 }
 
-MatrixX2d DrawingScorer::OnSheet(const DrawnPrediction& prediction) const {
+MatrixX2d DrawingScorer::OnPicture(const DrawnPrediction& prediction) const {
   MatrixX2d projected = OnCanvas(prediction.vertices);
   for (Eigen::Index i = 0; i < projected.rows(); ++i)
     projected.row(i) = render::ToSheet(prediction.frame, projected.row(i).transpose()).transpose();
+  if (prediction.picture_from_sheet)
+    projected =
+        (projected.rowwise().homogeneous() * prediction.picture_from_sheet->transpose()).rowwise().hnormalized().eval();
   return projected;
 }
 
@@ -133,7 +136,7 @@ std::vector<DrawingScore> ScoreDrawings(const DrawingScorer& scorer, std::span<c
     DrawingScore score{.name = drawing.name, .group = drawing.group, .is_predicted = found != predictions.end()};
     const DrawnPrediction prediction =
         score.is_predicted ? found->second : DrawnPrediction{scorer.neutral(), frame_of(drawing)};
-    score.errors = scorer.Errors(scorer.OnSheet(prediction), drawing);
+    score.errors = scorer.Errors(scorer.OnPicture(prediction), drawing);
     score.mean_face = scorer.Errors(scorer.PlacedBest(mean_face, drawing), drawing);
     score.states = scorer.StatesOf(prediction.vertices);
     if (drawing.mouth)

@@ -41,6 +41,8 @@ PlaneSimilarity AlignInPlane(const Eigen::MatrixX2d& points, const Eigen::Matrix
 struct DrawnPrediction {
   geometry::Points vertices;  ///< V x 3, cm.
   render::Placement frame;    ///< Of the drawing's sheet on the canvas.
+  /// Of a sheet that was photographed and rectified (render::Drawing): labels are in pixels of the photograph.
+  std::optional<Eigen::Matrix3d> picture_from_sheet = {};
 };
 
 /// Opening of mouth and eyes in the mesh, mm.
@@ -59,9 +61,9 @@ class DrawingScorer {
   /// camera: projects onto the canvas. @throws Error as faces::FindFacePoints.
   DrawingScorer(const faces::FaceTemplate& face_template, const render::Camera& camera);
 
-  /// V x 2 on the canvas, and on the sheet of a drawing.
+  /// V x 2 on the canvas, and on the picture of a drawing, whose pixels the labels count.
   Eigen::MatrixX2d OnCanvas(const geometry::Points& vertices) const;
-  Eigen::MatrixX2d OnSheet(const DrawnPrediction& prediction) const;
+  Eigen::MatrixX2d OnPicture(const DrawnPrediction& prediction) const;
 
   PointErrors Errors(const Eigen::MatrixX2d& projected, const LabelledDrawing& drawing) const;
   /// The face moved by the similarity that brings its points nearest to the labels: a bound that uses them. The points

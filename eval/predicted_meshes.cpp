@@ -21,6 +21,7 @@ bool IsMeshName(const fs::path& file) {
   return (extension == ".obj" || extension == ".ply") && !IsSystemFile(file.filename());
 }
 
+constexpr const char* kPictureFromSheet = "picture_from_sheet";
 constexpr const char* kFrameRepair =
     "Predict with `daumier predict ... --out`, or write {\"details\": {\"drawings\": {\"NAME\": {\"frame\": "
     "{\"scale\": S, \"shift\": [X, Y]}}}}} where canvas = S * sheet + (X, Y)";
@@ -90,7 +91,9 @@ DrawnPredictions ReadDrawnPredictions(const fs::path& folder, std::span<const La
                   "{} has no frame of '{}'. {}", manifest.string(), drawing.name, kFrameRepair);
     try {
       const render::Placement frame = render::PlacementFromJson(record->at("frame"));
-      predictions.of_labelled[drawing.name] = {reader.Read(mesh->second), frame};
+      DrawnPrediction& prediction = predictions.of_labelled[drawing.name] = {reader.Read(mesh->second), frame};
+      if (record->contains(kPictureFromSheet))
+        prediction.picture_from_sheet = render::HomographyFromJson(record->at(kPictureFromSheet));
     } catch (const Error& error) {
       const std::string cause = error.what();
       if (cause.starts_with(mesh->second.string())) throw;

@@ -28,7 +28,7 @@ class TemplateMeshReader {
 };
 
 /// Predictions of labelled drawings: meshes, and details.drawings.NAME.frame of manifest.json, which maps the sheet to
-/// the canvas (render::PlacementFromJson).
+/// the canvas (render::PlacementFromJson), and picture_from_sheet of a rectified one (render::HomographyFromJson).
 struct DrawnPredictions {
   std::map<std::string, DrawnPrediction> of_labelled;
   std::vector<std::string> unlabelled;  ///< Names of meshes that have no label.

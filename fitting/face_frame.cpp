@@ -34,7 +34,7 @@ bool ShowsContoursAlone(const LabelledDrawing& drawing) {
 }
 
 /// The weighted least-squares similarity with its priors: a = 1, b = 0 of (a -b; b a).
-FaceFrame SolveFrame(const std::vector<PointMatch>& matches, double a_precision, double b_precision) {
+render::Placement SolveFrame(const std::vector<PointMatch>& matches, double a_precision, double b_precision) {
   Eigen::Matrix4d normal = Eigen::Vector4d(a_precision, b_precision, 0, 0).asDiagonal();
   Eigen::Vector4d right(a_precision, 0, 0, 0);
   for (const PointMatch& match : matches) {
@@ -44,33 +44,10 @@ FaceFrame SolveFrame(const std::vector<PointMatch>& matches, double a_precision,
     right += match.weight * by.transpose() * match.drawn;
   }
   const Eigen::Vector4d solution = normal.ldlt().solve(right);
-  return FrameFrom(solution[0], solution[1], solution.tail<2>());
+  return render::PlacementFrom(solution[0], solution[1], solution.tail<2>());
 }
 
 }  // namespace
-
-Eigen::Matrix2d FaceFrame::linear() const {
-  const double angle = turn_degrees * std::numbers::pi / 180;
-  Eigen::Matrix2d rotation;
-  rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  return scale * rotation;
-}
-
-Vector2d FaceFrame::CanvasFromSheet(const Vector2d& p_in_sheet) const {
-  return linear() * p_in_sheet + shift;
-}
-
-Vector2d FaceFrame::SheetFromCanvas(const Vector2d& p_in_canvas) const {
-  return linear().transpose() * (p_in_canvas - shift) / (scale * scale);
-}
-
-FaceFrame FaceFrame::Inverse() const {
-  return {1 / scale, -turn_degrees, SheetFromCanvas(Vector2d::Zero())};
-}
-
-FaceFrame FrameFrom(double a, double b, const Vector2d& shift) {
-  return {std::hypot(a, b), std::atan2(b, a) * 180 / std::numbers::pi, shift};
-}
 
 double EyeDistance(const faces::FacePointVertices& vertices, const Eigen::MatrixX2d& projected) {
   const Vector2d zero = Vector2d::Zero();
@@ -79,12 +56,13 @@ double EyeDistance(const faces::FacePointVertices& vertices, const Eigen::Matrix
       .norm();
 }
 
-std::optional<FaceFrame> FindFaceFrame(const faces::FacePointVertices& vertices, const Eigen::MatrixX2d& projected,
-                                       const LabelledDrawing& drawing, const FaceFrameOptions& options) {
+std::optional<render::Placement> FindFaceFrame(const faces::FacePointVertices& vertices,
+                                               const Eigen::MatrixX2d& projected, const LabelledDrawing& drawing,
+                                               const FaceFrameOptions& options) {
   const double eyes = EyeDistance(vertices, projected);
   DAUMIER_CHECK(eyes > 0, "a face whose outer corners of the eyes coincide has no frame");
   const double b_deviation = options.turn_deviation * std::numbers::pi / 180, unit = options.point_deviation * eyes;
-  std::optional<FaceFrame> frame;
+  std::optional<render::Placement> frame;
   // Contours have no place before a first frame, unless nothing else is shown.
   const bool contours_alone = ShowsContoursAlone(drawing);
   for (int round = 0; round <= options.rounds; ++round) {
@@ -96,7 +74,7 @@ std::optional<FaceFrame> FindFaceFrame(const faces::FacePointVertices& vertices,
       DAUMIER_CHECK(point.position.allFinite(), "the point {} of the drawing is not finite",
                     faces::kFacePointNames[size_t(i)]);
       if (!frame && !contours_alone && faces::ContourOf(FacePoint(i))) continue;
-      const Vector2d near = (frame ? *frame : FaceFrame()).SheetFromCanvas(point.position);
+      const Vector2d near = render::ToSheet(frame.value_or(render::Placement()), point.position);
       matches.push_back(
           {faces::ProjectedFacePoint(vertices, FacePoint(i), projected, near), point.position, point.confidence});
       if (frame) distances.push_back((near - matches.back().on_sheet).norm());

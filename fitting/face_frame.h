@@ -2,28 +2,13 @@
 #include "core/options.h"
 #include "faces/face_points.h"
 #include "fitting/labelled_drawing.h"
+#include "render/framing.h"
 
 #include <Eigen/Core>
 
 #include <optional>
 
 namespace daumier::fitting {
-
-/// Where the sheet of a camera lies on a canvas: p_canvas = scale R p_sheet + shift, R the rotation by turn_degrees
-/// (clockwise on the picture, since y is down).
-struct FaceFrame {
-  double scale = 1, turn_degrees = 0;
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-
-  /// scale R
-  Eigen::Matrix2d linear() const;
-  Eigen::Vector2d CanvasFromSheet(const Eigen::Vector2d& p_in_sheet) const;
-  Eigen::Vector2d SheetFromCanvas(const Eigen::Vector2d& p_in_canvas) const;
-  /// The frame that undoes this one: where a canvas lies on the sheet.
-  FaceFrame Inverse() const;
-};
-/// The frame with scale R = (a -b; b a).
-FaceFrame FrameFrom(double a, double b, const Eigen::Vector2d& shift);
 
 struct FaceFrameOptions {
   double scale_deviation = 0.4;
@@ -44,7 +29,8 @@ struct FaceFrameOptions {
   }
 };
 
-/// The similarity that lays the projected points of a face on the points of a drawing [Umeyama 1991, in the plane], in the
+/// Where the sheet of a camera lies on the canvas of a drawing (render::ToCanvas: from this sheet to that canvas): the
+/// similarity that lays the projected points of a face on the points of the drawing [Umeyama 1991, in the plane], in the
 /// sense of least weighted squares: the weight of a point is its confidence times (1 + r^2 / s^2)^-2 of Geman and
 /// McClure, r its distance and s three times the greater of point_deviation and 1.48 times the median distance. Scale
 /// and turn have normal priors about 1 and 0, which matter where few points are shown. Points of a contour match its
@@ -52,8 +38,9 @@ struct FaceFrameOptions {
 /// Absent if no point is shown. Promises: exact where the points are those of the face moved by a similarity, up to
 /// the priors; a similarity of the drawing moves the frame by it, up to the priors.
 /// @throws Error if the outer corners of the eyes coincide or a position is not finite.
-std::optional<FaceFrame> FindFaceFrame(const faces::FacePointVertices& vertices, const Eigen::MatrixX2d& projected,
-                                       const LabelledDrawing& drawing, const FaceFrameOptions& options = {});
+std::optional<render::Placement> FindFaceFrame(const faces::FacePointVertices& vertices,
+                                               const Eigen::MatrixX2d& projected, const LabelledDrawing& drawing,
+                                               const FaceFrameOptions& options = {});
 
 /// Distance of the outer corners of the eyes of a projected face.
 double EyeDistance(const faces::FacePointVertices& vertices, const Eigen::MatrixX2d& projected);

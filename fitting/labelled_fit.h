@@ -22,7 +22,7 @@ struct LabelledFit {
   /// 3V, cm, turned by yaw and pitch as the drawing shows the face: the sheet's camera sees it where the frame says.
   std::vector<float> vertices;
   Eigen::VectorXf coefficients;  ///< Of the FaceGaussian; smooth displacement and closing come on top.
-  FaceFrame frame;
+  render::Placement frame;
   /// As TurnedCamera: the face looks to the left of the picture by yaw > 0, downwards by pitch > 0.
   double yaw_degrees = 0, pitch_degrees = 0;
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  ///< Of the turn.
@@ -43,7 +43,7 @@ std::vector<float> Upright(const LabelledFit& fit);
 /// Fits a face to a parsed drawing: the maximum of
 ///   log N(c; prior) + log N(w; 0, I) + log p(frame, yaw, pitch) + sum_i log t((p_i - P_i) / (k s_i))
 /// over coefficients c of a Gaussian of faces, weights w of smooth displacements in the plane (SmoothModes), a similarity
-/// of the canvas (FaceFrame), and yaw and pitch of the head. p_i are the shown points and samples of strokes with a label,
+/// of the canvas (FindFaceFrame), and yaw and pitch of the head. p_i are the shown points and samples of strokes with a label,
 /// P_i their counterparts under an orthographic camera: landmarks, nearest places of contours and of curves of the same
 /// label, of which the normal distance counts. t is Student's distribution, solved by reweighted Gauss-Newton steps, and
 /// its scale k comes from the drawing [MacKay 1992, eq. 2.8, with an inverse gamma prior at 1]: the farther a drawing is from

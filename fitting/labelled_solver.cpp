@@ -50,7 +50,7 @@ struct FitState {
   double yaw = 0, pitch = 0;
   double residual_scale = 1;
 
-  FaceFrame frame() const { return FrameFrom(a, b, shift); }
+  render::Placement frame() const { return render::PlacementFrom(a, b, shift); }
   void Step(const VectorXd& step) {
     weights += step.head(weights.size());
     const VectorXd pose = step.tail<kPoseUnknowns>();
@@ -110,9 +110,9 @@ class MapProblem {
     state.weights = prior_.mean;
     state.yaw = mean_yaw_;
     SeenState look = LookAt(seen_, state);
-    const std::optional<FaceFrame> frame = FindFaceFrame(seen_.points, look.on_sheet, drawing_, options_.frame);
+    const std::optional<render::Placement> frame = FindFaceFrame(seen_.points, look.on_sheet, drawing_, options_.frame);
     if (!frame) return std::nullopt;
-    const Eigen::Matrix2d linear = frame->linear();
+    const Eigen::Matrix2d linear = render::LinearPart(*frame);
     state.a = linear(0, 0), state.b = linear(1, 0), state.shift = frame->shift;
     eye_distance_ = frame->scale * EyeDistance(seen_.points, look.on_sheet);
     samples_ = SampleStrokes(drawing_, kSampleStep * eye_distance_, kMostSamples);
@@ -312,9 +312,9 @@ class MapProblem {
   void AddDrawnGap(const OpeningPairs& mouth, const SeenState& look, const FitState& state, const Add& add) const {
     const LabelledPoint &top = drawing_.point(FacePoint::kInnerTop), &bottom = drawing_.point(FacePoint::kInnerBottom);
     if (top.confidence <= 0 || bottom.confidence <= 0) return;
-    const FaceFrame frame = state.frame();
+    const render::Placement frame = state.frame();
     const double drawn = std::min(
-        (frame.SheetFromCanvas(bottom.position) - frame.SheetFromCanvas(top.position)).y() / seen_.camera.scale,
+        (render::ToSheet(frame, bottom.position) - render::ToSheet(frame, top.position)).y() / seen_.camera.scale,
         kWidestDrawnGap);
     const auto middle = std::min_element(mouth.pairs.begin(), mouth.pairs.end(), [](const auto& a, const auto& b) {
       return std::abs(a.share - 0.5) < std::abs(b.share - 0.5);

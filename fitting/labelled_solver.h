@@ -78,7 +78,7 @@ struct ModePrior {
 
 struct SolvedFace {
   Eigen::VectorXd weights;  ///< z, M
-  FaceFrame frame;
+  render::Placement frame;
   double yaw = 0, pitch = 0;  ///< Radians; as LabelledFit.
   double residual_scale = 1, rms = 0;
   int num_matched = 0;

@@ -1,6 +1,9 @@
 #pragma once
 #include "render/strokes.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <vector>
 
 namespace daumier::render {
@@ -10,6 +13,8 @@ namespace daumier::render {
 struct Drawing {
   double width = 0.0, height = 0.0;
   std::vector<Stroke> strokes;
+  /// Of a sheet that was photographed and rectified: the homography to the pixels of the photograph.
+  std::optional<Eigen::Matrix3d> picture_from_sheet = {};
 };
 
 }  // namespace daumier::render

@@ -256,7 +256,7 @@ bool ComesBefore(const StrokeGroup& a, const StrokeGroup& b) {
 
 Drawing WithStrokes(const Drawing& drawing, std::vector<size_t> strokes) {
   std::sort(strokes.begin(), strokes.end());
-  Drawing one{drawing.width, drawing.height, {}};
+  Drawing one{drawing.width, drawing.height, {}, drawing.picture_from_sheet};
   for (const size_t index : strokes) one.strokes.push_back(drawing.strokes[index]);
   return one;
 }

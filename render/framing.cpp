@@ -117,6 +117,14 @@ Eigen::Matrix2d PlacementRotation(const Placement& placement) {
 
 }  // namespace
 
+Placement PlacementFrom(double a, double b, const Vector2d& shift) {
+  return {std::hypot(a, b), shift, std::atan2(b, a) * 180 / std::numbers::pi};
+}
+
+Eigen::Matrix2d LinearPart(const Placement& placement) {
+  return placement.scale * PlacementRotation(placement);
+}
+
 Vector2d ToCanvas(const Placement& placement, const Vector2d& p_in_sheet) {
   return placement.scale * (PlacementRotation(placement) * p_in_sheet) + placement.shift;
 }
@@ -166,6 +174,25 @@ Placement PlacementFromJson(const Json& json) {
     throw Error(
         fmt::format("the frame is malformed ({}); expected {{\"scale\": S, \"shift\": [X, Y]}}", TextOf(error)));
   }
+}
+
+Json HomographyToJson(const Eigen::Matrix3d& homography) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) rows.push_back({homography(row, 0), homography(row, 1), homography(row, 2)});
+  return rows;
+}
+
+Eigen::Matrix3d HomographyFromJson(const Json& json) {
+  Eigen::Matrix3d homography;
+  try {
+    const auto rows = json.get<std::array<std::array<double, 3>, 3>>();
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) homography(row, column) = rows[size_t(row)][size_t(column)];
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("the homography is malformed ({}); expected three rows of three numbers", TextOf(error)));
+  }
+  DAUMIER_CHECK(homography.determinant() != 0, "the homography is singular");
+  return homography;
 }
 
 }  // namespace daumier::render

@@ -21,7 +21,13 @@ struct Placement {
   double scale = 1.0;
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   double turn_degrees = 0.0;
+
+  bool operator==(const Placement&) const = default;
 };
+/// The placement with scale R = (a, -b; b, a).
+Placement PlacementFrom(double a, double b, const Eigen::Vector2d& shift);
+/// scale R
+Eigen::Matrix2d LinearPart(const Placement& placement);
 
 Eigen::Vector2d ToCanvas(const Placement& placement, const Eigen::Vector2d& p_in_sheet);
 /// Undoes ToCanvas.
@@ -37,6 +43,11 @@ std::vector<Stroke> MapToCanvas(const std::vector<Stroke>& strokes, const Placem
 Json PlacementToJson(const Placement& placement);
 /// Undoes PlacementToJson. @throws Error if scale or shift is missing or no number, or the scale is not positive.
 Placement PlacementFromJson(const Json& json);
+
+/// For manifests, of a drawing with picture_from_sheet: three rows of three numbers.
+Json HomographyToJson(const Eigen::Matrix3d& homography);
+/// Undoes HomographyToJson. @throws Error if it is malformed or singular.
+Eigen::Matrix3d HomographyFromJson(const Json& json);
 
 /// A drawing without marks that do not belong to it, and its placement.
 struct FramedDrawing {

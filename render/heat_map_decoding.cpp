@@ -81,6 +81,10 @@ std::vector<std::vector<double>> StateProbabilities(std::span<const float> score
   return states;
 }
 
+size_t Likeliest(std::span<const double> probabilities) {
+  return size_t(std::ranges::max_element(probabilities) - probabilities.begin());
+}
+
 void AverageWithMirrored(std::span<float> maps, std::span<const float> mirrored, int height, int width,
                          std::span<const int> order) {
   const size_t cells = size_t(height) * size_t(width);

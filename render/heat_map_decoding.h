@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,9 @@ std::vector<Peak> FindPeaks(std::span<const float> scores, int num_maps, int hei
 /// Probabilities of the classes of each state: a softmax of each group of `num_classes` neighbours in `scores`.
 /// @throws Error if the number of scores is not their sum.
 std::vector<std::vector<double>> StateProbabilities(std::span<const float> scores, std::span<const int> num_classes);
+
+/// The class of the greatest probability, the first of equals; 0 of none.
+size_t Likeliest(std::span<const double> probabilities);
 
 /// The mean of maps and of those that the network made of the mirror image: map m of the mirror image shows, mirrored,
 /// what map order[m] shows. Both are num_maps x height x width. Scores are averaged as they are.

@@ -115,11 +115,11 @@ std::pair<int, int> CoreRange(std::vector<int> values) {
 }
 
 struct MeasuredContent {
-  cv::Rect box;  ///< Of the content, on the measured picture.
+  cv::Rect box;  ///< Of the content, on the measured picture; empty where the paper is blank.
   double score = 0;
 };
 
-/// Of dark lines on light. Absent if there is no paper or no content.
+/// Of dark lines on light. Absent if there is no paper.
 std::optional<MeasuredContent> MeasureContent(const cv::Mat3d& numbers) {
   cv::Mat3d without_lines;
   const int side =
@@ -147,7 +147,7 @@ std::optional<MeasuredContent> MeasureContent(const cv::Mat3d& numbers) {
     }
   }
   constexpr size_t kFewest = 20;
-  if (rows.size() < kFewest) return std::nullopt;
+  if (rows.size() < kFewest) return MeasuredContent{.box = {}, .score = 1};
   const auto [top, bottom] = CoreRange(std::move(rows));
   const auto [left, right] = CoreRange(std::move(columns));
   MeasuredContent content{{left, top, right - left + 1, bottom - top + 1}};
@@ -195,6 +195,7 @@ double ScoreOfSheet(const Image& picture) {
   InvertDark(numbers);
   const std::optional<MeasuredContent> first = MeasureContent(numbers);
   if (!first) return 0;
+  if (first->box.empty()) return first->score;
   // Again, with the content as large as the picture.
   const double scale = double(whole.width) / numbers.cols;
   const double margin = kContentMargin * std::max(first->box.width, first->box.height);

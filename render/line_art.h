@@ -8,7 +8,7 @@ namespace daumier::render {
 /// paper nor black. Paper is a quadratic surface of brightness of one colour (light, vignetting, coloured paper) that is
 /// not vivid; areas filled with black count as ink. Lines may be light on dark; of a photographed sheet (FindSheets) the
 /// sheet counts. Content is the box of what differs from the paper, seen at its own resolution where it is small.
-/// From 0 to 1; 0 if there is no paper or no content. @throws Error if the picture is empty.
+/// From 0 to 1; 0 if there is no paper, 1 if there is nothing on it. @throws Error if the picture is empty.
 double LineArtScore(const Image& picture);
 
 /// A picture of this score or more is a line drawing. Chosen between, and therefore not independent of, 12 line drawings

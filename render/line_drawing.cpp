@@ -102,7 +102,10 @@ LineDrawing TraceLineDrawing(const Image& picture) {
   DAUMIER_CHECK(!picture.pixels.empty(), "the picture is empty");
   const std::vector<PhotoSheet> sheets = FindSheets(picture);
   for (const PhotoSheet& sheet : sheets) {
-    if (auto traced = TracedClosely(RectifySheet(picture, sheet))) return *std::move(traced);
+    if (auto traced = TracedClosely(RectifySheet(picture, sheet))) {
+      traced->drawing.picture_from_sheet = PictureFromRectified(sheet, picture.height, picture.width);
+      return *std::move(traced);
+    }
   }
   if (auto traced = TracedClosely(picture)) {
     if (sheets.empty() && ShowsDesk(picture)) {

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/json.h"
+#include "core/log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,7 @@ Drawing DrawingOf(const Json& json) {
 std::vector<Drawing> ReadQuickDraw(const std::filesystem::path& path) {
   const std::string bytes = ReadFile(path);
   std::vector<Drawing> drawings;
+  std::vector<std::string> faults;
   std::string_view rest = bytes;
   for (int line_number = 1; !rest.empty(); ++line_number) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -61,9 +63,11 @@ std::vector<Drawing> ReadQuickDraw(const std::filesystem::path& path) {
     try {
       drawings.push_back(DrawingOf(ParseJson(line, "a drawing")));
     } catch (const std::exception& error) {
-      throw Error(fmt::format("{}:{}: {}", path.string(), line_number, error.what()));
+      faults.push_back(fmt::format("{}:{}: {}", path.string(), line_number, error.what()));
     }
   }
+  if (drawings.empty() && !faults.empty()) throw Error(faults.front());
+  for (const std::string& fault : faults) log::Warn("{}; the line is skipped", fault);
   DAUMIER_CHECK(!drawings.empty(), "{}: the file holds no drawings", path.string());
   return drawings;
 }

@@ -83,7 +83,7 @@ PixelBox BoxAround(const Drawing& face, const Image& picture) {
 Drawing TracePicture(const Image& picture) {
   Drawing traced = TraceLineDrawing(picture).drawing;
   const std::vector<Drawing> faces = FacesOnSheet(traced);
-  if (faces.size() == 1 || traced.width != picture.width || traced.height != picture.height) return traced;
+  if (faces.size() == 1 || traced.picture_from_sheet) return traced;
   traced.strokes.clear();
   for (const Drawing& face : faces) {
     const PixelBox box = BoxAround(face, picture);

@@ -36,6 +36,19 @@ Eigen::Matrix3d HomographyOfUnitSquare(const std::array<Vector2d, 4>& quad) {
   return homography;
 }
 
+/// The whole sheet seen from above, in pixels, and the strip along its sides that is cut off.
+struct SheetSize {
+  double width, height, cut;
+};
+
+SheetSize SizeOf(const PhotoSheet& sheet, int height, int width) {
+  const auto& corners = sheet.corners;
+  const double across = std::max((corners[1] - corners[0]).norm(), (corners[2] - corners[3]).norm());
+  const double down = std::max((corners[3] - corners[0]).norm(), (corners[2] - corners[1]).norm());
+  const double aspect = SheetAspect(sheet, height, width), of_sheet = std::max(across, aspect * down);
+  return {of_sheet, of_sheet / aspect, kCutStrip * std::min(of_sheet, of_sheet / aspect)};
+}
+
 }  // namespace
 
 double SheetAspect(const PhotoSheet& sheet, int height, int width) {
@@ -65,14 +78,17 @@ double SheetAspect(const PhotoSheet& sheet, int height, int width) {
   return nearest;
 }
 
+Eigen::Matrix3d PictureFromRectified(const PhotoSheet& sheet, int height, int width) {
+  const SheetSize size = SizeOf(sheet, height, width);
+  Eigen::Matrix3d unit_from_rectified;
+  unit_from_rectified << 1 / size.width, 0, size.cut / size.width, 0, 1 / size.height, size.cut / size.height, 0, 0, 1;
+  return HomographyOfUnitSquare(sheet.corners) * unit_from_rectified;
+}
+
 Image RectifySheet(const Image& picture, const PhotoSheet& sheet) {
   DAUMIER_CHECK(!picture.pixels.empty(), "the picture is empty");
   const auto& corners = sheet.corners;
-  const double across = std::max((corners[1] - corners[0]).norm(), (corners[2] - corners[3]).norm());
-  const double down = std::max((corners[3] - corners[0]).norm(), (corners[2] - corners[1]).norm());
-  const double aspect = SheetAspect(sheet, picture.height, picture.width);
-  const double width = std::max(across, aspect * down), height = width / aspect;
-  const double cut = kCutStrip * std::min(width, height);
+  const auto [width, height, cut] = SizeOf(sheet, picture.height, picture.width);
   std::array<cv::Point2f, 4> from, to;
   for (int i = 0; i < 4; ++i) {
     // OpenCV counts from the centre of the first pixel.

@@ -130,6 +130,15 @@ std::set<std::string> UnfinishedIn(const fs::path& folder) {
   return files;
 }
 
+/// @throws UsageError if the folder holds predictions of another task.
+void CheckSameTask(const System& system, const fs::path& folder) {
+  if (!fs::exists(folder / "manifest.json")) return;
+  const std::string earlier = ReadManifest(folder, kKind).details.value("system", std::string(system.name));
+  if (earlier != system.name)
+    throw UsageError(fmt::format("{} holds predictions of the task '{}', and these are of '{}': name another folder",
+                                 folder.string(), earlier, system.name));
+}
+
 /// Without paths: the file's name.
 void AddFailures(const std::vector<PredictionFailure>& failures, Manifest& manifest) {
   Json& list = manifest.details["failures"] = Json::array();
@@ -153,6 +162,7 @@ void CheckPredictionFolder(const System& system, const fs::path& out_directory, 
   for (const PredictionInput& input : inputs.inputs) files.push_back(input.file);
   for (const PredictionFailure& failure : inputs.failures) files.push_back(failure.file);
   CheckOutputFolder(out_directory, PredictionOutput(), files);
+  CheckSameTask(system, out_directory);
   std::vector<std::string> written;
   for (const PredictionInput& input : inputs.inputs)
     for (std::string& file : FilesOf(system, input.name)) written.push_back(std::move(file));

@@ -140,7 +140,7 @@ HandHabits HabitsOf(DrawingCharacter character, const HandStyles& styles, double
 /// The strokes of all lines, and what they show.
 class DrawingMaker {
  public:
-  DrawingMaker(const LineSheet& sheet, faces::DrawnView view, const SheetPose& pose) : sheet_(sheet) {
+  DrawingMaker(const LineSheet& sheet, faces::DrawnView view, const render::Placement& pose) : sheet_(sheet) {
     drawing_.pose = pose;
     drawing_.view.value = view;
   }
@@ -208,11 +208,8 @@ StyledDrawing DrawInStyle(const FaceShape& shape, const StyleOptions& options, R
   DrawParts({drawn, styles, character, rng, sheet});
   DAUMIER_CHECK(!sheet.lines.empty(), "a styled drawing without lines: the styles leave out all of a face");
   if (character != DrawingCharacter::kExact) sheet.Move(SmoothBend(drawn, options.proportions.whole, rng));
-  const SheetPose pose = DrawSheetPose(sheet, options.page, rng);
-  sheet.Move([&](const Vector2d& p) {
-    const auto moved = pose.Apply({p.x(), p.y()});
-    return Vector2d(moved[0], moved[1]);
-  });
+  const render::Placement pose = DrawSheetPose(sheet, options.page, rng);
+  sheet.Move([&](const Vector2d& p) { return render::ToCanvas(pose, p); });
   const HandHabits habits = HabitsOf(character, options.hand, pose.scale * drawn.unit / kFullUnit, rng);
   BendLines(sheet, habits.bend, rng);
   SortAsDrawn(sheet, rng);

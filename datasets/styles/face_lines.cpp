@@ -10,11 +10,6 @@
 namespace daumier::datasets {
 namespace {
 
-/// Canvas to the sheet of the sketch.
-render::Placement InverseOf(const SheetPose& pose) {
-  return render::Inverse({pose.scale, {pose.shift[0], pose.shift[1]}, pose.turn_degrees});
-}
-
 /// An error of the frame about the middle of the canvas.
 render::Placement DrawError(const StyledShare& options, Rng& rng) {
   render::Placement error{.scale = std::exp(options.scale * rng.Normal()),
@@ -25,9 +20,9 @@ render::Placement DrawError(const StyledShare& options, Rng& rng) {
   return error;
 }
 
-std::vector<render::Stroke> MapLines(std::vector<render::Stroke> lines, const SheetPose& pose,
+std::vector<render::Stroke> MapLines(std::vector<render::Stroke> lines, const render::Placement& pose,
                                      const render::Placement& error) {
-  return render::MapToCanvas(render::MapToCanvas(lines, InverseOf(pose)), error);
+  return render::MapToCanvas(render::MapToCanvas(lines, render::Inverse(pose)), error);
 }
 
 }  // namespace

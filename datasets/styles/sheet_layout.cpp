@@ -21,8 +21,8 @@ bool IsFace(DrawnPart part) {
 
 }  // namespace
 
-SheetPose DrawSheetPose(const LineSheet& sheet, const PageStyles& page, Rng& rng) {
-  SheetPose pose;
+render::Placement DrawSheetPose(const LineSheet& sheet, const PageStyles& page, Rng& rng) {
+  render::Placement pose;
   const double most = page.greatest_turn;
   const double turn = Happens(0.2, rng) ? rng.Uniform(-most, most) : Deviate(page.turn_degrees, rng);
   pose.turn_degrees = page.turn_degrees > 0 ? std::clamp(turn, -most, most) : 0;
@@ -59,7 +59,7 @@ SheetPose DrawSheetPose(const LineSheet& sheet, const PageStyles& page, Rng& rng
     if (low < 2) shift[axis] += 2 - low;
     if (high > kSheetSide - 2) shift[axis] -= high - (kSheetSide - 2);
   }
-  pose.shift = {shift.x(), shift.y()};
+  pose.shift = shift;
   return pose;
 }
 

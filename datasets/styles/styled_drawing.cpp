@@ -3,18 +3,10 @@
 #include "core/error.h"
 #include "render/strokes.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace daumier::datasets {
 namespace {
 
 constexpr double kMirrorWidth = render::kSketchCanvas;
-
-std::array<double, 2> RotatedBy(const std::array<double, 2>& p, double degrees) {
-  const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-  return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
-}
 
 template <class T>
 void Limit(ShownWith<T>& shown, int num_strokes) {
@@ -22,11 +14,6 @@ void Limit(ShownWith<T>& shown, int num_strokes) {
 }
 
 }  // namespace
-
-std::array<double, 2> SheetPose::Apply(const std::array<double, 2>& p_in_sheet) const {
-  const auto turned = RotatedBy(p_in_sheet, turn_degrees);
-  return {scale * turned[0] + shift[0], scale * turned[1] + shift[1]};
-}
 
 StyledDrawing FirstStrokes(StyledDrawing drawing, int num_strokes) {
   DAUMIER_CHECK(num_strokes >= 1 && num_strokes <= static_cast<int>(drawing.strokes.size()),
@@ -54,7 +41,7 @@ StyledDrawing Mirrored(StyledDrawing drawing) {
   else if (drawing.view.value == faces::DrawnView::kThreeQuarterRight)
     drawing.view.value = faces::DrawnView::kThreeQuarterLeft;
   // M (s R (M p) + t) with M the reflection about x = side / 2.
-  const auto corner = drawing.pose.Apply({kMirrorWidth, 0});
+  const Eigen::Vector2d corner = render::ToCanvas(drawing.pose, {kMirrorWidth, 0});
   drawing.pose.turn_degrees = -drawing.pose.turn_degrees;
   drawing.pose.shift = {kMirrorWidth - corner[0], corner[1]};
   return drawing;

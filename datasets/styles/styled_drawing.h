@@ -1,5 +1,6 @@
 #pragma once
 #include "faces/drawing_terms.h"
+#include "render/framing.h"
 
 #include <array>
 #include <optional>
@@ -27,16 +28,6 @@ struct ShownWith {
   bool operator==(const ShownWith&) const = default;
 };
 
-/// Where the sheet of the sketch lies on the canvas: p_canvas = scale R p_sheet + shift, R the rotation by turn_degrees
-/// (clockwise on the picture, since y is down).
-struct SheetPose {
-  double scale = 1, turn_degrees = 0;
-  std::array<double, 2> shift = {0, 0};
-
-  std::array<double, 2> Apply(const std::array<double, 2>& p_in_sheet) const;
-  bool operator==(const SheetPose&) const = default;
-};
-
 /// A drawing of a face as a person might make it, and what it shows.
 /// Promises: each stroke has points, and all lie on the canvas; a point of the face that is shown lies within
 /// kLandmarkTolerance of a stroke of the feature that it belongs to, but for the centres of eyes.
@@ -50,7 +41,7 @@ struct StyledDrawing {
   std::array<ShownWith<faces::EyeState>, 2>
       eyes;  ///< Right, left. An eye that is a mark (a dot, a dash) shows no state.
   ShownWith<faces::DrawnView> view;
-  SheetPose pose;
+  render::Placement pose;  ///< Where the sheet of the sketch lies on the canvas.
 
   bool operator==(const StyledDrawing&) const = default;
 };

@@ -22,10 +22,6 @@ const faces::FaceGaussian& GaussianOf(const SketchRunFolder& run) {
 
 }  // namespace
 
-render::Placement ToPlacement(const fitting::FaceFrame& frame) {
-  return {frame.scale, frame.shift, frame.turn_degrees};
-}
-
 fitting::LabelledDrawing ToLabelled(const ParsedDrawing& drawing, const render::Placement& canvas_from_sheet,
                                     double least_support) {
   fitting::LabelledDrawing labelled;
@@ -89,7 +85,7 @@ render::Placement DrawingFitter::FrameOn(const ParsedDrawing& drawing, const Eig
   const auto frame = fitting::FindFaceFrame(
       points_, projected, ToLabelled(drawing, drawing.frame, options_.least_support), options_.solver.frame);
   DAUMIER_CHECK(frame.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
-  return render::Composed(render::Inverse(ToPlacement(*frame)), drawing.frame);
+  return render::Composed(render::Inverse(*frame), drawing.frame);
 }
 
 fitting::LabelledFit DrawingFitter::Fit(const ParsedDrawing& drawing, const render::Placement& frame,
@@ -108,7 +104,7 @@ FittedFace DrawingFitter::FittedTo(const std::vector<render::Stroke>& sketch, st
   const ParsedDrawing parsed = Parse(sketch);
   const render::Placement frame = FrameOf(parsed);
   const fitting::LabelledFit fit = Fit(parsed, frame, predicted);
-  return {fitting::Upright(fit), render::Composed(render::Inverse(ToPlacement(fit.frame)), frame)};
+  return {fitting::Upright(fit), render::Composed(render::Inverse(fit.frame), frame)};
 }
 
 }  // namespace daumier::sketch

@@ -79,6 +79,4 @@ class DrawingFitter {
   Eigen::MatrixX2d mean_projected_;  ///< The mean face, V x 2, on the canvas.
 };
 
-render::Placement ToPlacement(const fitting::FaceFrame& frame);
-
 }  // namespace daumier::sketch

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "datasets/styles/styled_dataset.h"
 #include "render/heat_map_decoding.h"
+#include "systems/sketch/mouth_lines.h"
 #include "systems/sketch/parser_outputs.h"
 #include "systems/sketch/stroke_network.h"
 
@@ -139,6 +140,7 @@ ParsedDrawing DrawingParser::Parse(const std::vector<render::Stroke>& strokes) c
     drawing.labels.emplace_back(stroke.points.size(), faces::LineLabel::kOther);
   for (int round = 0; round < options_.rounds; ++round)
     ParseIn(round == 0 ? whole : FrameOfPoints(drawing.points), drawing);
+  ReadMouthLines(drawing);
   return drawing;
 }
 

@@ -2,14 +2,8 @@
 
 #include "render/heat_map_decoding.h"
 
-#include <algorithm>
-
 namespace daumier::sketch {
 namespace {
-
-int64_t Largest(const std::vector<double>& probabilities) {
-  return std::ranges::max_element(probabilities) - probabilities.begin();
-}
 
 DrawnPoints TrueCells(const SampleBatch& batch, int64_t row) {
   const float* const cells = batch.arrays.at("points").row(row);
@@ -48,7 +42,7 @@ void ParserCounts::Add(const SampleBatch& batch, const ParserOutputs& outputs, c
     ClassCounts* const counts[] = {&mouth, &eyes, &eyes, &view};
     for (size_t state = 0; state < states.size(); ++state) {
       const int64_t truth = true_states.row(row)[state];
-      if (truth != datasets::kUnknownClass) counts[state]->Add(truth, Largest(states[state]));
+      if (truth != datasets::kUnknownClass) counts[state]->Add(truth, int64_t(render::Likeliest(states[state])));
     }
   }
 }

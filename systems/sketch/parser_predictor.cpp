@@ -1,12 +1,12 @@
 #include "systems/sketch/parser_predictor.h"
 
 #include "core/error.h"
+#include "systems/open_network.h"
 #include "systems/predict_each.h"
 #include "systems/shipped_weights.h"
 #include "systems/sketch/input_drawing.h"
 #include "systems/sketch/parser_overlay.h"
 #include "systems/sketch/parser_run_folder.h"
-#include "systems/training_library.h"
 
 namespace daumier::sketch {
 namespace {
@@ -18,6 +18,16 @@ Json ClassesToJson(const std::array<double, N>& probabilities, const std::array<
   Json json = Json::object();
   for (size_t i = 0; i < N; ++i) json[std::string(names[i])] = probabilities[i];
   return json;
+}
+
+std::filesystem::path NamedParser(const std::string& name, std::span<const systems::ShippedWeights> shipped,
+                                  std::span<const std::filesystem::path> places) {
+  try {
+    return systems::WeightsNamed(name, shipped, places);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("parser={} is no folder of a run or weights, and no name of shipped weights: {}", name,
+                                 error.what()));
+  }
 }
 
 }  // namespace
@@ -37,9 +47,12 @@ Json ParsedToJson(const ParsedDrawing& drawing) {
 std::vector<systems::FaceResult> ParserPredictor::Predict(std::span<const systems::Input> inputs,
                                                           const Task& task) const {
   return systems::PredictEach(inputs, task, "drawings", [&](const systems::Input& input) {
-    const ParsedDrawing parsed = parser_.Parse(DrawingOf(input).strokes);
+    const render::Drawing drawing = DrawingOf(input);
+    const ParsedDrawing parsed = parser_.Parse(drawing.strokes);
     systems::FaceResult result;
     result.record = ParsedToJson(parsed);
+    if (drawing.picture_from_sheet)
+      result.record["picture_from_sheet"] = render::HomographyToJson(*drawing.picture_from_sheet);
     result.files = {{".json", result.record.dump(1) + "\n"}};
     result.pictures = {{ParsedPicture(parsed, FrameOfWhole(parsed.strokes), kPictureSide), "parsing"}};
     return result;
@@ -47,9 +60,11 @@ std::vector<systems::FaceResult> ParserPredictor::Predict(std::span<const system
 }
 
 std::filesystem::path ParserFolder(const std::string& name) {
-  if (!name.empty()) return name;
+  if (!name.empty() && std::filesystem::is_directory(name)) return name;
   const std::vector<std::filesystem::path> places = systems::WeightsPlaces();
-  for (const systems::ShippedWeights& weights : systems::ListWeights(places))
+  const std::vector<systems::ShippedWeights> shipped = systems::ListWeights(places);
+  if (!name.empty()) return NamedParser(name, shipped, places);
+  for (const systems::ShippedWeights& weights : shipped)
     if (weights.system == kParserSystem) return weights.directory;
   throw UsageError(fmt::format(
       "drawings are read by a parser, and there are no shipped weights of one in {}. Set DAUMIER_WEIGHTS to "
@@ -61,7 +76,7 @@ std::filesystem::path ParserFolder(const std::string& name) {
 DrawingParser OpenDrawingParser(const std::filesystem::path& run_or_weights, const Device& device,
                                 const DrawingParserOptions& options) {
   const ParserNetworkOptions network_options = ReadParserNetworkOptions(run_or_weights);
-  return {network_options, systems::LoadTrainingLibrary().open_network(run_or_weights, device), options};
+  return {network_options, systems::OpenNetwork(run_or_weights, device), options};
 }
 
 std::unique_ptr<systems::Predictor> OpenParserPredictor(const std::filesystem::path& run, const Device& device,

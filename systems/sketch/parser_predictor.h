@@ -37,8 +37,8 @@ class ParserPredictor : public systems::Predictor {
   DrawingParser parser_;
 };
 
-/// The run or weights that `name` names; empty: the shipped weights of the task drawing_parser.
-/// @throws UsageError saying where shipped weights are searched, if there are none.
+/// The run or weights that `name` names, a folder or shipped weights; empty: the shipped weights of the task
+/// drawing_parser. @throws UsageError saying where shipped weights are searched, if there are none of that name or task.
 std::filesystem::path ParserFolder(const std::string& name);
 
 /// The parser of a finished run or of shipped weights. @throws Error as ReadParserNetworkOptions and

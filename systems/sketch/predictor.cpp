@@ -2,9 +2,12 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/weights_folder.h"
 #include "geometry/coordinates.h"
 #include "render/faces_on_sheet.h"
+#include "render/heat_map_decoding.h"
 #include "render/sparse_strokes.h"
+#include "systems/open_network.h"
 #include "systems/predict_each.h"
 #include "systems/shipped_weights.h"
 #include "systems/sketch/input_drawing.h"
@@ -12,7 +15,6 @@
 #include "systems/sketch/parser_predictor.h"
 #include "systems/sketch/parser_run_folder.h"
 #include "systems/sketch/sketch_weights.h"
-#include "systems/training_library.h"
 
 #include <algorithm>
 #include <limits>
@@ -40,16 +42,11 @@ geometry::Points LandmarksOf(const faces::FaceTemplate& face_template, const geo
   return points;
 }
 
-template <size_t N>
-size_t Likeliest(const std::array<double, N>& probabilities) {
-  return size_t(std::ranges::max_element(probabilities) - probabilities.begin());
-}
-
 Json StatesToJson(const ParsedDrawing& parsed) {
-  return {{"mouth", faces::kMouthStateNames[Likeliest(parsed.mouth)]},
-          {"eye_right", faces::kEyeStateNames[Likeliest(parsed.eyes[0])]},
-          {"eye_left", faces::kEyeStateNames[Likeliest(parsed.eyes[1])]},
-          {"view", faces::kDrawnViewNames[Likeliest(parsed.view)]}};
+  return {{"mouth", faces::kMouthStateNames[render::Likeliest(parsed.mouth)]},
+          {"eye_right", faces::kEyeStateNames[render::Likeliest(parsed.eyes[0])]},
+          {"eye_left", faces::kEyeStateNames[render::Likeliest(parsed.eyes[1])]},
+          {"view", faces::kDrawnViewNames[render::Likeliest(parsed.view)]}};
 }
 
 }  // namespace
@@ -68,7 +65,7 @@ SketchPredictor::SketchPredictor(SketchRunFolder run, std::shared_ptr<const runt
   if (options_.framing == "keep") {
     if (!options_.refine) return;
     DAUMIER_CHECK(run_.models.bilinear.num_coordinates() > 0,
-                  "{}: shipped weights have no bilinear model, by which contours are matched: use --no-refine",
+                  "{}: shipped weights have no bilinear model, by which contours are matched: give refine=false",
                   run_.directory.string());
     refiner_.emplace(run_.models.bilinear, network_.curves(), options.refinement);
     return;
@@ -122,10 +119,10 @@ SketchPredictor::Found SketchPredictor::OfParsed(const Strokes& strokes, const T
 
 void SketchPredictor::FitTo(const ParsedDrawing& parsed, Found& found) const {
   const fitting::LabelledFit fit = fitter_->Fit(parsed, found.placement, found.face.vertices);
-  const bool is_front = Likeliest(parsed.view) == size_t(faces::DrawnView::kFront);
+  const bool is_front = render::Likeliest(parsed.view) == size_t(faces::DrawnView::kFront);
   // A turned face is written upright, in the frame where it is nearest to the drawing; its turn is in the record.
   found.face.vertices = is_front ? fit.vertices : fitting::Upright(fit);
-  found.placement = is_front ? render::Composed(render::Inverse(ToPlacement(fit.frame)), found.placement)
+  found.placement = is_front ? render::Composed(render::Inverse(fit.frame), found.placement)
                              : fitter_->FrameOf(parsed, found.face.vertices);
   found.record["fit"] = {{"points_rms_share", fit.rms},          {"residual_scale", fit.residual_scale},
                          {"yaw_degrees", fit.yaw_degrees},       {"pitch_degrees", fit.pitch_degrees},
@@ -173,18 +170,26 @@ systems::FaceResult SketchPredictor::PredictOne(const render::Drawing& sheet, co
     result.warnings.push_back(fmt::format("{} strokes apart from the face are left out", num_left_out));
   result.record = std::move(found.record);
   result.record["frame"] = render::PlacementToJson(found.placement);
+  if (sheet.picture_from_sheet)
+    result.record["picture_from_sheet"] = render::HomographyToJson(*sheet.picture_from_sheet);
   return result;
 }
 
 std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::path& run, const Device& device,
                                                         const Json& options) {
-  SketchRunFolder folder = ReadSketchFolder(run);
   const auto parsed = ParseOptions<PredictOptions>(options, "options of predict");
+  const bool is_framed = parsed.framing != "keep";
+  if (!is_framed && parsed.refine && IsWeightsFolder(run))
+    throw UsageError(
+        fmt::format("{}: shipped weights have no bilinear model, by which contours are matched: give "
+                    "refine=false",
+                    run.string()));
+  const std::filesystem::path of_parser = is_framed ? ParserFolder(parsed.parser) : std::filesystem::path();
+  SketchRunFolder folder = ReadSketchFolder(run);
   std::shared_ptr<const DrawingParser> parser;
-  if (parsed.framing != "keep")
-    parser = std::make_shared<DrawingParser>(OpenDrawingParser(ParserFolder(parsed.parser), device, parsed.parsing));
-  return std::make_unique<SketchPredictor>(std::move(folder), systems::LoadTrainingLibrary().open_network(run, device),
-                                           std::move(parser), parsed);
+  if (is_framed) parser = std::make_shared<DrawingParser>(OpenDrawingParser(of_parser, device, parsed.parsing));
+  return std::make_unique<SketchPredictor>(std::move(folder), systems::OpenNetwork(run, device), std::move(parser),
+                                           parsed);
 }
 
 }  // namespace daumier::sketch

@@ -38,7 +38,9 @@ struct PredictOptions {
         "that is the canvas.");
     visit("refine", refine, Flag{},
           "Match the contours of the predicted face with the strokes, of a sheet that is the canvas.");
-    visit("parser", parser, Text{}, "Run or weights of the task drawing_parser. Empty: those in the shipped weights.");
+    visit("parser", parser, Text{},
+          "Folder of a run or of weights of the task drawing_parser, or the name of shipped weights. Empty: those "
+          "in the shipped weights.");
     visit("parsing", parsing, Table{}, "How drawings are parsed.");
     visit("fitting", fitting, Table{}, "How faces are fitted.");
     visit("refinement", refinement, Table{}, "How contours are matched.");
@@ -100,7 +102,8 @@ class SketchPredictor : public systems::Predictor {
 };
 
 /// The predictor of a run folder, with its network from the training library.
-/// @throws Error as ReadSketchRunFolder and systems::LoadTrainingLibrary, or if there is no parser.
+/// @throws UsageError, before anything is loaded, if there is no parser (ParserFolder), or contours are to be matched by
+/// shipped weights; Error as ReadSketchFolder and systems::LoadTrainingLibrary.
 std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::path& run, const Device& device,
                                                         const Json& options = Json::object());
 

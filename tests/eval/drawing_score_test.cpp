@@ -28,7 +28,7 @@ struct SyntheticDrawing {
   LabelledDrawing Labelled(const geometry::Points& vertices, const render::Placement& frame,
                            const Vector2d& offset = Vector2d::Zero()) const {
     LabelledDrawing drawing{.name = "face", .group = "pictures"};
-    const MatrixX2d on_sheet = scorer.OnSheet({vertices, frame});
+    const MatrixX2d on_sheet = scorer.OnPicture({vertices, frame});
     for (size_t i = 0; i < drawing.points.size(); ++i) {
       const auto point = static_cast<FacePoint>(i);
       if (const auto contour = faces::ContourOf(point)) {
@@ -86,14 +86,14 @@ TEST(DrawingScorer, ErrorsAreZeroWhereTheLabelsAreTheFace) {
   const SyntheticDrawing drawing;
   const LabelledDrawing labels = drawing.Labelled(drawing.face.neutral, drawing.frame);
   const PointErrors errors =
-      drawing.scorer.Errors(drawing.scorer.OnSheet({drawing.face.neutral, drawing.frame}), labels);
+      drawing.scorer.Errors(drawing.scorer.OnPicture({drawing.face.neutral, drawing.frame}), labels);
   for (const auto& error : errors) EXPECT_NEAR(error.value(), 0, 1e-12);
 }
 
 TEST(DrawingScorer, LabelsThreeRightAndFourDownAreFiveOff) {
   const SyntheticDrawing drawing;
   const LabelledDrawing labels = drawing.Labelled(drawing.face.neutral, drawing.frame, {3, 4});
-  const MatrixX2d on_sheet = drawing.scorer.OnSheet({drawing.face.neutral, drawing.frame});
+  const MatrixX2d on_sheet = drawing.scorer.OnPicture({drawing.face.neutral, drawing.frame});
   const PointErrors errors = drawing.scorer.Errors(on_sheet, labels);
   for (size_t i = 0; i < errors.size(); ++i) {
     if (faces::ContourOf(static_cast<FacePoint>(i))) {
@@ -110,8 +110,20 @@ TEST(DrawingScorer, AFrameWithATurnIsUndone) {
   const LabelledDrawing labels = drawing.Labelled(drawing.face.neutral, turned);
   const Vector2d eyes = *labels.points[5] - *labels.points[0];
   EXPECT_NEAR(std::atan2(eyes.y(), eyes.x()) * 180 / std::numbers::pi, -20, 1e-9) << "on the sheet";
-  const PointErrors errors = drawing.scorer.Errors(drawing.scorer.OnSheet({drawing.face.neutral, turned}), labels);
+  const PointErrors errors = drawing.scorer.Errors(drawing.scorer.OnPicture({drawing.face.neutral, turned}), labels);
   EXPECT_NEAR(*MeanOf(errors), 0, 1e-12);
+}
+
+TEST(DrawingScorer, OfARectifiedSheetThePixelsOfThePhotographCount) {
+  const SyntheticDrawing drawing;
+  DrawnPrediction prediction{drawing.face.neutral, drawing.frame, Eigen::Matrix3d::Identity()};
+  const MatrixX2d on_sheet = drawing.scorer.OnPicture(prediction);
+  EXPECT_EQ(on_sheet, drawing.scorer.OnPicture({drawing.face.neutral, drawing.frame}));
+  *prediction.picture_from_sheet << 2, 0, 30, 0, 2, 5, 0, 0.001, 1;
+  const MatrixX2d in_picture = drawing.scorer.OnPicture(prediction);
+  const double x = on_sheet(3, 0), y = on_sheet(3, 1), w = 0.001 * y + 1;
+  EXPECT_NEAR(in_picture(3, 0), (2 * x + 30) / w, 1e-9);
+  EXPECT_NEAR(in_picture(3, 1), (2 * y + 5) / w, 1e-9);
 }
 
 TEST(DrawingScorer, PlacedBestUndoesAnyFrame) {

@@ -47,6 +47,21 @@ TEST_F(DrawnPredictionsTest, AreMeshesWithTheirFrames) {
   EXPECT_EQ(predictions.unlabelled, std::vector<std::string>{"other"});
 }
 
+TEST_F(DrawnPredictionsTest, ARectifiedSheetHasItsHomography) {
+  WriteMesh("a");
+  WriteMesh("b");
+  Json record = frame_;
+  record["picture_from_sheet"] = {{2, 0, 30}, {0, 2, 0}, {0, 0.001, 1}};
+  WriteFrames({{"a", record}, {"b", frame_}});
+  const DrawnPredictions predictions = Read();
+  ASSERT_TRUE(predictions.of_labelled.at("a").picture_from_sheet.has_value());
+  EXPECT_EQ((*predictions.of_labelled.at("a").picture_from_sheet)(0, 2), 30);
+  EXPECT_FALSE(predictions.of_labelled.at("b").picture_from_sheet.has_value());
+  record["picture_from_sheet"] = {1, 2};
+  WriteFrames({{"a", record}, {"b", frame_}});
+  ExpectError([&] { Read(); }, "manifest.json: 'a': the homography is malformed");
+}
+
 TEST_F(DrawnPredictionsTest, WhatIsMissingIsNamed) {
   ExpectError([&] { Read(); }, "holds no mesh");
   WriteMesh("a");

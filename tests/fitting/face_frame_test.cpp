@@ -8,23 +8,17 @@
 namespace daumier::fitting {
 namespace {
 
-void ExpectSameFrame(const FaceFrame& a, const FaceFrame& b, double relative) {
+void ExpectSameFrame(const render::Placement& a, const render::Placement& b, double relative) {
   EXPECT_NEAR(a.scale, b.scale, relative * b.scale);
   EXPECT_NEAR(a.turn_degrees, b.turn_degrees, 60 * relative);
   EXPECT_LT((a.shift - b.shift).norm(), 256 * relative);
 }
 
-TEST(FaceFrame, TurnsClockwiseOnThePictureAndIsUndone) {
-  const FaceFrame frame{2, 90, {10, 20}};
-  EXPECT_TRUE(frame.CanvasFromSheet({1, 0}).isApprox(Eigen::Vector2d(10, 22)));
-  EXPECT_TRUE(frame.SheetFromCanvas({10, 22}).isApprox(Eigen::Vector2d(1, 0)));
-  EXPECT_TRUE(frame.Inverse().CanvasFromSheet({10, 22}).isApprox(Eigen::Vector2d(1, 0)));
-}
-
 TEST(FaceFrame, OfMovedPointsIsTheMove) {
   const LabelledFace face;
   const Eigen::MatrixX2d on_sheet = face.OnSheet(face.gaussian.mean);
-  for (const FaceFrame& frame : {FaceFrame{}, FaceFrame{0.5, 12, {30, 80}}, FaceFrame{1.7, -9, {-20, 5}}}) {
+  for (const auto& frame :
+       {render::Placement{}, render::Placement{0.5, {30, 80}, 12}, render::Placement{1.7, {-20, 5}, -9}}) {
     const auto found = FindFaceFrame(face.points, on_sheet, face.PointsOf(face.gaussian.mean, frame));
     ASSERT_TRUE(found.has_value());
     ExpectSameFrame(*found, frame, 0.02);
@@ -50,8 +44,8 @@ TEST(FaceFrame, OfOnePointIsTheUsualOneMovedThere) {
     ASSERT_TRUE(frame.has_value());
     EXPECT_NEAR(frame->scale, 1, 1e-3);
     EXPECT_NEAR(frame->turn_degrees, 0, 0.1);
-    EXPECT_LT((faces::ProjectedFacePoint(face.points, point, on_sheet, frame->SheetFromCanvas({70, 90})) -
-               frame->SheetFromCanvas({70, 90}))
+    EXPECT_LT((faces::ProjectedFacePoint(face.points, point, on_sheet, render::ToSheet(*frame, {70, 90})) -
+               render::ToSheet(*frame, {70, 90}))
                   .norm(),
               0.5);
   }

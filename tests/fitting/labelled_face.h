@@ -50,7 +50,7 @@ struct LabelledFace {
         gaussian, Eigen::VectorXf::NullaryExpr(gaussian.size(), [&] { return float(size * rng.Normal()); }));
   }
   /// All points of a face in a frame, states and view unknown.
-  LabelledDrawing PointsOf(const Eigen::VectorXf& face, const FaceFrame& frame = {}) const {
+  LabelledDrawing PointsOf(const Eigen::VectorXf& face, const render::Placement& frame = {}) const {
     const Eigen::MatrixX2d on_sheet = OnSheet(face);
     LabelledDrawing drawing;
     for (int i = 0; i < faces::kNumLandmarkPoints; ++i) {
@@ -58,20 +58,20 @@ struct LabelledFace {
       const auto contour = faces::ContourOf(point);
       const Eigen::Vector2d near =
           contour ? Eigen::Vector2d(on_sheet.row(points.contours[size_t(*contour)][4])) : Eigen::Vector2d::Zero();
-      drawing.points[size_t(i)] = {frame.CanvasFromSheet(faces::ProjectedFacePoint(points, point, on_sheet, near)),
+      drawing.points[size_t(i)] = {render::ToCanvas(frame, faces::ProjectedFacePoint(points, point, on_sheet, near)),
                                    1.0};
     }
     return drawing;
   }
   /// A curve of a face as a stroke of one label.
   LabelledStroke StrokeOf(const Eigen::VectorXf& face, const std::string& curve, faces::LineLabel label,
-                          const FaceFrame& frame = {}) const {
+                          const render::Placement& frame = {}) const {
     const Eigen::MatrixX2d on_sheet = OnSheet(face);
     LabelledStroke stroke;
     for (const faces::FeatureCurve& c : face_template.annotation.curves) {
       if (c.name != curve) continue;
       for (const int vertex : c.vertices) {
-        const Eigen::Vector2d p = frame.CanvasFromSheet(on_sheet.row(vertex).transpose());
+        const Eigen::Vector2d p = render::ToCanvas(frame, on_sheet.row(vertex).transpose());
         stroke.points.push_back({float(p.x()), float(p.y())});
         stroke.labels.push_back(label);
       }
@@ -87,8 +87,8 @@ inline double MeanPointDistance(const LabelledFace& face, const LabelledFit& fit
   double sum = 0;
   for (int i = 0; i < faces::kNumLandmarkPoints; ++i) {
     const Eigen::Vector2d position = truth.points[size_t(i)].position;
-    const Eigen::Vector2d near = fit.frame.SheetFromCanvas(position);
-    sum += (fit.frame.CanvasFromSheet(faces::ProjectedFacePoint(face.points, faces::FacePoint(i), on_sheet, near)) -
+    const Eigen::Vector2d near = render::ToSheet(fit.frame, position);
+    sum += (render::ToCanvas(fit.frame, faces::ProjectedFacePoint(face.points, faces::FacePoint(i), on_sheet, near)) -
             position)
                .norm();
   }

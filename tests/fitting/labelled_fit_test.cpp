@@ -69,7 +69,7 @@ TEST(LabelledFit, OfTheMeanFaceIsTheMeanFace) {
 TEST(LabelledFit, MovesWithTheDrawing) {
   const LabelledFace& face = TheFace();
   const LabelledFitter fitter = FitterOf(face);
-  const FaceFrame move{0.9, 4, {12, -7}};
+  const render::Placement move{0.9, {12, -7}, 4};
   const auto here = fitter.Fit(face.PointsOf(face.Face(5)));
   const auto there = fitter.Fit(face.PointsOf(face.Face(5), move));
   EXPECT_LT((here->coefficients - there->coefficients).cwiseAbs().maxCoeff(), 0.1);

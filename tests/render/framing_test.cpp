@@ -141,6 +141,16 @@ TEST(Placement, AnInverseUndoesAndACompositionFollows) {
   EXPECT_LT((ToCanvas(Composed(second, first), point) - ToCanvas(second, ToCanvas(first, point))).norm(), 1e-9);
 }
 
+TEST(Placement, IsThatOfItsLinearPart) {
+  EXPECT_TRUE(LinearPart({2, {5, -7}, 90}).isApprox((Eigen::Matrix2d() << 0, -2, 2, 0).finished()));
+  const Placement placement{0.37, {31, -12}, 17};
+  const Eigen::Matrix2d linear = LinearPart(placement);
+  const Placement again = PlacementFrom(linear(0, 0), linear(1, 0), placement.shift);
+  EXPECT_NEAR(again.scale, placement.scale, 1e-12);
+  EXPECT_NEAR(again.turn_degrees, placement.turn_degrees, 1e-12);
+  EXPECT_EQ(again.shift, placement.shift);
+}
+
 TEST(PlacementToJson, IsUndoneAndLeavesOutNoTurn) {
   const Placement turned{0.37, {31, -12}, 17};
   const Placement read = PlacementFromJson(PlacementToJson(turned));
@@ -156,6 +166,15 @@ TEST(PlacementToJson, MalformedFramesAreRefused) {
   testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": 2, "shift": [1]})")); }, "expected 2");
   testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": "a", "shift": [1, 2]})")); }, "malformed");
   testing::ExpectError([] { PlacementFromJson(Json::parse(R"({"scale": 0, "shift": [1, 2]})")); }, "> 0");
+}
+
+TEST(HomographyToJson, IsUndoneAndMalformedOnesAreRefused) {
+  Eigen::Matrix3d homography;
+  homography << 2, 0.1, 30, -0.2, 1.5, 4, 1e-3, -2e-4, 1;
+  EXPECT_EQ(HomographyFromJson(HomographyToJson(homography)), homography);
+  testing::ExpectError([] { HomographyFromJson(Json::parse("[[1, 0, 0], [0, 1, 0]]")); }, "malformed");
+  testing::ExpectError([] { HomographyFromJson(Json::parse("[[1, 0, 0], [0, 1, 0], [1, 1]]")); }, "malformed");
+  testing::ExpectError([] { HomographyFromJson(Json::parse("[[1, 0, 0], [0, 1, 0], [1, 1, 0]]")); }, "singular");
 }
 
 TEST(FrameStrokes, DotsAndStraightLinesHaveAFrameToo) {

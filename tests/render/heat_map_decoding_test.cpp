@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace daumier::render {
@@ -62,6 +63,11 @@ TEST(StateProbabilities, AreASoftmaxOfEachGroup) {
   EXPECT_NEAR(states[0][1], 0.75, 1e-6);
   for (const double p : states[1]) EXPECT_NEAR(p, 1.0 / 3, 1e-6);
   testing::ExpectError([&] { StateProbabilities(scores, std::vector<int>{2}); }, "5 scores of states, expected 2");
+}
+
+TEST(Likeliest, IsTheFirstOfTheGreatest) {
+  EXPECT_EQ(Likeliest(std::array{0.2, 0.4, 0.4}), 1u);
+  EXPECT_EQ(Likeliest({}), 0u);
 }
 
 TEST(AverageWithMirrored, OfMapsThatShowTheSameIsUnchanged) {

@@ -116,8 +116,8 @@ TEST(LineArtScore, OfAPhotographTheSheetCounts) {
   }
 }
 
-TEST(LineArtScore, IsZeroWithoutContent) {
-  EXPECT_EQ(LineArtScore(Image(100, 80, 3)), 0);
+TEST(LineArtScore, IsOneOfBlankPaperAndZeroWithoutPaper) {
+  EXPECT_EQ(LineArtScore(Image(100, 80, 3)), 1) << "blank paper";
   EXPECT_EQ(LineArtScore(Image(1, 1, 1)), 0);
   EXPECT_THROW(LineArtScore(Image()), Error);
 }

@@ -1,10 +1,12 @@
 #include "render/quickdraw.h"
 
+#include "core/log.h"
 #include "core/random.h"
 #include "tests/support/corruption.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -44,12 +46,23 @@ TEST_F(QuickDraw, IgnoresTheTimesOfRawDrawings) {
   EXPECT_EQ(drawings[0].height, 1255.0);
 }
 
+TEST_F(QuickDraw, ALineThatIsNoDrawingIsSkippedWithAWarning) {
+  testing::AllowWarnings();
+  const std::string good = "{\"drawing\":[[[7],[0]]]}\n";
+  for (const char* const bad : {"{\"drawing\":[[[0,1],[0]]]}", "{\"drawing\":[[[0,1],", "{\"word\":\"cup\"}", "[]"}) {
+    const int before = log::NumWarnings();
+    const auto drawings = Read(good + bad + "\n" + good);
+    EXPECT_EQ(log::NumWarnings(), before + 1) << bad;
+    ASSERT_EQ(drawings.size(), 2u) << bad;
+    EXPECT_EQ(drawings[1].strokes[0].points, (PointList{{7, 0}}));
+  }
+}
+
 TEST_F(QuickDraw, ErrorsNameFileAndLine) {
-  const std::string good = "{\"drawing\":[[[0],[0]]]}\n\n";
-  ExpectError([&] { Read(good + "{\"drawing\":[[[0,1],[0]]]}"); }, "drawings.ndjson:3: a stroke has 2 x but 1 y");
-  ExpectError([&] { Read(good + "{\"drawing\":[[[0,1],"); }, "drawings.ndjson:3: ");
-  ExpectError([&] { Read(good + "{\"word\":\"cup\"}"); }, "drawings.ndjson:3: expected an object");
-  ExpectError([&] { Read(good + "[]"); }, "drawings.ndjson:3: expected an object");
+  ExpectError([&] { Read("\n\n{\"drawing\":[[[0,1],[0]]]}\n[]"); }, "drawings.ndjson:3: a stroke has 2 x but 1 y");
+  ExpectError([&] { Read("\n\n{\"drawing\":[[[0,1],"); }, "drawings.ndjson:3: ");
+  ExpectError([&] { Read("{\"word\":\"cup\"}"); }, "drawings.ndjson:1: expected an object");
+  ExpectError([&] { Read("[]"); }, "drawings.ndjson:1: expected an object");
   ExpectError([&] { Read("{\"drawing\":[[[\"a\"],[0]]]}"); }, "drawings.ndjson:1: coordinates must be numbers");
   ExpectError([&] { Read("{\"drawing\":[[[0]]]}"); }, "drawings.ndjson:1: a stroke must be");
   ExpectError([&] { Read("{\"drawing\":[[0,0]]}"); }, "coordinates must be a list");

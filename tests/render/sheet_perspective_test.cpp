@@ -74,5 +74,19 @@ TEST(RectifySheet, IsTheDrawingAgain) {
   EXPECT_THROW(RectifySheet(Image(), RectangleUnder(camera, 256, 256)), Error);
 }
 
+TEST(RectifySheet, PixelsOfItAreMappedToThoseOfThePhotograph) {
+  const auto camera = CameraOverDesk(256, 256, {.border = 0.1, .tilt = 12.0});
+  const PhotoSheet sheet = RectangleUnder(camera, 256, 256);
+  const Image flat = RectifySheet(Image(camera.height, camera.width, 1, 255), sheet);
+  const Eigen::Matrix3d homography = PictureFromRectified(sheet, camera.height, camera.width);
+  // The middle of the sheet, and a place at a tenth of both sides.
+  const double cut = 0.012 * 256, scale = (256 - 2 * cut) / flat.width;
+  for (const Vector2d& on_sheet : {Vector2d(128, 128), Vector2d(26, 200)}) {
+    const Vector2d pixel = (on_sheet - Vector2d(cut, cut)) / scale;
+    const Vector2d in_picture = (homography * pixel.homogeneous()).hnormalized();
+    EXPECT_LT((in_picture - camera.Project(on_sheet.x(), on_sheet.y())).norm(), 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace daumier::render

@@ -214,6 +214,20 @@ TEST_F(PredictFilesTest, AFolderOfAnotherKindIsUnchanged) {
   ExpectError([&] { PredictFiles(system_, predictor_, run(), inputs, drawing, {}); }, "is a file");
 }
 
+TEST_F(PredictFilesTest, PredictionsOfAnotherTaskAreUnchanged) {
+  Predict({Draw("anna.svg")});
+  const std::string before = ReadFile(out() / "manifest.json");
+  const std::set<std::string> files = Written();
+  System other = system_;
+  other.name = "landmarks";
+  const PredictionInputs inputs = ReadPredictionInputs(other, {Draw("bert.svg")});
+  EXPECT_THROW(CheckPredictionFolder(other, out(), run(), inputs), UsageError);
+  ExpectError([&] { PredictFiles(other, predictor_, run(), inputs, out(), {}); },
+              "holds predictions of the task 'portrait', and these are of 'landmarks'");
+  EXPECT_EQ(ReadFile(out() / "manifest.json"), before);
+  EXPECT_EQ(Written(), files);
+}
+
 TEST_F(PredictFilesTest, AnInputIsNeverOverwritten) {
   const fs::path drawing = Draw("drawings/anna.svg");
   const std::string before = ReadFile(drawing);

@@ -10,6 +10,7 @@
 #include "datasets/read/run_data.h"
 #include "datasets/styles/drawing_raster.h"
 #include "export/torch_runner.h"
+#include "render/heat_map_decoding.h"
 #include "render/sheet.h"
 #include "systems/sketch/parser_counts.h"
 #include "systems/sketch/parser_metrics.h"
@@ -50,11 +51,6 @@ Eigen::AlignedBox2d ExtentsOf(const datasets::StyledDrawing& drawing) {
   for (const auto& stroke : drawing.strokes)
     for (const auto& point : stroke.points) box.extend(Eigen::Vector2d(point[0], point[1]));
   return box;
-}
-
-template <size_t N>
-int64_t Largest(const std::array<double, N>& probabilities) {
-  return std::ranges::max_element(probabilities) - probabilities.begin();
 }
 
 /// The mean place of each point in the extents of drawings, as shares.
@@ -176,10 +172,12 @@ class ParserEvaluation {
   }
 
   void AddStates(const datasets::StyledDrawing& drawing, const ParsedDrawing& parsed) {
-    if (drawing.mouth.is_shown()) states_.mouth.Add(int64_t(drawing.mouth.value), Largest(parsed.mouth));
+    if (drawing.mouth.is_shown())
+      states_.mouth.Add(int64_t(drawing.mouth.value), int64_t(render::Likeliest(parsed.mouth)));
     for (size_t eye = 0; eye < 2; ++eye)
-      if (drawing.eyes[eye].is_shown()) states_.eyes.Add(int64_t(drawing.eyes[eye].value), Largest(parsed.eyes[eye]));
-    if (drawing.view.is_shown()) states_.view.Add(int64_t(drawing.view.value), Largest(parsed.view));
+      if (drawing.eyes[eye].is_shown())
+        states_.eyes.Add(int64_t(drawing.eyes[eye].value), int64_t(render::Likeliest(parsed.eyes[eye])));
+    if (drawing.view.is_shown()) states_.view.Add(int64_t(drawing.view.value), int64_t(render::Likeliest(parsed.view)));
   }
 
   reports::MetricTable Table() const {

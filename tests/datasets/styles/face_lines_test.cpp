@@ -19,7 +19,7 @@ StyledDrawing DrawingOfTwoLines() {
 
 TEST(FaceLines, HairIsLeftOutAndThePoseUndone) {
   StyledDrawing drawing = DrawingOfTwoLines();
-  drawing.pose = {.scale = 2, .turn_degrees = 90, .shift = {300, 40}};
+  drawing.pose = {.scale = 2, .shift = {300, 40}, .turn_degrees = 90};
   // R(90) p = (-y, x): (x, y) of the sheet comes to (300 - 2 y, 40 + 2 x).
   const auto lines = FaceLines(drawing);
   ASSERT_EQ(lines.size(), 1u);

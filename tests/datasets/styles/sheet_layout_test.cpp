@@ -15,12 +15,9 @@ LineSheet FaceAndShoulders() {
   return sheet;
 }
 
-Eigen::AlignedBox2d BoxOnCanvas(const LineSheet& sheet, size_t line, const SheetPose& pose) {
+Eigen::AlignedBox2d BoxOnCanvas(const LineSheet& sheet, size_t line, const render::Placement& pose) {
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& point : sheet.lines[line].points) {
-    const auto p = pose.Apply({point.x(), point.y()});
-    box.extend(Eigen::Vector2d(p[0], p[1]));
-  }
+  for (const Eigen::Vector2d& point : sheet.lines[line].points) box.extend(render::ToCanvas(pose, point));
   return box;
 }
 
@@ -30,7 +27,7 @@ TEST(SheetLayout, TheFaceStaysOnTheCanvas) {
   int num_cropped = 0, num_small = 0;
   for (uint64_t seed = 0; seed < 200; ++seed) {
     Rng rng(seed);
-    const SheetPose pose = DrawSheetPose(sheet, page, rng);
+    const render::Placement pose = DrawSheetPose(sheet, page, rng);
     EXPECT_LE(std::abs(pose.turn_degrees), page.greatest_turn);
     const Eigen::AlignedBox2d face = BoxOnCanvas(sheet, 0, pose), bust = BoxOnCanvas(sheet, 1, pose);
     EXPECT_GE(face.min().minCoeff(), 2 - 1e-6) << seed;
@@ -47,7 +44,7 @@ TEST(SheetLayout, AWholeDrawingFillsTheCanvasToItsMargin) {
   const PageStyles page = {.turn_degrees = 0, .small = 0, .cropped = 0, .off_centre = 0};
   for (uint64_t seed = 0; seed < 50; ++seed) {
     Rng rng(seed);
-    const SheetPose pose = DrawSheetPose(sheet, page, rng);
+    const render::Placement pose = DrawSheetPose(sheet, page, rng);
     EXPECT_EQ(pose.turn_degrees, 0);
     const Eigen::AlignedBox2d all = BoxOnCanvas(sheet, 0, pose).merged(BoxOnCanvas(sheet, 1, pose));
     EXPECT_GE(all.sizes().maxCoeff(), 256 - 2 * 24 - 1e-6);

@@ -19,7 +19,7 @@ StyledDrawing ThreeStrokes() {
   drawing.mouth = {faces::MouthState::kTeeth, 2};
   drawing.eyes[0] = {faces::EyeState::kClosed, 1};
   drawing.view = {faces::DrawnView::kThreeQuarterLeft, 3};
-  drawing.pose = {1.5, 20, {10, -30}};
+  drawing.pose = {1.5, {10, -30}, 20};
   return drawing;
 }
 
@@ -52,18 +52,12 @@ TEST(StyledDrawing, MirroredSwapsSidesAndIsItsOwnInverse) {
 
 TEST(StyledDrawing, ThePoseOfTheMirrorImageIsThatOfTheMirroredSheet) {
   const StyledDrawing drawing = ThreeStrokes(), mirrored = Mirrored(drawing);
-  for (const std::array<double, 2> p : {std::array<double, 2>{0, 0}, {30, 170}, {200, 5}}) {
-    const auto on_canvas = drawing.pose.Apply(p), other = mirrored.pose.Apply({256 - p[0], p[1]});
+  for (const Eigen::Vector2d& p : {Eigen::Vector2d(0, 0), Eigen::Vector2d(30, 170), Eigen::Vector2d(200, 5)}) {
+    const Eigen::Vector2d on_canvas = render::ToCanvas(drawing.pose, p),
+                          other = render::ToCanvas(mirrored.pose, {256 - p.x(), p.y()});
     EXPECT_NEAR(other[0], 256 - on_canvas[0], 1e-9);
     EXPECT_NEAR(other[1], on_canvas[1], 1e-9);
   }
-}
-
-TEST(SheetPose, TurnsClockwiseThenScalesThenShifts) {
-  const SheetPose pose = {2, 90, {1, 5}};
-  const auto p = pose.Apply({10, 0});  // To (0, 10), y down.
-  EXPECT_NEAR(p[0], 1, 1e-12);
-  EXPECT_NEAR(p[1], 25, 1e-12);
 }
 
 }  // namespace

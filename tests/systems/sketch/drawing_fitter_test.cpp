@@ -105,7 +105,7 @@ TEST_F(DrawingFitterTest, TheFittedFaceIsNearerToTheDrawnPointsThanTheMeanFace) 
   const ParsedDrawing drawing = DrawingOfPoints(OtherFace(), kSheet);
   const render::Placement frame = fitter_->FrameOf(drawing);
   const fitting::LabelledFit fit = fitter_->Fit(drawing, frame, MeanFace());
-  const render::Placement of_fit = render::Composed(render::Inverse(ToPlacement(fit.frame)), frame);
+  const render::Placement of_fit = render::Composed(render::Inverse(fit.frame), frame);
   const auto drawn_in = [&](const render::Placement& placement) {
     auto points = drawing.points;
     for (Eigen::Vector2d& point : points) point = render::ToCanvas(placement, point);
@@ -123,7 +123,7 @@ TEST_F(DrawingFitterTest, TheFaceOfASketchIsThatOfItsParse) {
   const fitting::LabelledFit fit = fitter_->Fit(parsed, frame, MeanFace());
   const FittedFace fitted = fitter_->FittedTo(circles, MeanFace());
   EXPECT_EQ(fitted.vertices, fitting::Upright(fit));
-  const Eigen::Vector2d p(100, 80), in_fit = fit.frame.SheetFromCanvas(render::ToCanvas(frame, p));
+  const Eigen::Vector2d p(100, 80), in_fit = render::ToSheet(fit.frame, render::ToCanvas(frame, p));
   EXPECT_LT((render::ToCanvas(fitted.frame, p) - in_fit).norm(), 1e-9);
   EXPECT_TRUE(geometry::PointsFrom(fit.vertices).allFinite());
 }
