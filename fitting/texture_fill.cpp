@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "geometry/operators.h"
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -41,21 +41,31 @@ VertexValues MeansAtVertices(const geometry::Triangles& triangles, int num_verti
   return means;
 }
 
-Eigen::MatrixXf FillSurface(const geometry::Triangles& triangles, const VertexValues& known,
-                            const Eigen::MatrixXf& rest, const SurfaceFillOptions& options) {
-  const Eigen::Index num_vertices = known.values.rows();
-  DAUMIER_CHECK(known.weights.size() == num_vertices && rest.rows() == num_vertices &&
-                    rest.cols() == known.values.cols() && options.rest_weight > 0,
-                "{} x {} values with {} weights, a rest of {} x {} and rest_weight {}", num_vertices,
-                known.values.cols(), known.weights.size(), rest.rows(), rest.cols(), options.rest_weight);
-  geometry::SparseMatrix system = options.stiffness * geometry::UniformLaplacian(triangles, int(num_vertices));
-  const Eigen::VectorXd weights = known.weights.cast<double>();
-  for (Eigen::Index v = 0; v < num_vertices; ++v) system.coeffRef(v, v) += weights[v] + options.rest_weight;
+SurfaceFill::SurfaceFill(const geometry::Triangles& triangles, int num_vertices) {
+  const geometry::SparseMatrix laplacian = geometry::UniformLaplacian(triangles, num_vertices);
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
+  Eigen::AMDOrdering<int>()(laplacian, inverse);
+  order_ = inverse.inverse();
+  laplacian_ = laplacian.twistedBy(order_);
+}
+
+Eigen::MatrixXf SurfaceFill::Solve(const VertexValues& known, const Eigen::MatrixXf& rest,
+                                   const SurfaceFillOptions& options) const {
+  const Eigen::Index num_vertices = laplacian_.rows();
+  DAUMIER_CHECK(known.values.rows() == num_vertices && known.weights.size() == num_vertices &&
+                    rest.rows() == num_vertices && rest.cols() == known.values.cols() && options.rest_weight > 0,
+                "{} x {} values with {} weights of {} vertices, a rest of {} x {} and rest_weight {}",
+                known.values.rows(), known.values.cols(), known.weights.size(), num_vertices, rest.rows(), rest.cols(),
+                options.rest_weight);
+  const Eigen::VectorXd weights = known.weights.cast<double>(), ordered = order_ * weights;
+  geometry::SparseMatrix system = options.stiffness * laplacian_;
+  system.diagonal().array() += ordered.array() + options.rest_weight;
   const Eigen::MatrixXd right =
       weights.asDiagonal() * known.values.cast<double>() + options.rest_weight * rest.cast<double>();
-  const Eigen::SimplicialLDLT<geometry::SparseMatrix> factor(system);
+  const Eigen::SimplicialLDLT<geometry::SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(system);
   DAUMIER_CHECK(factor.info() == Eigen::Success, "a fill of a surface of {} vertices has no factor", num_vertices);
-  return factor.solve(right).cast<float>();
+  const Eigen::MatrixXd solved = factor.solve(order_ * right);
+  return (order_.inverse() * solved).cast<float>();
 }
 
 MirroredCorners FindMirroredCorners(const rig::TextureSpace& space, const std::vector<int>& mirror) {

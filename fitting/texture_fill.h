@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/texture_projection.h"
+#include "geometry/operators.h"
 
 #include <Eigen/Core>
 
@@ -29,10 +30,25 @@ struct SurfaceFillOptions {
 /// The smoothest values on a surface that agree with those that are known: minimises
 ///   sum_v w_v |x_v - value_v|^2 + stiffness sum_edges |x_i - x_j|^2 + rest_weight sum_v |x_v - rest_v|^2,
 /// on vertices, so that there is no seam where the atlas has one: a vertex where nothing is known gets the mean of its
-/// neighbours, and far from all that is known it drifts to `rest` (N x K). @throws Error if a size disagrees or rest_weight
-/// is not positive.
-Eigen::MatrixXf FillSurface(const geometry::Triangles& triangles, const VertexValues& known,
-                            const Eigen::MatrixXf& rest, const SurfaceFillOptions& options = {});
+/// neighbours, and far from all that is known it drifts to `rest` (N x K). Const and thread-safe: the order in which
+/// unknowns are eliminated is found once.
+class SurfaceFill {
+ public:
+  /// @throws Error as geometry::UniformLaplacian.
+  SurfaceFill(const geometry::Triangles& triangles, int num_vertices);
+  /// N x K. @throws Error if a size disagrees or rest_weight is not positive.
+  Eigen::MatrixXf Solve(const VertexValues& known, const Eigen::MatrixXf& rest,
+                        const SurfaceFillOptions& options = {}) const;
+
+ private:
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;  ///< Ordered vertex of each vertex.
+  geometry::SparseMatrix laplacian_;                                     ///< In that order.
+};
+
+inline Eigen::MatrixXf FillSurface(const geometry::Triangles& triangles, const VertexValues& known,
+                                   const Eigen::MatrixXf& rest, const SurfaceFillOptions& options = {}) {
+  return SurfaceFill(triangles, int(known.values.rows())).Solve(known, rest, options);
+}
 
 /// For each corner of a triangle of a texture space where its mirror image lies in the atlas.
 struct MirroredCorners {

@@ -96,6 +96,23 @@ TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const std::vector
   return guide;
 }
 
+TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const rig::HeadRig& rig) {
+  std::vector<int> joined_from_face(size_t(face.num_vertices()), -1);
+  const std::vector<int>& finished = rig.finished_vertices();
+  for (size_t joined = 0; joined < finished.size(); ++joined)
+    if (finished[joined] < face.num_vertices()) joined_from_face[size_t(finished[joined])] = int(joined);
+  return MakeTextureGuide(face, joined_from_face, rig.texture_space().triangles.maxCoeff() + 1);
+}
+
+ShownHead ShownHeadOf(const rig::HeadRig& rig, const geometry::Points& face, const PortraitPose& pose,
+                      const PictureCamera& camera, const std::optional<PortraitLight>& light) {
+  const rig::RiggedHead head = rig.On(face, {{}, Eigen::MatrixXf(face.size(), 0)});
+  ShownHead shown{rig::JoinedMesh(head).vertices, {}, pose, camera, light};
+  for (size_t side = 0; side < std::min<size_t>(2, head.eyes.size()); ++side)
+    shown.eye_centres[side] = head.eyes[side].centre;
+  return shown;
+}
+
 HeadPainter::HeadPainter(rig::TextureSpace space, TextureGuide guide, const TextureOptions& options)
     : space_(std::move(space)), guide_(std::move(guide)), options_(options), texels_(space_.Rasterise(options.size)) {
   const int num_vertices = int(guide_.mirror.size());
@@ -110,14 +127,15 @@ HeadPainter::HeadPainter(rig::TextureSpace space, TextureGuide guide, const Text
     if (IsSkin(space_.charts[size_t(t)])) skin.push_back(t);
     if (space_.charts[size_t(t)] == TextureChart::kMouth) mouth.push_back(t);
   }
-  skin_ = space_.triangles(skin, Eigen::all);
+  const geometry::Triangles skin_triangles = space_.triangles(skin, Eigen::all);
+  surface_.emplace(skin_triangles, num_vertices);
   eyes_ = {MakeEyeChart(space_, texels_, TextureChart::kRightEye),
            MakeEyeChart(space_, texels_, TextureChart::kLeftEye)};
   // Rings of the mouth from its vertices that are skin too.
   constexpr float kMouthRings = 4;
   mouth_depth_.setOnes(num_vertices);
   std::vector<char> is_skin(size_t(num_vertices), 0);
-  for (const int v : skin_.reshaped()) is_skin[size_t(v)] = 1;
+  for (const int v : skin_triangles.reshaped()) is_skin[size_t(v)] = 1;
   const geometry::Triangles mouth_triangles = space_.triangles(mouth, Eigen::all);
   std::vector<int> lips;
   for (const int v : mouth_triangles.reshaped())
@@ -156,7 +174,7 @@ HeadTexture HeadPainter::Paint(const ShownHead& head, const render::Image& pictu
       if (hair->weights[i] > 0) hair->weights[i] *= At(i, guide_.hair_painted);
   }
   const SurfaceTexture surface =
-      CompleteSurface(space_, texels_, mirrored_, guide_, skin_, skin, hair ? &*hair : nullptr, options_.fill);
+      CompleteSurface(space_, texels_, mirrored_, guide_, *surface_, skin, hair ? &*hair : nullptr, options_.fill);
   std::vector<Eigen::Vector3f> colours = surface.colours;
   PaintEyes(head, posed, cut.camera, LayerOf(cut.picture, cut.mask, {kEyes}, 0.5 * margin), colours);
   return TextureOf(surface, colours);

@@ -3,6 +3,7 @@
 #include "faces/face_model.h"
 #include "fitting/texture_eyes.h"
 #include "fitting/texture_surface.h"
+#include "rig/head_rig.h"
 
 #include <array>
 #include <optional>
@@ -10,9 +11,12 @@
 
 namespace daumier::fitting {
 
-/// The mirror map of the annotation, faces::Scalp::weights, and: hair is painted on the scalp, above the brows and where
-/// beards grow. joined_from_face: for each vertex of the template its number in the texture space of `num_vertices`, -1:
-/// none. Vertices that are not the template's have no mirror image and no hair. @throws Error as Scalp and SkinField.
+/// For heads of HeadRig: the mirror map of the annotation, faces::Scalp::weights, and: hair is painted on the scalp, above
+/// the brows and where beards grow. Vertices that are not the template's have no mirror image and no hair.
+/// @throws Error as Scalp and SkinField.
+TextureGuide MakeTextureGuide(const faces::FaceTemplate& face_template, const rig::HeadRig& rig);
+/// The same for any numbering: joined_from_face is for each vertex of the template its number in a texture space of
+/// `num_vertices`, -1: none. @throws Error also if its size differs.
 TextureGuide MakeTextureGuide(const faces::FaceTemplate& face_template, const std::vector<int>& joined_from_face,
                               int num_vertices);
 
@@ -24,6 +28,10 @@ struct ShownHead {
   PictureCamera camera;
   std::optional<PortraitLight> light;  ///< Needed to delight.
 };
+
+/// A face (V x 3, cm, with expression) of the rig's topology as its picture shows it: the head on it, and its eyes.
+ShownHead ShownHeadOf(const rig::HeadRig& rig, const geometry::Points& face, const PortraitPose& pose,
+                      const PictureCamera& camera, const std::optional<PortraitLight>& light);
 
 struct TextureOptions {
   int size = 1024;
@@ -79,7 +87,7 @@ class HeadPainter {
   rig::TexelMap texels_;
   std::vector<int> gutter_;  ///< NearestShownTexels.
   MirroredCorners mirrored_;
-  geometry::Triangles skin_;  ///< Triangles of skin, neck and lid rims: over which colours spread.
+  std::optional<SurfaceFill> surface_;  ///< Over skin, neck and lid rims.
   std::array<EyeChart, 2> eyes_;
   Eigen::VectorXf mouth_depth_;  ///< A vertex of the space: 0 at the lips .. 1 in the mouth.
 };

@@ -34,7 +34,7 @@ Eigen::Vector3f MedianColour(const VertexValues& known, const Eigen::Vector3f& o
 class SurfaceCompletion {
  public:
   SurfaceCompletion(const rig::TextureSpace& space, const rig::TexelMap& texels, const MirroredCorners& mirror,
-                    const geometry::Triangles& surface, int num_vertices, TextureFill fill)
+                    const SurfaceFill& surface, int num_vertices, TextureFill fill)
       : space_(space), texels_(texels), mirror_(mirror), surface_(surface), num_vertices_(num_vertices), fill_(fill) {}
 
   VertexValues AtVertices(const TexelColours& colours) const {
@@ -50,7 +50,7 @@ class SurfaceCompletion {
       difference.colours[i] = seen.colours[i] - image.colours[i];
     }
     const Eigen::MatrixXf tone =
-        FillSurface(surface_, AtVertices(difference), Eigen::MatrixXf::Zero(num_vertices_, 3), kToneFill);
+        surface_.Solve(AtVertices(difference), Eigen::MatrixXf::Zero(num_vertices_, 3), kToneFill);
     for (size_t i = 0; i < image.weights.size(); ++i)
       if (image.weights[i] > 0) image.colours[i] += At(i, tone);
     return image;
@@ -60,7 +60,7 @@ class SurfaceCompletion {
   Eigen::MatrixXf Fill(const TexelColours& known, const Eigen::Vector3f& otherwise) const {
     const VertexValues at_vertices = AtVertices(known);
     const Eigen::MatrixXf rest = MedianColour(at_vertices, otherwise).transpose().replicate(num_vertices_, 1);
-    return fill_ == TextureFill::kSmooth ? FillSurface(surface_, at_vertices, rest) : rest;
+    return fill_ == TextureFill::kSmooth ? surface_.Solve(at_vertices, rest) : rest;
   }
 
   /// The value of a texel of values at vertices.
@@ -76,7 +76,7 @@ class SurfaceCompletion {
   const rig::TextureSpace& space_;
   const rig::TexelMap& texels_;
   const MirroredCorners& mirror_;
-  const geometry::Triangles& surface_;
+  const SurfaceFill& surface_;
   const int num_vertices_;
   const TextureFill fill_;
 };
@@ -92,9 +92,8 @@ void AddShare(const TexelColours& image, size_t i, float share, TexelColours& kn
 }  // namespace
 
 SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelMap& texels,
-                               const MirroredCorners& mirror, const TextureGuide& guide,
-                               const geometry::Triangles& surface, const TexelColours& seen_skin,
-                               const TexelColours* seen_hair, TextureFill fill) {
+                               const MirroredCorners& mirror, const TextureGuide& guide, const SurfaceFill& surface,
+                               const TexelColours& seen_skin, const TexelColours* seen_hair, TextureFill fill) {
   const size_t num_texels = size_t(texels.num_texels());
   DAUMIER_CHECK(seen_skin.weights.size() == num_texels && (!seen_hair || seen_hair->weights.size() == num_texels),
                 "{} texels with {} weights", num_texels, seen_skin.weights.size());
@@ -126,7 +125,7 @@ SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelM
       share.weights[i] = skin.weights[i] + hair.weights[i];
       if (share.weights[i] > 0) share.colours[i].setConstant(hair.weights[i] / share.weights[i]);
     }
-    hair_share = FillSurface(surface, completion.AtVertices(share), guide.scalp.replicate(1, 3), kHairlineFill);
+    hair_share = surface.Solve(completion.AtVertices(share), guide.scalp.replicate(1, 3), kHairlineFill);
   }
   OnAllCores(int64_t(num_texels), [&](int64_t texel) {
     const auto i = size_t(texel);

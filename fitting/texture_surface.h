@@ -6,7 +6,7 @@
 
 namespace daumier::fitting {
 
-/// What painting needs to know of a topology besides its atlas, a number a vertex of the texture space.
+/// What painting needs of a topology besides its atlas, a number a vertex of the texture space.
 struct TextureGuide {
   std::vector<int> mirror;  ///< The vertex on the other side; -1: none.
   Eigen::VectorXf scalp;    ///< 1 where hair usually grows, 0 elsewhere, soft between.
@@ -26,13 +26,13 @@ struct SurfaceTexture {
   std::vector<float> seen, mirrored;     ///< A texel: shares; what is left to 1 is filled.
 };
 
-/// Completes what a picture shows of skin and hair (weights of both sum to at most 1 at a texel) over the triangles
-/// `surface` of the space. Mirror images are moved in tone by the difference between the sides where both are seen,
+/// Completes what a picture shows of skin and hair (weights of both sum to at most 1 at a texel) over `surface`, of the
+/// space's vertices. Mirror images are moved in tone by the difference between the sides where both are seen,
 /// continued smoothly. Skin and hair are filled each for itself; what is unseen is hair as far as the guide's scalp says
 /// so, if the picture shows hair at all (`hair` is not null). @throws Error if a size disagrees.
 SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelMap& texels,
-                               const MirroredCorners& mirror, const TextureGuide& guide,
-                               const geometry::Triangles& surface, const TexelColours& skin, const TexelColours* hair,
+                               const MirroredCorners& mirror, const TextureGuide& guide, const SurfaceFill& surface,
+                               const TexelColours& skin, const TexelColours* hair,
                                TextureFill fill = TextureFill::kSmooth);
 
 }  // namespace daumier::fitting
