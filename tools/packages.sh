@@ -8,4 +8,4 @@ try_packages="ca-certificates g++ cmake ninja-build mold libdnnl-dev libopenblas
   libopencv-imgcodecs-dev libarchive-dev zlib1g-dev libhdf5-dev libnanoflann-dev libspectra-dev libpugixml-dev libssl-dev libcli11-dev
   libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev"
 # Debian packages of ./dev setup --all alone, for tools/consumers/; others there are from npm (tools/npm-consumers/).
-consumer_packages="blender python3-numpy gltfpack libassimp-dev"
+consumer_packages="blender python3-numpy gltfpack libassimp-dev chromium"
