@@ -7,6 +7,11 @@ set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 
 option(DAUMIER_CCACHE "Compile through ccache where it is installed" OFF)
 set(DAUMIER_SANITIZE OFF CACHE STRING "Sanitizers of the rooms without LibTorch: OFF, ON (ASan and UBSan), thread (TSan) or fuzz (as ON, with libFuzzer; clang)")
+option(DAUMIER_TRAINING_LIBRARY "Build the rooms with LibTorch, which train, eval, ablate and export need" ON)
+set(DAUMIER_TRAINING ${DAUMIER_TRAINING_LIBRARY})
+if(DAUMIER_SANITIZE)
+  set(DAUMIER_TRAINING OFF)  # LibTorch itself is not built for the sanitizers.
+endif()
 option(DAUMIER_UNITY "Compile several files of a room at once: a cold build takes less time, one changed file more" OFF)
 set(DAUMIER_DEBUG_INFO "" CACHE STRING "Debug information of release builds, for example -g1")
 

@@ -20,6 +20,8 @@ inline constexpr int kWeightsVersion = 1;
 inline constexpr const char* kWeightsCard = "README.md";
 /// Parameters and buffers of a network.
 inline constexpr const char* kWeightsNetwork = "network.safetensors";
+/// The network's graph as ONNX, whose tensors lie in kWeightsNetwork where that has them: what predictions run.
+inline constexpr const char* kWeightsGraph = "network.onnx";
 
 /// `details.system` of weights that are a face model and no network.
 inline constexpr const char* kFaceModelSystem = "face model";

@@ -3,7 +3,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/run_manifest.h"
+#include "core/safetensors.h"
 #include "core/staged_directory.h"
+#include "export/onnx_export.h"
 #include "export/weights_card.h"
 #include "tensor/half_module.h"
 #include "tensor/torch_version.h"
@@ -89,6 +91,22 @@ NetworkFunction ReadWeightsNetwork(const fs::path& directory, const Json& detail
   return network;
 }
 
+std::string WriteWeightsGraph(const fs::path& directory, const NetworkFunction& network) {
+  onnx::ModelProto model = ExportToOnnx(*network.module, network.function);
+  const SafetensorsFile stored(directory / kWeightsNetwork);
+  for (onnx::TensorProto& tensor : *model.mutable_graph()->mutable_initializer()) {
+    if (!stored.contains(tensor.name())) continue;
+    tensor.clear_raw_data();
+    tensor.set_data_location(onnx::TensorProto::EXTERNAL);
+    onnx::StringStringEntryProto& location = *tensor.add_external_data();
+    location.set_key("location");
+    location.set_value(kWeightsNetwork);
+  }
+  const std::string bytes = model.SerializeAsString();
+  WriteFileAtomically(directory / kWeightsGraph, bytes);
+  return Sha256(bytes);
+}
+
 Json WriteWeights(const RunExport& run, MakeNetwork make_network, const WeightsRequest& request) {
   const std::string system = SystemOf(run.run_manifest);
   DAUMIER_CHECK(run.for_weights.has_value() && make_network != nullptr,
@@ -119,6 +137,7 @@ Json WriteWeights(const RunExport& run, MakeNetwork make_network, const WeightsR
   }
   manifest.checksums[kWeightsNetwork] = tensor::SaveHalfModule(staged.path() / kWeightsNetwork, *run.module);
   const NetworkFunction written = ReadWeightsNetwork(staged.path(), manifest.details, make_network);
+  manifest.checksums[kWeightsGraph] = WriteWeightsGraph(staged.path(), written);
   const ExportedFunction function = FunctionWithSamples(run);
   manifest.details["float16"] = {{"samples", SampleTexts(function)},
                                  {"num_samples", kNumSamples},

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// A finished run as shipped weights (core/weights_folder.h): README.md, network.safetensors in float16, what its system
-/// adds, manifest.json.
+/// A finished run as shipped weights (core/weights_folder.h): README.md, network.safetensors in float16, network.onnx, what
+/// its system adds, manifest.json.
 namespace daumier::exporting {
 
 /// Largest difference that float16 may make in an output, as a share of the output's largest value.
@@ -37,6 +37,10 @@ using MakeNetwork = NetworkFunction (*)(const Json& network);
 /// @throws Error if the task has no weights, if the run was not evaluated, as SaveHalfModule, or if an output differs by
 /// more than kHalfTolerance; UsageError as CheckReplacedFolder.
 Json WriteWeights(const RunExport& run, MakeNetwork make_network, const WeightsRequest& request);
+
+/// Writes the graph of the network that lies in the folder, as kWeightsGraph, and returns its checksum. Tensors of
+/// kWeightsNetwork are external (runtime/onnx_file.h). @throws Error as ExportToOnnx.
+std::string WriteWeightsGraph(const std::filesystem::path& directory, const NetworkFunction& network);
 
 /// The network of a folder of weights, whose files have been verified.
 /// @throws Error naming the file if its numbers are of another network.

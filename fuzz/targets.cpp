@@ -10,6 +10,8 @@
 #include "faces/marked_points.h"
 #include "render/read_drawing.h"
 #include "rig/clip_files.h"
+#include "runtime/graph_runner.h"
+#include "runtime/onnx_file.h"
 
 #include <fmt/ranges.h>
 
@@ -31,6 +33,21 @@ void ReadClipFile(const std::filesystem::path& path) {
   rig::Resample(rig::ReadClip(path), 60);
 }
 
+/// Runs the graph on zeros, if it is a small one.
+void RunGraph(const std::filesystem::path& path) {
+  constexpr int64_t kMostNumbers = 4096, kMostBytes = 1 << 24;
+  const runtime::Graph graph = runtime::ReadOnnx(path);
+  NamedArrays inputs;
+  for (const runtime::GraphInput& input : graph.inputs) {
+    std::vector<int64_t> shape = input.shape;
+    for (int64_t& size : shape) size = size == -1 ? 1 : size;
+    if (runtime::CheckedSize(shape, input.name) > kMostNumbers) return;
+    inputs[input.name] = FloatArray(shape);
+  }
+  const runtime::GraphRunner runner(graph);
+  if (runner.BytesFor(inputs) <= kMostBytes) runner.Run(inputs);
+}
+
 constexpr Target kTargets[] = {
     {"svg", "a.svg", ReadDrawing},
     {"quickdraw", "a.ndjson", ReadDrawing},
@@ -44,6 +61,7 @@ constexpr Target kTargets[] = {
     {"npz", "a.npz", [](const std::filesystem::path& path) { faces::ReadNpz(path, {"a"}); }},
     {"mat", "a.mat", [](const std::filesystem::path& path) { faces::ReadMatFile(path, {"a"}); }},
     {"safetensors", "a.safetensors", [](const std::filesystem::path& path) { SafetensorsFile{path}; }},
+    {"onnx", "a.onnx", RunGraph},
     {"annotation", "a.json",
      [](const std::filesystem::path& path) { faces::ParseAnnotationFile(ReadFile(path), "annotation"); }},
     {"clip_csv", "a.csv", ReadClipFile},

@@ -6,13 +6,18 @@
 #include "render/exif.h"
 #include "render/jpeg.h"
 #include "render/opencv_bridge.h"
+#include "render/opencv_codecs.h"
 #include "render/png.h"
+#include "render/png_writer.h"
 
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <array>
 #include <limits>
+#include <mutex>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <string>
 
 namespace daumier::render {
@@ -63,18 +68,45 @@ cv::Mat DecodeWithOpenCv(std::string_view bytes) {
   if (bytes.empty() || bytes.size() > size_t(std::numeric_limits<int>::max())) return {};
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   try {
-    return cv::imdecode(
+    return OpenCvDecode(
         buffer, IsJpeg(bytes) ? cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION : int(cv::IMREAD_UNCHANGED));
   } catch (const cv::Exception&) {
     return {};
   }
 }
 
+/// While it lives, stderr is discarded: libjpeg writes its own text there, and OpenCV offers no other way to hear of it.
+/// One at a time; lines of other threads are lost meanwhile.
+class SilentStderr {
+ public:
+  SilentStderr() : lock_(Mutex()), kept_(dup(STDERR_FILENO)) {
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (kept_ >= 0 && nothing >= 0) dup2(nothing, STDERR_FILENO);
+    if (nothing >= 0) close(nothing);
+  }
+  ~SilentStderr() {
+    if (kept_ < 0) return;
+    dup2(kept_, STDERR_FILENO);
+    close(kept_);
+  }
+  SilentStderr(const SilentStderr&) = delete;
+  SilentStderr& operator=(const SilentStderr&) = delete;
+
+ private:
+  static std::mutex& Mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
+  int kept_;
+};
+
 /// A JPEG without its end marker, which libjpeg decodes without an error, grey where data are missing. Whether some are
 /// is found by what follows them: if all pixels are there, none depends on it. Empty if some are missing.
 cv::Mat DecodeWithoutEnd(std::string_view picture) {
   constexpr std::string_view kEndMarker = "\xFF\xD9";
   constexpr size_t kNumFollowing = 64;
+  const SilentStderr silent;
   cv::Mat decoded;
   for (const char following : {'\x00', '\xB5', '\x6A'}) {
     const cv::Mat other =
@@ -149,6 +181,7 @@ Image ReadImage(const std::filesystem::path& path) {
 
 std::string EncodeImage(const Image& image, ImageFormat format, int jpeg_quality) {
   DAUMIER_CHECK(!image.pixels.empty(), "the picture to encode is empty");
+  if (format == ImageFormat::kPng) return EncodePng(image);
   cv::Mat encoded;
   if (image.channels == 3) {
     cv::cvtColor(MatView(image), encoded, cv::COLOR_RGB2BGR);
@@ -156,10 +189,8 @@ std::string EncodeImage(const Image& image, ImageFormat format, int jpeg_quality
     encoded = MatView(image);
   }
   std::vector<uint8_t> bytes;
-  const bool is_png = format == ImageFormat::kPng;
-  const std::vector<int> parameters = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
-                                             : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, jpeg_quality};
-  DAUMIER_CHECK(cv::imencode(is_png ? ".png" : ".jpg", encoded, bytes, parameters), "a picture cannot be encoded");
+  DAUMIER_CHECK(OpenCvEncode(".jpg", encoded, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality}),
+                "a picture cannot be encoded");
   return {bytes.begin(), bytes.end()};
 }
 

@@ -8,11 +8,11 @@
 #include "datasets/build/sharded_build.h"
 #include "datasets/read/portrait_camera.h"
 #include "render/draw.h"
+#include "systems/open_network.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_run_folder.h"
 #include "systems/portrait/picture_files.h"
 #include "systems/portrait/portrait_crop.h"
-#include "systems/training_library.h"
 
 #include <fmt/ranges.h>
 
@@ -291,8 +291,8 @@ GivenPortraits BuildGivenPortraits(const fs::path& pictures, const GivenPortrait
     throw UsageError("portraits of given pictures need landmark_run=RUN, a run that finds landmarks");
   PicturesBelow(pictures);  // Before the network is opened.
   const LandmarkRunFolder run = ReadLandmarkRunFolder(options.landmark_run);
-  const LandmarkDetector detector(
-      run.network_options, systems::LoadTrainingLibrary().open_network(options.landmark_run, {}), options.detector);
+  const LandmarkDetector detector(run.network_options, systems::OpenNetwork(options.landmark_run, {}),
+                                  options.detector);
   const Json network = {{"system", kLandmarkSystem}, {"weights", Sha256OfFile(BestWeights(options.landmark_run))}};
   return BuildGivenPortraits(detector, network, pictures, options, directory, task);
 }

@@ -2,10 +2,10 @@
 
 #include "core/error.h"
 #include "render/draw.h"
+#include "systems/open_network.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_overlay.h"
 #include "systems/predict_each.h"
-#include "systems/training_library.h"
 
 #include <algorithm>
 
@@ -69,8 +69,7 @@ std::unique_ptr<systems::Predictor> OpenLandmarkPredictor(const std::filesystem:
                                                           const Json& options) {
   const LandmarkNetworkOptions network_options = ReadLandmarkNetworkOptions(run);
   const auto parsed = ParseOptions<LandmarkPredictOptions>(options, "options of predict");
-  return std::make_unique<LandmarkPredictor>(network_options, systems::LoadTrainingLibrary().open_network(run, device),
-                                             parsed);
+  return std::make_unique<LandmarkPredictor>(network_options, systems::OpenNetwork(run, device), parsed);
 }
 
 }  // namespace daumier::portrait

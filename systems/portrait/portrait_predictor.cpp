@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "core/weights_folder.h"
 #include "render/draw.h"
+#include "systems/open_network.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_overlay.h"
 #include "systems/predict_each.h"
-#include "systems/training_library.h"
 
 #include <utility>
 
@@ -135,14 +135,13 @@ std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem:
                                                           const Json& options) {
   PortraitRunFolder folder = ReadPortraitFolder(run);
   const auto parsed = ParseOptions<PortraitPredictOptions>(options, "options of predict");
-  const systems::TrainingLibrary& library = systems::LoadTrainingLibrary();
   std::unique_ptr<const LandmarkPredictor> landmarks;
   if (const std::filesystem::path of_landmarks = LandmarkFolder(run, parsed); !of_landmarks.empty()) {
     landmarks = std::make_unique<LandmarkPredictor>(ReadLandmarkNetworkOptions(of_landmarks),
-                                                    library.open_network(of_landmarks, device),
+                                                    systems::OpenNetwork(of_landmarks, device),
                                                     LandmarkPredictOptions{.detector = parsed.detector});
   }
-  return std::make_unique<PortraitPredictor>(std::move(folder), library.open_network(run, device), std::move(landmarks),
+  return std::make_unique<PortraitPredictor>(std::move(folder), systems::OpenNetwork(run, device), std::move(landmarks),
                                              parsed);
 }
 

@@ -3,6 +3,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/run_manifest.h"
+#include "runtime/graph_runner.h"
+#include "runtime/onnx_file.h"
+#include "tensor/array.h"
 #include "tensor/half_module.h"
 #include "tensor/torch_version.h"
 #include "tests/export/test_function.h"
@@ -75,6 +78,20 @@ TEST_F(WeightsTest, AreReadWithTheNumbersOfTheRunRoundedToHalf) {
   EXPECT_FALSE(torch::equal(own, other));
   EXPECT_TRUE(torch::equal(read.module->named_parameters()["w"],
                            run.module->named_parameters()["w"].to(torch::kFloat16).to(torch::kFloat32)));
+}
+
+TEST_F(WeightsTest, TheirGraphComputesTheSameWithoutLibTorch) {
+  Write(Run());
+  const Manifest manifest = ReadWeights(folder_ / "product", "product", {kWeightsNetwork, kWeightsGraph});
+  const NetworkFunction read = ReadWeightsNetwork(folder_ / "product", manifest.details, MakeProduct);
+  const torch::Tensor x = torch::randn({4, 6});
+  const FloatArray found = runtime::GraphRunner(runtime::ReadOnnx(folder_ / "product" / kWeightsGraph))
+                               .Run({{"x", tensor::CopyToArray<float>(x)}})
+                               .at("y");
+  const FloatArray expected = tensor::CopyToArray<float>(read.function.forward({x})[0]);
+  ASSERT_EQ(found.shape, expected.shape);
+  for (size_t i = 0; i < found.values.size(); ++i) EXPECT_NEAR(found.values[i], expected.values[i], 1e-5);
+  EXPECT_LT(fs::file_size(folder_ / "product" / kWeightsGraph), 500u);  // The numbers lie in network.safetensors.
 }
 
 TEST_F(WeightsTest, TheManifestSaysOfWhatTheyAreMade) {

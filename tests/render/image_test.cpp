@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "render/opencv_bridge.h"
+#include "render/opencv_codecs.h"
 #include "tests/render/oriented_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
@@ -33,7 +34,7 @@ Image Gradient(int height, int width, int channels) {
 
 std::string Encode(const std::string& extension, const cv::Mat& matrix) {
   std::vector<uint8_t> bytes;
-  cv::imencode(extension, matrix, bytes);
+  render::OpenCvEncode(extension, matrix, bytes, {});
   return {bytes.begin(), bytes.end()};
 }
 
@@ -192,6 +193,13 @@ TEST(DecodeImage, ReadsAJpegThatLacksItsEndMarkerAloneWithAWarning) {
     EXPECT_EQ(log::NumWarnings(), before + 1);
     testing::ExpectError([&] { DecodeImage(jpeg.substr(0, jpeg.size() - 6), "cut.jpg"); }, "cut.jpg: truncated JPEG");
   }
+}
+
+TEST(DecodeImage, OfACutJpegPrintsNothing) {
+  const std::string jpeg = Encode(".jpg", testing::SixBlocks());
+  ::testing::internal::CaptureStderr();
+  testing::ExpectError([&] { DecodeImage(jpeg.substr(0, jpeg.size() - 6), "cut.jpg"); }, "cut.jpg: truncated JPEG");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(DecodeImage, OfAnEmptyFileSaysThatItIsEmpty) {

@@ -1,0 +1,57 @@
+#pragma once
+#include "runtime/graph.h"
+
+#include <string>
+
+/// Loops over plain arrays of float32.
+namespace daumier::runtime {
+
+/// Strides of a plain array, in numbers.
+std::vector<int64_t> StridesOf(const Shape& shape);
+/// Strides at which an array of shape `from` is read as one of shape `to`: 0 along axes that repeat.
+std::vector<int64_t> RepeatingStrides(const Shape& from, const Shape& to);
+
+/// A copy of numbers that lie apart: to[i, j, ...] = from[i s_0 + j s_1 + ...]. `to` has the strides of its own.
+class StridedCopy {
+ public:
+  StridedCopy(const Shape& shape, const std::vector<int64_t>& from_strides, const std::vector<int64_t>& to_strides);
+  void Run(const float* from, float* to) const;
+
+ private:
+  Shape shape_;  ///< Without sizes of 1, neighbours merged where they lie close.
+  std::vector<int64_t> from_, to_;
+};
+
+/// c = f(a, b) of arrays that repeat along axes of size 1. f: Add, Sub, Mul, Div, Max, Min, Pow, PRelu (b: slopes).
+class BroadcastFunction {
+ public:
+  /// @throws Error if there is no such f.
+  BroadcastFunction(const std::string& f, const Shape& a, const Shape& b, const Shape& c);
+  void Run(const float* a, const float* b, float* c) const;
+
+ private:
+  using Row = void (*)(const float* a, int64_t step_a, const float* b, int64_t step_b, int64_t count, float* c);
+  Row row_;
+  Shape shape_;
+  std::vector<int64_t> a_, b_;
+};
+
+enum class Reduction { kMean, kMax, kMin };
+/// A reduction over the inner axes of an array that is read by strides.
+class StridedReduction {
+ public:
+  /// kept, reduced: sizes and strides of the axes.
+  StridedReduction(Reduction kind, Shape kept, std::vector<int64_t> kept_strides, Shape reduced,
+                   std::vector<int64_t> reduced_strides);
+  void Run(const float* from, float* to) const;
+
+ private:
+  Reduction kind_;
+  Shape kept_, reduced_;
+  std::vector<int64_t> kept_strides_, reduced_strides_;
+};
+
+/// Softmax, or its logarithm, along the middle of outer x size x inner.
+void SoftmaxOf(const float* from, int64_t outer, int64_t size, int64_t inner, bool logarithm, float* to);
+
+}  // namespace daumier::runtime

@@ -1,0 +1,45 @@
+#include "render/png_writer.h"
+
+#include "render/opencv_bridge.h"
+#include "render/opencv_codecs.h"
+#include "tests/support/expect_error.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace daumier::render {
+namespace {
+
+Image Ramp(int height, int width, int channels) {
+  Image image(height, width, channels);
+  for (size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = uint8_t(i * i / 7 + 3 * i);
+  return image;
+}
+
+TEST(EncodePng, WritesWhatOpenCvWrites) {
+  for (const int channels : {1, 3}) {
+    Image image = Ramp(37, 53, channels);
+    cv::Mat mat = MatView(image).clone();
+    if (channels == 3) cv::cvtColor(mat, mat, cv::COLOR_RGB2BGR);
+    std::vector<uint8_t> expected;
+    ASSERT_TRUE(OpenCvEncode(".png", mat, expected, {cv::IMWRITE_PNG_COMPRESSION, 6}));
+    EXPECT_EQ(EncodePng(image), std::string(expected.begin(), expected.end()));
+  }
+}
+
+TEST(EncodePng, IsReadBackExactly) {
+  const Image image = Ramp(5, 1, 3);
+  EXPECT_EQ(DecodeImage(EncodePng(image), "picture"), image);
+}
+
+TEST(EncodePng, APictureThatIsTooLargeForPngIsRefused) {
+  Image image;
+  image.width = 2000000, image.height = 1, image.channels = 1;
+  image.pixels.resize(2000000);
+  testing::ExpectError([&] { EncodePng(image); }, "libpng cannot encode a picture");
+}
+
+}  // namespace
+}  // namespace daumier::render
