@@ -1,23 +1,20 @@
 #include "systems/portrait/portrait_picture.h"
 
 #include "core/error.h"
-#include "fitting/portrait_view.h"
+#include "core/picture_parts.h"
 #include "raster/face_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace daumier::portrait {
-namespace {
-
-fitting::PortraitPose PoseOf(std::span<const float> coefficients) {
-  fitting::PortraitPose pose;
-  for (int k = 0; k < 6; ++k) pose[k] = coefficients[size_t(faces::kPoseSlot.first + k)];
-  return pose;
+fitting::PortraitPose PoseOfCoefficients(std::span<const float> coefficients) {
+  DAUMIER_CHECK(coefficients.size() == size_t(faces::kNumCoefficients), "{} coefficients of a portrait, expected {}",
+                coefficients.size(), faces::kNumCoefficients);
+  return Eigen::Map<const Eigen::Matrix<float, 6, 1>>(coefficients.data() + faces::kPoseSlot.first).cast<double>();
 }
-
-}  // namespace
 
 FacePainter::FacePainter(const faces::MorphableModel& model)
     : model_(model),
@@ -30,8 +27,7 @@ FacePicture FacePainter::Paint(std::span<const float> coefficients) const {
 }
 
 FacePicture FacePainter::Paint(const faces::ColouredFace& face, std::span<const float> coefficients) const {
-  DAUMIER_CHECK(coefficients.size() == size_t(faces::kNumCoefficients), "{} coefficients of a portrait, expected {}",
-                coefficients.size(), faces::kNumCoefficients);
+  const fitting::PortraitPose own_pose = PoseOfCoefficients(coefficients);
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
   const Rows vertices = face.vertices.cast<float>(), albedo = face.albedo;
   std::array<float, raster::kLightBands> light{};
@@ -41,11 +37,20 @@ FacePicture FacePainter::Paint(const faces::ColouredFace& face, std::span<const 
   FacePicture picture{std::vector<float>(size_t(4 * kPortraitSide * kPortraitSide)), {}};
   raster::FacePicture<float> kernel;
   kernel.Forward(topology_, vertices.data(), albedo.data(), light, pose, {}, {}, picture.colours.data());
-  const geometry::Points posed_points = fitting::Posed(face.vertices, PoseOf(coefficients));
+  const geometry::Points posed_points = fitting::Posed(face.vertices, own_pose);
   const fitting::PicturePoints pixels = fitting::Projected(posed_points);
   for (const int vertex : model_.face_template.annotation.landmarks)
     for (int axis = 0; axis < 2; ++axis) picture.landmarks.push_back(float(pixels(vertex, axis)));
   return picture;
+}
+
+std::vector<float> FaceMask(const render::Image& classes) {
+  std::array<float, 256> shows{};
+  for (const PictureClass c : {PictureClass::kSkin, PictureClass::kBrows, PictureClass::kLips, PictureClass::kEars})
+    shows[size_t(c)] = 1;
+  std::vector<float> mask(classes.pixels.size());
+  std::transform(classes.pixels.begin(), classes.pixels.end(), mask.begin(), [&](uint8_t c) { return shows[c]; });
+  return mask;
 }
 
 double PhotometricError(const FacePicture& face, const render::Image& crop, std::span<const float> shown) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "faces/morphable_model.h"
+#include "fitting/portrait_view.h"
 #include "raster/mesh_topology.h"
 #include "render/image.h"
 #include "systems/portrait/portrait_crop.h"
@@ -8,6 +9,9 @@
 #include <vector>
 
 namespace daumier::portrait {
+
+/// The pose among 239 coefficients. @throws Error if there are not 239.
+fitting::PortraitPose PoseOfCoefficients(std::span<const float> coefficients);
 
 /// A face of a model in a crop of 224 x 224.
 struct FacePicture {
@@ -31,6 +35,9 @@ class FacePainter {
   const faces::MorphableModel& model_;
   const raster::MeshTopology topology_;
 };
+
+/// 1 x H x W: whether a class is skin, brow, lip or ear, of which the model has a surface.
+std::vector<float> FaceMask(const render::Image& classes);
 
 /// Colour difference of a rendered face: sum over RGB of |difference|, colours 0 .. 1, mean over the pixels that the face
 /// covers and in which `shown` (224 x 224) is 1. NaN if there is none.

@@ -4,6 +4,7 @@
 #include "core/weights_folder.h"
 #include "render/draw.h"
 #include "systems/open_network.h"
+#include "systems/portrait/landmark_errors.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/landmark_overlay.h"
 #include "systems/predict_each.h"
@@ -49,7 +50,10 @@ PortraitPredictor::PortraitPredictor(PortraitRunFolder run, std::shared_ptr<cons
       network_(std::move(network)),
       landmarks_(std::move(landmarks)),
       face_template_(TemplateInSourceFrame(run_.model)),
-      painter_(run_.model) {
+      painter_(run_.model),
+      aligner_(options.fine && (landmarks_ != nullptr || !options.landmarks.empty())
+                   ? std::make_unique<const PortraitAligner>(run_.model, options.alignment)
+                   : nullptr) {
   if (!options.landmarks.empty()) given_landmarks_ = ReadLandmarks(options.landmarks);
 }
 
@@ -71,38 +75,58 @@ PortraitPrediction PortraitPredictor::FromLandmarks(const render::Image& picture
   return prediction;
 }
 
-systems::FaceResult PortraitPredictor::PredictOne(const render::Image& picture) const {
-  systems::FaceResult result;
-  std::vector<float> landmarks = given_landmarks_;
-  std::optional<render::Image> parsing;
-  if (landmarks.empty() && landmarks_ != nullptr) {
+PortraitReading PortraitPredictor::Read(const render::Image& picture) const {
+  PortraitReading reading;
+  std::vector<float> confidences;
+  reading.landmarks = given_landmarks_;
+  if (reading.landmarks.empty() && landmarks_ != nullptr) {
     const std::vector<DetectedFace> faces = landmarks_->Faces(picture);
-    landmarks = faces.front().landmarks;
-    parsing = TintedByClasses(picture, faces.front().Mask(picture.height, picture.width));
-    result.record["confidence"] = faces.front().confidence;
+    reading.landmarks = faces.front().landmarks;
+    confidences = faces.front().landmark_confidences;
+    reading.mask = faces.front().Mask(picture.height, picture.width);
+    reading.record["confidence"] = faces.front().confidence;
     if (faces.size() > 1)
-      result.warnings.push_back(
+      reading.warnings.push_back(
           fmt::format("the picture shows {} faces, of which that of highest confidence is predicted", faces.size()));
   }
-  if (landmarks.empty())
-    result.warnings.push_back(
+  if (reading.landmarks.empty())
+    reading.warnings.push_back(
         "no landmarks were given, so that the whole picture counts as the face: landmark_run=FOLDER finds them");
-  const PortraitPrediction prediction = FromLandmarks(picture, landmarks);
-  const std::vector<float>& x = prediction.coefficients;
-  const faces::ColouredFace face = faces::Reconstruct(run_.model, x);
-  const FacePicture painted = painter_.Paint(face, x);
+  PortraitPrediction prediction = FromLandmarks(picture, reading.landmarks);
+  reading.map = prediction.map;
+  reading.crop = std::move(prediction.crop);
+  reading.coefficients = std::move(prediction.coefficients);
+  reading.face = faces::Reconstruct(run_.model, reading.coefficients);
+  reading.record["stage"] = "coarse";
+  if (aligner_ == nullptr) return reading;
+  reading.coarse = painter_.Paint(reading.face, reading.coefficients);
+  const std::vector<float> in_crop = MapLandmarks(reading.landmarks, reading.map);
+  AlignedPortrait aligned = aligner_->Align(reading.coefficients, in_crop, confidences);
+  reading.coefficients = std::move(aligned.coefficients);
+  reading.face.vertices = std::move(aligned.vertices);
+  reading.record["stage"] = "fine";
+  reading.record["landmark_error"] = {{"coarse", NormalisedError(aligned.coarse, in_crop)},
+                                      {"fine", NormalisedError(aligned.landmarks, in_crop)}};
+  return reading;
+}
 
+systems::FaceResult PortraitPredictor::ResultOf(const render::Image& picture, const PortraitReading& reading) const {
+  systems::FaceResult result;
+  const std::vector<float>& x = reading.coefficients;
+  const FacePicture painted = painter_.Paint(reading.face, x);
+  result.warnings = reading.warnings;
+  result.record = reading.record;
   result.face_template = face_template_;
-  result.vertices = face.vertices.rowwise() + run_.model.centre.transpose();
+  result.vertices = reading.face.vertices.rowwise() + run_.model.centre.transpose();
   result.identity = SlotVector(x, faces::kIdentitySlot);
   result.expression = SlotVector(x, faces::kExpressionSlot);
   result.landmarks.resize(68, 3);
   for (int n = 0; n < 68; ++n)
     result.landmarks.row(n) = result.vertices.row(face_template_->annotation.landmarks[size_t(n)]);
-  const std::vector<float> in_picture = MapLandmarks(painted.landmarks, prediction.map.Inverse());
+  const std::vector<float> in_picture = MapLandmarks(painted.landmarks, reading.map.Inverse());
   Json points = Json::array();
   for (size_t n = 0; n < 68; ++n) points.push_back({in_picture[2 * n], in_picture[2 * n + 1]});
-  const PictureMap& map = prediction.map;
+  const PictureMap& map = reading.map;
   result.record["coefficients"] = {{"identity", Numbers(x, faces::kIdentitySlot)},
                                    {"expression", Numbers(x, faces::kExpressionSlot)},
                                    {"albedo", Numbers(x, faces::kAlbedoSlot)},
@@ -116,10 +140,12 @@ systems::FaceResult PortraitPredictor::PredictOne(const render::Image& picture) 
   result.pictures.push_back({fitted(picture), "input"});
   render::Image drawn = fitted(picture);
   const double scale = double(drawn.width) / picture.width;
+  const std::vector<float>& landmarks = reading.landmarks;
   DrawLandmarks(drawn, landmarks.empty() ? in_picture : landmarks, scale);
   result.pictures.push_back({std::move(drawn), landmarks.empty() ? "landmarks of the face" : "landmarks"});
-  if (parsing) result.pictures.push_back({fitted(*parsing), "parsing"});
-  result.pictures.push_back({fitted(OverlayFace(prediction.crop, painted)), "overlay"});
+  if (reading.mask) result.pictures.push_back({fitted(TintedByClasses(picture, *reading.mask)), "parsing"});
+  if (reading.coarse) result.pictures.push_back({fitted(OverlayFace(reading.crop, *reading.coarse)), "coarse"});
+  result.pictures.push_back({fitted(OverlayFace(reading.crop, painted)), "overlay"});
   return result;
 }
 
@@ -127,12 +153,14 @@ std::vector<systems::FaceResult> PortraitPredictor::Predict(std::span<const syst
                                                             const Task& task) const {
   DAUMIER_CHECK(inputs.size() == 1 || options_.landmarks.empty(), "landmarks are given for one picture, here are {}",
                 inputs.size());
-  return systems::PredictEach(inputs, task, "pictures",
-                              [&](const systems::Input& input) { return PredictOne(systems::PictureOf(input)); });
+  return systems::PredictEach(inputs, task, "pictures", [&](const systems::Input& input) {
+    const render::Image& picture = systems::PictureOf(input);
+    return ResultOf(picture, Read(picture));
+  });
 }
 
-std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem::path& run, const Device& device,
-                                                          const Json& options) {
+std::unique_ptr<PortraitPredictor> OpenPortraits(const std::filesystem::path& run, const Device& device,
+                                                 const Json& options) {
   PortraitRunFolder folder = ReadPortraitFolder(run);
   const auto parsed = ParseOptions<PortraitPredictOptions>(options, "options of predict");
   std::unique_ptr<const LandmarkPredictor> landmarks;
@@ -143,6 +171,11 @@ std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem:
   }
   return std::make_unique<PortraitPredictor>(std::move(folder), systems::OpenNetwork(run, device), std::move(landmarks),
                                              parsed);
+}
+
+std::unique_ptr<systems::Predictor> OpenPortraitPredictor(const std::filesystem::path& run, const Device& device,
+                                                          const Json& options) {
+  return OpenPortraits(run, device, options);
 }
 
 }  // namespace daumier::portrait

@@ -40,15 +40,6 @@ PictureMap PlainCrop(const datasets::PortraitDatabase& database, int image, cons
   return options.crop == "none" ? CropOfWhole(side, side) : CropOfLandmarks(database.landmarks(image), options.size);
 }
 
-std::vector<float> FaceMask(const render::Image& classes) {
-  std::array<float, 256> shows{};
-  for (const PictureClass c : {PictureClass::kSkin, PictureClass::kBrows, PictureClass::kLips, PictureClass::kEars})
-    shows[size_t(c)] = 1;
-  std::vector<float> mask(classes.pixels.size());
-  std::transform(classes.pixels.begin(), classes.pixels.end(), mask.begin(), [&](uint8_t c) { return shows[c]; });
-  return mask;
-}
-
 std::vector<int> ImagesOfPersons(const datasets::PortraitDatabase& portraits, const std::vector<int>& persons,
                                  const std::vector<std::string>& leave_out) {
   for (const std::string& style : leave_out) {

@@ -3,6 +3,7 @@
 #include "datasets/read/portrait_database.h"
 #include "systems/portrait/portrait_crop.h"
 #include "systems/portrait/portrait_options.h"
+#include "systems/portrait/portrait_picture.h"
 
 #include <cstdint>
 #include <span>
@@ -58,9 +59,6 @@ class CropSamples {
 
 /// The crop of an image without jitter: CropOfLandmarks, or of the whole picture.
 PictureMap PlainCrop(const datasets::PortraitDatabase& database, int image, const PortraitPictureOptions& options);
-
-/// 1 x H x W: whether a class is skin, brow, lip or ear, of which the model has a surface.
-std::vector<float> FaceMask(const render::Image& classes);
 
 /// Of `leave_out`: heads of clay without hair, in addition to the styles of a database.
 inline constexpr const char* kBaldStyle = "bald";

@@ -1,5 +1,6 @@
 #include "systems/portrait/portrait_picture.h"
 
+#include "core/picture_parts.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_portraits.h"
 
@@ -64,6 +65,12 @@ TEST(DotsOver, MarksLandmarksAndSkipsThoseOutside) {
   for (size_t p = 0; p < dots.pixels.size(); p += 3) num_marked += dots.pixels[p] != 100;
   EXPECT_GE(num_marked, 4);
   EXPECT_LE(num_marked, 12);  // A disc of 1.5 pixels.
+}
+
+TEST(FaceMask, IsSkinBrowsLipsAndEars) {
+  render::Image classes(1, kNumPictureClasses, 1);
+  for (int c = 0; c < kNumPictureClasses; ++c) classes.at(0, c) = uint8_t(c);
+  EXPECT_EQ(FaceMask(classes), (std::vector<float>{0, 1, 1, 0, 1, 0, 1, 0}));
 }
 
 }  // namespace

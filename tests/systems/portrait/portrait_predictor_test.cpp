@@ -92,6 +92,28 @@ TEST(PortraitPredictor, CropsByGivenLandmarks) {
   testing::ExpectError([&] { predictor.Predict(two); }, "landmarks are given for one picture, here are 2");
 }
 
+TEST(PortraitPredictor, AlignsFacesWithLandmarks) {
+  const testing::TempDir folder;
+  const PredictorProblem problem = MakePredictorProblem();
+  std::string text;
+  for (size_t n = 0; n < 68; ++n)  // Larger eyes.
+    text += fmt::format("{} {}\n", problem.landmarks[2 * n],
+                        problem.landmarks[2 * n + 1] + (n == 37 || n == 38 || n == 43 || n == 44 ? -4 : 0));
+  WriteFileAtomically(folder / "landmarks.txt", text);
+  const std::string file = (folder / "landmarks.txt").string();
+  const std::vector<systems::Input> inputs = {problem.picture};
+  const systems::FaceResult fine = MakePredictor(problem, {.landmarks = file}).Predict(inputs).at(0),
+                            coarse = MakePredictor(problem, {.landmarks = file, .fine = false}).Predict(inputs).at(0);
+  EXPECT_EQ(coarse.record.at("stage"), "coarse");
+  EXPECT_FALSE(coarse.record.contains("landmark_error"));
+  EXPECT_EQ(fine.record.at("stage"), "fine");
+  const Json& errors = fine.record.at("landmark_error");
+  EXPECT_LT(errors.at("fine").get<double>(), errors.at("coarse").get<double>());
+  EXPECT_GT((fine.vertices - coarse.vertices).rowwise().norm().maxCoeff(), 0.05);
+  EXPECT_EQ(fine.pictures.size(), coarse.pictures.size() + 1);
+  EXPECT_EQ(fine.pictures.back().caption, "overlay");
+}
+
 TEST(PortraitPredictor, TakesPicturesOfAnySizeAndKind) {
   const PredictorProblem problem = MakePredictorProblem();
   const PortraitPredictor predictor = MakePredictor(problem);

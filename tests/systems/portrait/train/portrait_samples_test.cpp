@@ -107,12 +107,6 @@ TEST(PlainCrop, IsThePictureOrTheBoxOfItsLandmarks) {
   EXPECT_NEAR((points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(), 112, 1e-2);
 }
 
-TEST(FaceMask, IsSkinBrowsLipsAndEars) {
-  render::Image classes(1, kNumPictureClasses, 1);
-  for (int c = 0; c < kNumPictureClasses; ++c) classes.at(0, c) = uint8_t(c);
-  EXPECT_EQ(FaceMask(classes), (std::vector<float>{0, 1, 1, 0, 1, 0, 1, 0}));
-}
-
 TEST(ImagesOfPersons, AreThoseOfTheWantedPersonsAndStyles) {
   const datasets::PortraitDatabase portraits(testing::SmallPortraitFolder() / "portraits");
   EXPECT_EQ(ImagesOfPersons(portraits, {3, 1}), (std::vector<int>{2, 3, 6, 7}));
