@@ -1,84 +1,22 @@
 #include "rig/head_charts.h"
 
-#include "core/error.h"
 #include "faces/eyeball.h"
 #include "geometry/corner_uv.h"
-#include "geometry/topology.h"
 #include "rig/atlas_layout.h"
 #include "rig/head_unwrap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace daumier::rig {
 namespace {
 
-constexpr int kMostIslands = 4, kOverlapTexels = 1024;
-constexpr double kLeastEyeShare = 0.2, kBackOfHeadSize = 0.6;
-constexpr int kFirstFaceLandmark = 17, kRightEyeLandmark = 36, kLeftEyeLandmark = 45;
+constexpr int kFirstInnerLandmark = 17;  // Behind those of the contour.
 
 Eigen::RowVector2d OnDisc(double turns, double radius) {
   const double angle = 2 * std::numbers::pi * turns;
   return {0.5 + 0.5 * radius * std::cos(angle), 0.5 + 0.5 * radius * std::sin(angle)};
-}
-
-/// The triangles of a chart that its UV connects, each as a piece; the one with most landmarks first.
-std::vector<ChartPiece> IslandsOf(const geometry::TriangleMesh& skin, const std::vector<bool>& is_landmark) {
-  const int num_rows = int(skin.uv.rows());
-  const std::vector<int> island_of_row =
-      geometry::ConnectedComponents(geometry::VertexNeighbours(skin.uv_triangles, num_rows));
-  std::vector<std::vector<int>> triangles;
-  triangles.resize(size_t(num_rows));
-  for (Eigen::Index t = 0; t < skin.triangles.rows(); ++t)
-    triangles[size_t(island_of_row[size_t(skin.uv_triangles(t, 0))])].push_back(int(t));
-  std::erase_if(triangles, [](const std::vector<int>& of) { return of.empty(); });
-  struct Island {
-    ChartPiece piece;
-    int num_landmarks;
-    double extent;
-  };
-  std::vector<Island> islands;
-  for (const std::vector<int>& of : triangles) {
-    geometry::TriangleMesh part{{}, skin.triangles(of, Eigen::all), skin.uv, skin.uv_triangles(of, Eigen::all)};
-    geometry::RemoveUnusedUv(part);
-    const auto corners = part.triangles.reshaped();
-    const int num_landmarks =
-        int(std::count_if(corners.begin(), corners.end(), [&](int v) { return is_landmark[size_t(v)]; }));
-    const double extent = (part.uv.colwise().maxCoeff() - part.uv.colwise().minCoeff()).maxCoeff();
-    islands.push_back({{TextureChart::kSkin, part.triangles, part.uv, part.uv_triangles, 1}, num_landmarks, extent});
-  }
-  std::stable_sort(islands.begin(), islands.end(),
-                   [](const Island& a, const Island& b) { return a.num_landmarks > b.num_landmarks; });
-  std::vector<ChartPiece> pieces;
-  for (Island& island : islands) {
-    island.piece.size = (island.num_landmarks > 0 ? 1 : kBackOfHeadSize) * island.extent / islands.front().extent;
-    pieces.push_back(std::move(island.piece));
-  }
-  return pieces;
-}
-
-/// The row of a piece's UV at a vertex, if it has one.
-int RowAt(const ChartPiece& piece, int vertex) {
-  for (Eigen::Index i = 0; i < piece.triangles.size(); ++i)
-    if (piece.triangles.data()[i] == vertex) return piece.uv_triangles.data()[i];
-  return -1;
-}
-
-/// How far apart two vertices are in a piece, as a share of its longer side; 0 unless both are there.
-double ShareBetween(const ChartPiece& piece, int a, int b) {
-  const int first = RowAt(piece, a), second = RowAt(piece, b);
-  if (first < 0 || second < 0) return 0;
-  return (piece.uv.row(first) - piece.uv.row(second)).norm() /
-         (piece.uv.colwise().maxCoeff() - piece.uv.colwise().minCoeff()).maxCoeff();
-}
-
-bool HasFolds(const geometry::TriangleMesh& mesh) {
-  return std::any_of(mesh.uv_triangles.rowwise().begin(), mesh.uv_triangles.rowwise().end(), [&](const auto& t) {
-    const Eigen::RowVector2d a = mesh.uv.row(t[0]), b = mesh.uv.row(t[1]) - a, c = mesh.uv.row(t[2]) - a;
-    return b.x() * c.y() - b.y() * c.x() <= 0;
-  });
 }
 
 }  // namespace
@@ -133,22 +71,11 @@ ChartPiece EyeChart(TextureChart chart, int first_vertex) {
   return piece;
 }
 
-std::vector<ChartPiece> SkinCharts(const geometry::TriangleMesh& skin, const faces::Annotation& annotation) {
-  const auto& landmarks = annotation.landmarks;
-  if (skin.has_uv() && !HasFolds(skin)) {
-    std::vector<bool> is_landmark(size_t(skin.vertices.rows()), false);
-    for (const int v : landmarks) is_landmark[size_t(v)] = true;
-    const auto islands = IslandsOf(skin, is_landmark);
-    if (int(islands.size()) <= kMostIslands &&
-        ShareBetween(islands.front(), landmarks[kRightEyeLandmark], landmarks[kLeftEyeLandmark]) >= kLeastEyeShare &&
-        NumOverlappingTexels(AssembleCharts(islands), kOverlapTexels) == 0)
-      return islands;
-  }
-  const std::vector<int> inner(landmarks.begin() + kFirstFaceLandmark, landmarks.end());
-  const geometry::TriangleMesh surface{skin.vertices, skin.triangles};
-  geometry::TriangleMesh flat = UnwrapHead(surface, FaceDensity(surface, skin.vertices(inner, Eigen::all)));
+ChartPiece SkinChart(const geometry::TriangleMesh& skin, const faces::Annotation& annotation) {
+  const std::vector<int> inner(annotation.landmarks.begin() + kFirstInnerLandmark, annotation.landmarks.end());
+  geometry::TriangleMesh flat = UnwrapHead(skin, FaceDensity(skin, skin.vertices(inner, Eigen::all)));
   geometry::RemoveUnusedUv(flat);
-  return {{TextureChart::kSkin, flat.triangles, flat.uv, flat.uv_triangles, 1}};
+  return {TextureChart::kSkin, flat.triangles, flat.uv, flat.uv_triangles, 1};
 }
 
 TextureSpace AssembleCharts(const std::vector<ChartPiece>& pieces) {

@@ -26,11 +26,10 @@ ChartPiece ClosureChart(const faces::HoleClosure& closure, TextureChart chart, d
 /// rear pole is all of the rim. Vertices are numbered from `first_vertex`.
 ChartPiece EyeChart(TextureChart chart, int first_vertex);
 
-/// The skin of a head (without the caps): the islands of its own UV, if these neither overlap nor fold nor are more than
-/// four, and the eyes are a fifth of the face's island apart; else UnwrapHead as one. Islands without a landmark are six
-/// tenths as large as their UV is.
+/// The skin of a head (without the caps) laid flat as one (UnwrapHead), the face larger than the rest. The sources' own
+/// UV is no atlas: that of ICT-FaceKit takes two tiles, in that of MakeHuman the eyes are 0.1 of its side apart.
 /// @throws Error as UnwrapHead.
-std::vector<ChartPiece> SkinCharts(const geometry::TriangleMesh& skin, const faces::Annotation& annotation);
+ChartPiece SkinChart(const geometry::TriangleMesh& skin, const faces::Annotation& annotation);
 
 /// The pieces side by side (LayOut), their triangles one after the other in the order of the pieces.
 TextureSpace AssembleCharts(const std::vector<ChartPiece>& pieces);

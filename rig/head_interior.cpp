@@ -1,7 +1,141 @@
 #include "rig/head_interior.h"
 
-namespace daumier::rig {
+#include "faces/annotation.h"
+#include "geometry/alignment.h"
+#include "rig/arkit_names.h"
+#include "rig/mouth_shapes.h"
 
-HeadInterior::HeadInterior(const faces::FaceTemplate&) {}
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace daumier::rig {
+namespace {
+
+constexpr int kRightCornerLandmark = 60, kLeftCornerLandmark = 64, kUpperLipLandmark = 62, kLowerLipLandmark = 66;
+constexpr double kTeethChart = 0.5, kTongueChart = 0.3;                  // ChartPiece::size
+constexpr double kSkinReach = 0.9, kChinReach = 0.7;                     // In widths of the mouth.
+constexpr double kBehindLips = 0.04, kClearance = 0.02, kDeepest = 0.5;  // Likewise.
+constexpr double kHighest = 0.3, kLowest = -0.3;                         // Skin that teeth are behind, likewise.
+
+enum class Motion { kNone, kJaw, kTongue };
+
+Motion MotionOf(const std::string& target) {
+  constexpr std::array<std::string_view, 4> kJawNames = {"jawOpen", "jawForward", "jawLeft", "jawRight"};
+  const auto index = FindArkitName(target);
+  if (!index) return Motion::kNone;
+  const std::string_view name = ArkitNames()[size_t(*index)];
+  if (name == "tongueOut") return Motion::kTongue;
+  return std::find(kJawNames.begin(), kJawNames.end(), name) != kJawNames.end() ? Motion::kJaw : Motion::kNone;
+}
+
+}  // namespace
+
+HeadInterior::HeadInterior(const faces::FaceTemplate& face_template)
+    : upper_teeth_(TeethPoints(Jaw::kUpper)),
+      lower_teeth_(TeethPoints(Jaw::kLower)),
+      tongue_(TonguePoints(0)),
+      tongue_out_(TonguePoints(1)) {
+  const auto& landmarks = face_template.annotation.landmarks;
+  const geometry::Points& neutral = face_template.neutral;
+  right_corner_ = landmarks[kRightCornerLandmark];
+  left_corner_ = landmarks[kLeftCornerLandmark];
+  upper_middle_ = landmarks[kUpperLipLandmark];
+  lower_middle_ = landmarks[kLowerLipLandmark];
+  const double width = (neutral.row(left_corner_) - neutral.row(right_corner_)).norm();
+  const Eigen::RowVector3d mouth = 0.5 * (neutral.row(left_corner_) + neutral.row(right_corner_)),
+                           chin = neutral.row(landmarks[faces::kChinLandmark]);
+  for (int v = 0; v < neutral.rows(); ++v) {
+    if ((neutral.row(v) - mouth).norm() <= kSkinReach * width) skin_.push_back(v);
+    if ((neutral.row(v) - chin).norm() <= kChinReach * width && neutral(v, 1) < 0.5 * (mouth.y() + chin.y()))
+      chin_.push_back(v);
+  }
+}
+
+int HeadInterior::NumVertices() {
+  return 2 * kTeethTube.num_vertices() + kTongueTube.num_vertices();
+}
+
+std::vector<ChartPiece> HeadInterior::Charts(int first_vertex) {
+  const int num_teeth = kTeethTube.num_vertices();
+  return {
+      TubeChart(kTeethTube, TeethColumns(), 0.35, TextureChart::kTeeth, first_vertex, kTeethChart),
+      TubeChart(kTeethTube, TeethColumns(), 0.35, TextureChart::kTeeth, first_vertex + num_teeth, kTeethChart),
+      TubeChart(kTongueTube, TongueColumns(), 0.7, TextureChart::kTongue, first_vertex + 2 * num_teeth, kTongueChart)};
+}
+
+std::vector<faces::HeadMaterial> HeadInterior::Materials() {
+  std::vector<faces::HeadMaterial> materials = TeethMaterials();
+  const std::vector<faces::HeadMaterial> of_jaw = materials;
+  materials.insert(materials.end(), of_jaw.begin(), of_jaw.end());
+  materials.insert(materials.end(), size_t(kTongueTube.num_triangles()), faces::HeadMaterial::kTongue);
+  return materials;
+}
+
+HeadInterior::Place HeadInterior::PlaceOf(const geometry::Points& face) const {
+  const geometry::Vector3 right = face.row(right_corner_), left = face.row(left_corner_),
+                          upper = face.row(upper_middle_), lower = face.row(lower_middle_);
+  const double width = (left - right).norm();
+  Place place;
+  geometry::Vector3 across = left - right;
+  across.z() = 0;
+  across.normalize();
+  place.axes << across, geometry::Vector3(-across.y(), across.x(), 0), geometry::Vector3::UnitZ();
+  place.axes *= width;
+  const geometry::Vector3 corners = 0.5 * (left + right), middle = 0.5 * (upper + lower);
+  // Along the line between the corners: in their middle; across it: at the middle of the lips.
+  place.origin = corners;
+  place.origin += place.axes.col(1) * place.axes.col(1).dot(middle - corners) / (width * width);
+  place.origin.z() = std::min(upper.z(), lower.z()) - kBehindLips * width;
+  // No skin behind the front of the upper teeth, which are in front of the lower ones.
+  double push = 0;
+  for (const int v : skin_) {
+    const geometry::Vector3 p = place.axes.transpose() * (face.row(v).transpose() - place.origin) / (width * width);
+    if (p.y() > kHighest || p.y() < kLowest || !IsInArch(Jaw::kUpper, p.x())) continue;
+    push = std::max(push, ArchDepth(Jaw::kUpper, p.x()) + kClearance - p.z());
+  }
+  place.origin.z() -= std::min(push, kDeepest) * width;
+  return place;
+}
+
+geometry::Points HeadInterior::Vertices(const geometry::Points& face) const {
+  const Place place = PlaceOf(face);
+  geometry::Points points(NumVertices(), 3);
+  points << upper_teeth_, lower_teeth_, tongue_;
+  return (points * place.axes.transpose()).rowwise() + place.origin.transpose();
+}
+
+Eigen::Isometry3d HeadInterior::JawMotion(const geometry::Points& from, const geometry::Points& to) const {
+  const geometry::Points source = from(chin_, Eigen::all), target = to(chin_, Eigen::all);
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.linear() = geometry::AlignSimilarity(source, target).rotation;
+  motion.translation() = target.colwise().mean().transpose() - motion.linear() * source.colwise().mean().transpose();
+  return motion;
+}
+
+Eigen::MatrixXf HeadInterior::Offsets(const geometry::Points& face, const MorphTargets& targets) const {
+  using Flat = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>;
+  const geometry::Points vertices = Vertices(face);
+  const Eigen::Index num_upper = kTeethTube.num_vertices();
+  Eigen::MatrixXf offsets = Eigen::MatrixXf::Zero(3 * NumVertices(), targets.num_targets());
+  for (Eigen::Index t = 0; t < targets.num_targets(); ++t) {
+    geometry::Points moves = geometry::Points::Zero(NumVertices(), 3);
+    const Motion motion = MotionOf(targets.names[size_t(t)]);
+    if (motion == Motion::kNone) continue;
+    if (motion == Motion::kJaw) {
+      if (targets.offsets.col(t).isZero(0)) continue;
+      const Eigen::Isometry3d jaw =
+          JawMotion(face, face + Flat(targets.offsets.col(t).data(), face.rows(), 3).cast<double>());
+      for (Eigen::Index v = num_upper; v < vertices.rows(); ++v)
+        moves.row(v) = (jaw * vertices.row(v).transpose()).transpose() - vertices.row(v);
+    } else {
+      moves.bottomRows(tongue_.rows()) = (tongue_out_ - tongue_) * PlaceOf(face).axes.transpose();
+    }
+    offsets.col(t) = Eigen::Map<const Eigen::VectorXd>(moves.data(), moves.size()).cast<float>();
+  }
+  return offsets;
+}
 
 }  // namespace daumier::rig

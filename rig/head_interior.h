@@ -1,25 +1,55 @@
 #pragma once
 #include "faces/face_model.h"
 #include "faces/head_material.h"
-#include "geometry/alignment.h"
+#include "geometry/mesh.h"
 #include "rig/head_charts.h"
 #include "rig/morph_targets.h"
 
-#include <string_view>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace daumier::rig {
 
-/// Teeth and tongue behind the lips of any face of a topology, as closed surfaces.
+/// Teeth of both jaws with gums, and a tongue, behind the lips of any face of a topology: closed surfaces of 718 vertices.
+///
+/// They are as large as the mouth is wide (landmarks 60 and 64), along the line of its corners, at the height of its
+/// closed lips' middle (landmarks 62 and 66), and as far in front as the inner lips and the skin around them allow:
+/// what of the skin is in front of the teeth stays there by 0.02 of the width or more.
 class HeadInterior {
  public:
+  /// @throws Error if a landmark is not annotated.
   explicit HeadInterior(const faces::FaceTemplate& face_template);
 
-  int num_vertices() const { return 0; }
-  /// Their parts of the atlas, with vertices numbered from `first_vertex`.
-  std::vector<ChartPiece> Charts(int) const { return {}; }
-  std::vector<faces::HeadMaterial> materials() const { return {}; }
-  geometry::Points Vertices(const geometry::Points&) const { return geometry::Points(0, 3); }
+  static int NumVertices();
+  /// Their parts of the atlas, with vertices numbered from `first_vertex`, and the material of each triangle.
+  static std::vector<ChartPiece> Charts(int first_vertex);
+  static std::vector<faces::HeadMaterial> Materials();
+
+  /// NumVertices() x 3 for a face, V x 3, cm: upper teeth, lower teeth, tongue.
+  geometry::Points Vertices(const geometry::Points& face) const;
+
+  /// 3 NumVertices() x T, as MorphTargets::offsets: how they follow targets of a face. Lower teeth and
+  /// tongue follow jawOpen, jawForward, jawLeft and jawRight as a rigid body, by the motion that fits the chin's best;
+  /// tongueOut moves the tongue out between the lips of a mouth that is a third open, or through closed ones; nothing
+  /// else moves, whatever the target.
+  Eigen::MatrixXf Offsets(const geometry::Points& face, const MorphTargets& targets) const;
+
+  /// The rigid motion of the chin from a face to another one, x -> rotation x + translation.
+  Eigen::Isometry3d JawMotion(const geometry::Points& from, const geometry::Points& to) const;
+
+ private:
+  struct Place {
+    geometry::Vector3 origin;
+    Eigen::Matrix3d axes;  ///< Columns: to the left, up and to the front, as long as the mouth is wide.
+  };
+  Place PlaceOf(const geometry::Points& face) const;
+
+  int right_corner_, left_corner_, upper_middle_, lower_middle_;
+  std::vector<int> skin_;  ///< Around the mouth.
+  std::vector<int> chin_;
+  geometry::Points upper_teeth_, lower_teeth_, tongue_, tongue_out_;
 };
 
 }  // namespace daumier::rig

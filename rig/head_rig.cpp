@@ -2,16 +2,19 @@
 
 #include "core/error.h"
 #include "faces/mouth_bag.h"
+#include "rig/arkit_names.h"
 #include "rig/head_charts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace daumier::rig {
 namespace {
 
 constexpr double kCapSize = 0.14, kRimSize = 0.08, kBagSize = 0.24;  // ChartPiece::size
 constexpr double kSmallestMove = 1e-7;                               // cm; less is rounding.
+constexpr double kLeastTurn = 2 * std::numbers::pi / 180;            // Of a jaw that opens by turning.
 constexpr double kSetBack = 0.07;                                    // Of an eyeball, cm.
 
 /// The face with a target at weight 1.
@@ -25,19 +28,17 @@ geometry::Points Moved(const geometry::Points& face, const MorphTargets& targets
 HeadRig::HeadRig(const faces::FaceTemplate& face_template)
     : source_(face_template.source),
       licence_(face_template.provenance.value("licence", "unknown")),
-      finished_(face_template),
-      interior_(face_template) {
+      finished_(face_template) {
   const auto& landmarks = face_template.annotation.landmarks;
   const auto ears = face_template.annotation.regions.find("ears");
   ears_ = ears != face_template.annotation.regions.end() && !ears->second.empty()
               ? ears->second
               : std::vector<int>{landmarks.front(), landmarks[16]};
 
-  geometry::TriangleMesh skin = finished_.Mesh(face_template.neutral);
-  const Eigen::Index num_skin = finished_.skin().rows() - finished_.num_cap_triangles();
-  skin.triangles.conservativeResize(num_skin, 3);
-  if (skin.has_uv()) skin.uv_triangles.conservativeResize(num_skin, 3);
-  std::vector<ChartPiece> pieces = SkinCharts(skin, face_template.annotation);
+  std::vector<ChartPiece> pieces = {
+      SkinChart({finished_.Vertices(face_template.neutral),
+                 finished_.skin().topRows(finished_.skin().rows() - finished_.num_cap_triangles())},
+                face_template.annotation)};
   for (const faces::HoleClosure& cap : finished_.caps())
     pieces.push_back(ClosureChart(cap, TextureChart::kNeckCap, kCapSize));
   for (const faces::HoleClosure& rim : finished_.rims())
@@ -60,10 +61,13 @@ HeadRig::HeadRig(const faces::FaceTemplate& face_template)
     }
   }
   int num_vertices = int(kept_.old_from_new.size());
-  for (ChartPiece& piece : interior_.Charts(num_vertices)) pieces.push_back(std::move(piece));
-  const auto of_interior = interior_.materials();
-  materials_.insert(materials_.end(), of_interior.begin(), of_interior.end());
-  num_vertices += interior_.num_vertices();
+  if (finished_.mouth()) {
+    interior_.emplace(face_template);
+    for (ChartPiece& piece : HeadInterior::Charts(num_vertices)) pieces.push_back(std::move(piece));
+    const auto of_interior = HeadInterior::Materials();
+    materials_.insert(materials_.end(), of_interior.begin(), of_interior.end());
+    num_vertices += HeadInterior::NumVertices();
+  }
   for (const ChartPiece& piece : pieces) {
     num_mesh_triangles_ += piece.triangles.rows();
     num_mesh_uv_ += piece.uv.rows();
@@ -74,6 +78,11 @@ HeadRig::HeadRig(const faces::FaceTemplate& face_template)
     num_eye_uv_ = pieces.back().uv.rows();
   }
   texture_space_ = AssembleCharts(pieces);
+  texture_space_.materials = materials_;
+  for (int eye = 0; eye < finished_.num_eyes(); ++eye) {
+    const auto& of_eye = faces::EyeballTopology().materials;
+    texture_space_.materials.insert(texture_space_.materials.end(), of_eye.begin(), of_eye.end());
+  }
   for (const faces::HoleClosure& rim : finished_.rims()) still_.push_back(kept_.new_from_old[size_t(rim.apex())]);
 }
 
@@ -103,13 +112,28 @@ geometry::Vector3 HeadRig::HeadPivot(const geometry::Points& neutral) const {
   return 0.5 * (ears.colwise().minCoeff() + ears.colwise().maxCoeff()).transpose();
 }
 
+geometry::Vector3 HeadRig::JawPivot(const geometry::Points& neutral, const MorphTargets& targets) const {
+  const geometry::Vector3 otherwise = HeadPivot(neutral);
+  const auto open = std::find_if(targets.names.begin(), targets.names.end(), [](const std::string& name) {
+    const auto index = FindArkitName(name);
+    return index && ArkitNames()[size_t(*index)] == "jawOpen";
+  });
+  if (!interior_ || open == targets.names.end()) return otherwise;
+  const Eigen::Isometry3d motion = interior_->JawMotion(neutral, Moved(neutral, targets, open - targets.names.begin()));
+  // The point of the plane x = 0 of the pivot that the motion keeps: (I - R) p = t in y and z.
+  const Eigen::Matrix2d turn = Eigen::Matrix2d::Identity() - motion.linear().bottomRightCorner<2, 2>();
+  if (Eigen::AngleAxisd(motion.linear()).angle() < kLeastTurn) return otherwise;
+  const Eigen::Vector2d pivot = turn.inverse() * motion.translation().tail<2>();
+  return {otherwise.x(), pivot.x(), pivot.y()};
+}
+
 RiggedHead HeadRig::On(const geometry::Points& neutral, const MorphTargets& targets) const {
   DAUMIER_CHECK(targets.offsets.rows() == 3 * neutral.rows() && targets.offsets.cols() == targets.num_targets(),
                 "{} targets of {} numbers were given for {} vertices", targets.num_targets(), targets.offsets.rows(),
                 neutral.rows());
   const std::vector<faces::Eyeball> eyeballs = Eyeballs(neutral);
   const geometry::Points finished = finished_.Vertices(neutral, eyeballs);
-  const geometry::Points interior = interior_.Vertices(neutral);
+  const geometry::Points interior = interior_ ? interior_->Vertices(neutral) : geometry::Points(0, 3);
   const Eigen::Index num_kept = Eigen::Index(kept_.old_from_new.size()), num_vertices = num_kept + interior.rows();
 
   RiggedHead head;
@@ -123,6 +147,7 @@ RiggedHead HeadRig::On(const geometry::Points& neutral, const MorphTargets& targ
 
   head.targets.names = targets.names;
   head.targets.offsets = Eigen::MatrixXf::Zero(3 * num_vertices, targets.num_targets());
+  if (interior_) head.targets.offsets.bottomRows(3 * interior.rows()) = interior_->Offsets(neutral, targets);
   for (Eigen::Index t = 0; t < targets.num_targets(); ++t) {
     if (targets.offsets.col(t).isZero(0)) continue;
     geometry::Points moves =
@@ -132,7 +157,8 @@ RiggedHead HeadRig::On(const geometry::Points& neutral, const MorphTargets& targ
     head.targets.offsets.col(t).head(3 * num_kept) =
         Eigen::Map<const Eigen::VectorXd>(moves.data(), moves.size()).cast<float>();
   }
-  head.head_pivot = head.jaw_pivot = HeadPivot(neutral);
+  head.head_pivot = HeadPivot(neutral);
+  head.jaw_pivot = JawPivot(neutral, targets);
   head.source = source_;
   head.licence = licence_;
   return head;

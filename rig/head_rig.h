@@ -6,6 +6,7 @@
 #include "rig/rigged_head.h"
 #include "rig/texture_space.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace daumier::rig {
 /// closed surface, and so are the teeth of each jaw, the tongue and the eyeballs.
 class HeadRig {
  public:
-  /// @throws Error as faces::FinishedHead, HeadInterior and SkinCharts.
+  /// @throws Error as faces::FinishedHead, HeadInterior and SkinChart.
   explicit HeadRig(const faces::FaceTemplate& face_template);
 
   /// The atlas that all heads share. Its triangles are those of RiggedHead::mesh, then of its eyes.
@@ -38,11 +39,12 @@ class HeadRig {
  private:
   RiggedEye EyeOf(const faces::Eyeball& eyeball, size_t side) const;
   geometry::Vector3 HeadPivot(const geometry::Points& neutral) const;
+  geometry::Vector3 JawPivot(const geometry::Points& neutral, const MorphTargets& targets) const;
 
   std::string source_, licence_;
   std::vector<int> ears_;
   faces::FinishedHead finished_;
-  HeadInterior interior_;
+  std::optional<HeadInterior> interior_;  ///< Where there is a mouth.
   geometry::VertexMap kept_;
   std::vector<int> still_;  ///< Of the finished head's vertices: those of eyeballs and their centres.
   TextureSpace texture_space_;

@@ -30,8 +30,9 @@ struct TexelMap {
 struct TextureSpace {
   geometry::Triangles triangles;
   geometry::TextureCoordinates uv;
-  geometry::Triangles uv_triangles;  ///< Row of `uv` at each corner.
-  std::vector<TextureChart> charts;  ///< One a triangle.
+  geometry::Triangles uv_triangles;              ///< Row of `uv` at each corner.
+  std::vector<TextureChart> charts;              ///< One a triangle.
+  std::vector<faces::HeadMaterial> materials{};  ///< One a triangle; may be empty.
 
   /// Texels whose middles lie in a triangle, an edge belonging to the first of its triangles. @throws Error unless size
   /// is 16 .. 8192.
