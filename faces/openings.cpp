@@ -11,22 +11,6 @@
 namespace daumier::faces {
 namespace {
 
-/// A loop as two paths between its vertices of least and greatest x.
-Opening DivideLoop(const geometry::Points& points, std::vector<int> loop) {
-  if (loop.empty()) return {};
-  const auto by_x = [&](int a, int b) { return points(a, 0) < points(b, 0); };
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), by_x), loop.end());
-  const auto corner = std::max_element(loop.begin(), loop.end(), by_x);
-  Opening opening;
-  opening.upper.assign(loop.begin(), corner + 1);
-  opening.lower.assign(corner, loop.end());
-  opening.lower.push_back(loop.front());
-  std::reverse(opening.lower.begin(), opening.lower.end());
-  const auto height = [&](const std::vector<int>& path) { return points(path, Eigen::all).col(1).mean(); };
-  if (height(opening.upper) < height(opening.lower)) std::swap(opening.upper, opening.lower);
-  return opening;
-}
-
 enum class Extreme { kHighest, kLowest };
 
 /// The highest or lowest y of a path at x; none beyond its ends.
@@ -45,6 +29,22 @@ std::optional<double> HeightAt(const geometry::Points& points, const std::vector
 }
 
 }  // namespace
+
+Opening DivideLoop(const geometry::Points& points, std::vector<int> loop) {
+  if (loop.empty()) return {};
+  const auto by_x = [&](int a, int b) { return points(a, 0) < points(b, 0); };
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), by_x), loop.end());
+  const auto corner = std::max_element(loop.begin(), loop.end(), by_x);
+  Opening opening;
+  opening.upper.assign(loop.begin(), corner + 1);
+  opening.lower.assign(corner, loop.end());
+  opening.lower.push_back(loop.front());
+  std::reverse(opening.lower.begin(), opening.lower.end());
+  // Copied first: Eigen 3.4.0 sums an indexed column of a row-major matrix wrongly.
+  const auto height = [&](const std::vector<int>& path) { return Eigen::VectorXd(points(path, 1)).mean(); };
+  if (height(opening.upper) < height(opening.lower)) std::swap(opening.upper, opening.lower);
+  return opening;
+}
 
 FaceOpenings FindOpenings(const FaceTemplate& face_template) {
   const auto& landmarks = face_template.annotation.landmarks;

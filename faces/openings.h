@@ -17,6 +17,9 @@ struct FaceOpenings {
   std::vector<Opening> lids;  ///< Right and left.
 };
 
+/// A loop as two paths between its vertices of least and greatest x; empty if the loop is. points: V x 3.
+Opening DivideLoop(const geometry::Points& points, std::vector<int> loop);
+
 /// Lips: the contours of FindLipContours, and the landmarks 61-67, 62-66, 63-65. Lids: the eyes' holes (FindHoles),
 /// divided at their vertices of least and greatest x, and the landmarks 37-41, 38-40 and 43-47, 44-46; where an eye is
 /// no hole, the landmarks alone. @throws Error as FindLipContours.

@@ -1,37 +1,42 @@
 #include "rig/expression_targets.h"
 
 #include "rig/arkit_names.h"
-#include "rig/source_shapes.h"
 
 namespace daumier::rig {
 namespace {
 
 /// Transfer of one expression a column of `shapes`.
-faces::ExpressionTransfer TransferOf(const faces::FaceModel& model, const Eigen::MatrixXf& shapes) {
-  faces::FaceModel shown{.face_template = model.face_template,
-                         .identity_shapes = {},
-                         .identity_controls = {},
-                         .expression_shape_names = {},
-                         .expression_shapes = shapes,
-                         .expressions = {}};
-  for (Eigen::Index e = 0; e < shapes.cols(); ++e) {
-    shown.expression_shape_names.emplace_back(ArkitNames()[size_t(e)]);
-    shown.expressions.push_back({shown.expression_shape_names.back(), Eigen::VectorXf::Unit(shapes.cols(), e)});
-  }
+faces::ExpressionTransfer TransferOf(const faces::FaceTemplate& face_template, const Eigen::MatrixXf& shapes) {
+  faces::FaceModel shown;
+  shown.face_template = face_template;
+  shown.expression_shapes = shapes;
+  for (int e = 0; e < kNumArkitNames; ++e)
+    shown.expressions.push_back({std::string(ArkitNames()[size_t(e)]), Eigen::VectorXf::Unit(kNumArkitNames, e)});
   return {shown, shown.expressions};
+}
+
+geometry::Points PoseOf(const faces::FaceTemplate& face_template, const Eigen::MatrixXf& shapes,
+                        std::string_view name) {
+  geometry::Points pose = face_template.neutral;
+  Eigen::Map<Eigen::VectorXd>(pose.data(), pose.size()) += shapes.col(*FindArkitName(name)).cast<double>();
+  return pose;
 }
 
 }  // namespace
 
 ExpressionTargets::ExpressionTargets(const faces::FaceModel& model)
-    : transfer_([&] {
-        const SourceShapes source = ArkitShapesOf(model);
-        warnings_ = source.warnings;
-        return TransferOf(model, source.shapes);
-      }()) {}
+    : ExpressionTargets(model.face_template, ArkitShapesOf(model)) {}
+
+ExpressionTargets::ExpressionTargets(const faces::FaceTemplate& face_template, const SourceShapes& source)
+    : warnings_(source.warnings),
+      transfer_(TransferOf(face_template, source.shapes)),
+      contact_(face_template, PoseOf(face_template, source.shapes, "eyeBlinkRight"),
+               PoseOf(face_template, source.shapes, "eyeBlinkLeft")) {}
 
 MorphTargets ExpressionTargets::On(const geometry::Points& neutral, unsigned threads) const {
-  return {{ArkitNames().begin(), ArkitNames().end()}, transfer_.Offsets(neutral, threads)};
+  MorphTargets targets{{ArkitNames().begin(), ArkitNames().end()}, transfer_.Offsets(neutral, threads)};
+  contact_.Apply(neutral, targets, threads);
+  return targets;
 }
 
 }  // namespace daumier::rig

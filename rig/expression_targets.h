@@ -2,7 +2,9 @@
 
 #include "faces/expression_transfer.h"
 #include "faces/face_model.h"
+#include "rig/face_contact.h"
 #include "rig/morph_targets.h"
+#include "rig/source_shapes.h"
 
 #include <string>
 #include <vector>
@@ -10,11 +12,13 @@
 namespace daumier::rig {
 
 /// Makes the 52 expressions of ArkitNames() for any face of a source's topology, by deformation transfer from the
-/// source's own [Pan et al. 2024, section 3.3]. Made once for a source.
+/// source's own [Pan et al. 2024, section 3.3], with lids that close and lips that meet (FaceContact). Made once for a
+/// source.
 class ExpressionTargets {
  public:
-  /// @throws Error as ArkitShapesOf.
+  /// @throws Error as ArkitShapesOf and FaceContact.
   explicit ExpressionTargets(const faces::FaceModel& model);
+  ExpressionTargets(const faces::FaceTemplate& face_template, const SourceShapes& source);
 
   /// 52 targets in the order and spelling of ArkitNames(), for the V vertices of the topology. `neutral`: V x 3, cm.
   /// Targets that the source cannot make, and tongueOut, are zero. On up to `threads` cores, whose number changes
@@ -24,10 +28,12 @@ class ExpressionTargets {
 
   /// What the source cannot make, a line each.
   const std::vector<std::string>& warnings() const { return warnings_; }
+  const FaceContact& contact() const { return contact_; }
 
  private:
   std::vector<std::string> warnings_;
   faces::ExpressionTransfer transfer_;
+  FaceContact contact_;
 };
 
 }  // namespace daumier::rig

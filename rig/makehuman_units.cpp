@@ -1,9 +1,8 @@
 #include "rig/makehuman_units.h"
 
 #include "core/error.h"
-#include "faces/open_mouth.h"
-#include "geometry/poisson.h"
 #include "rig/arkit_names.h"
+#include "rig/mouth_shares.h"
 
 #include <algorithm>
 #include <map>
@@ -35,7 +34,6 @@ const std::map<std::string, std::vector<UnitTerm>, std::less<>>& UnitTable() {
       {"jawForward", {{"mouth-open", 0.7f, kWhole, front}}},
       {"jawLeft", {{"mouth-open", 0.9f, kWhole, left}}},
       {"jawOpen", {{"mouth-open"}}},
-      {"mouthClose", {{"mouth-open", -1}}},
       {"mouthFunnel", {{"mouth-protusion"}}},
       {"mouthPucker", {{"mouth-pursing"}}},
       {"mouthLeft", {{"mouth-pursing", 0.8f, kWhole, left}}},
@@ -59,42 +57,10 @@ const std::map<std::string, std::vector<UnitTerm>, std::less<>>& UnitTable() {
   return table;
 }
 
-float SmoothStep(double t) {
-  const double x = std::clamp(t, 0.0, 1.0);
-  return float(x * x * (3 - 2 * x));
-}
-
 std::string OnTheRight(std::string unit) {
   const std::string left = "-left-";
   if (const auto at = unit.find(left); at != std::string::npos) unit.replace(at, left.size(), "-right-");
   return unit;
-}
-
-/// 1 on the upper contour of the lips, 0 on the lower one and harmonic between them, made steeper.
-Eigen::VectorXf ShareOfUpperLip(const faces::FaceTemplate& face_template) {
-  constexpr double kBelow = 0.3, kAbove = 0.7;
-  const faces::LipContours lips = faces::FindLipContours(face_template);
-  std::map<int, double> values;
-  for (const int v : lips.upper) values[v] = 1;
-  for (const int v : lips.lower) values[v] = values.contains(v) ? 0.5 : 0;
-  std::vector<int> held;
-  Eigen::MatrixXd held_values(values.size(), 1);
-  for (const auto& [v, value] : values) {
-    held_values(Eigen::Index(held.size()), 0) = value;
-    held.push_back(v);
-  }
-  const Eigen::MatrixXd field =
-      geometry::SolvePoisson(geometry::CotangentLaplacian({face_template.neutral, face_template.triangles}), held,
-                             Eigen::MatrixXd::Zero(face_template.num_vertices(), 1), held_values);
-  return field.col(0).unaryExpr([&](double h) { return SmoothStep((h - kBelow) / (kAbove - kBelow)); }).cast<float>();
-}
-
-Eigen::VectorXf ShareOfLeftSide(const faces::FaceTemplate& face_template) {
-  constexpr int kRightCorner = 48, kLeftCorner = 54;
-  const auto& landmarks = face_template.annotation.landmarks;
-  const geometry::Points& neutral = face_template.neutral;
-  const double width = 0.6 * (neutral(landmarks[kLeftCorner], 0) - neutral(landmarks[kRightCorner], 0));
-  return neutral.col(0).unaryExpr([&](double x) { return SmoothStep(x / width + 0.5); }).cast<float>();
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ SourceShapes ArkitShapesOf(const faces::FaceModel& model) {
   int num_found = 0;
   for (int e = 0; e < kNumArkitNames; ++e) {
     const std::string name(ArkitNames()[size_t(e)]);
+    if (name == "mouthClose") continue;
     if (is_makehuman) {
       source.shapes.col(e) = units.Shape(e);
     } else {

@@ -9,8 +9,10 @@ namespace daumier::rig {
 
 /// The 52 expressions of ArkitNames() as displacements of a model's template.
 struct SourceShapes {
-  Eigen::MatrixXf shapes;             ///< 3V x 52, cm; a column of zeros where the source has nothing to make it of.
-  std::vector<std::string> warnings;  ///< One for each such column but tongueOut, which no skin has: name and reason.
+  /// 3V x 52, cm; a column of zeros where the source has nothing to make it of, and for mouthClose, which FaceContact
+  /// makes of jawOpen, and tongueOut, which no skin has.
+  Eigen::MatrixXf shapes;
+  std::vector<std::string> warnings;  ///< Name and reason of each column of zeros but those two.
 };
 
 /// From the expression shapes of a model.
