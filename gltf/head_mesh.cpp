@@ -2,6 +2,7 @@
 
 #include "geometry/normals.h"
 #include "gltf/head_document.h"
+#include "rig/material_colours.h"
 
 #include <array>
 #include <cmath>
@@ -9,48 +10,16 @@
 namespace daumier::gltf {
 namespace {
 
-/// sRGB, 0 .. 255.
-render::Rgb PlainColour(faces::HeadMaterial material) {
-  using faces::HeadMaterial;
-  switch (material) {
-    case HeadMaterial::kSkin:
-      return {214, 168, 144};
-    case HeadMaterial::kLidRim:
-      return {196, 140, 122};
-    case HeadMaterial::kSclera:
-      return {236, 232, 226};
-    case HeadMaterial::kLimbus:
-      return {58, 46, 40};
-    case HeadMaterial::kIris:
-      return {96, 120, 138};
-    case HeadMaterial::kPupil:
-      return {16, 14, 14};
-    case HeadMaterial::kInnerLip:
-      return {172, 92, 88};
-    case HeadMaterial::kMouth:
-      return {128, 58, 58};
-    case HeadMaterial::kThroat:
-      return {58, 20, 24};
-    case HeadMaterial::kTooth:
-      return {230, 222, 204};
-    case HeadMaterial::kGum:
-      return {190, 104, 104};
-    case HeadMaterial::kTongue:
-      return {188, 96, 96};
-  }
-  return {214, 168, 144};
-}
-
-uint8_t LinearFromSrgb(uint8_t value) {
-  const double s = value / 255.0, linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+uint8_t LinearFromSrgb(double s) {
+  const double linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
   return static_cast<uint8_t>(std::lround(255 * linear));
 }
 
 std::vector<std::array<uint8_t, 4>> ColoursOf(const std::vector<faces::HeadMaterial>& materials) {
   std::vector<std::array<uint8_t, 4>> colours;
   for (const faces::HeadMaterial material : materials) {
-    const render::Rgb colour = PlainColour(material);
-    colours.push_back({LinearFromSrgb(colour[0]), LinearFromSrgb(colour[1]), LinearFromSrgb(colour[2]), 255});
+    const Eigen::Vector3d srgb = rig::MaterialColour(material).cast<double>();
+    colours.push_back({LinearFromSrgb(srgb.x()), LinearFromSrgb(srgb.y()), LinearFromSrgb(srgb.z()), 255});
   }
   return colours;
 }

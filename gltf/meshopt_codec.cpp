@@ -4,13 +4,18 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
+#include <climits>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 namespace daumier::gltf {
 namespace {
 
 constexpr int kMantissaBits = 24;  // Of the filter EXPONENTIAL, with the sign; the other 8 are the exponent.
+constexpr uint32_t kMantissaMask = (uint32_t{1} << kMantissaBits) - 1;
+constexpr int32_t kMantissaEnd = 1 << (kMantissaBits - 1);
 
 /// Those of EXT_meshopt_compression; the library keeps them for the process.
 void SetVersions() {
@@ -23,8 +28,7 @@ void SetVersions() {
 
 int32_t Multiple(float value, int exponent) {
   const double multiple = std::round(std::ldexp(static_cast<double>(value), -exponent));
-  DAUMIER_CHECK(std::abs(multiple) < double(1 << (kMantissaBits - 1)), "{} cannot be stored in steps of 2^{}", value,
-                exponent);
+  DAUMIER_CHECK(std::abs(multiple) < double(kMantissaEnd), "{} cannot be stored in steps of 2^{}", value, exponent);
   return static_cast<int32_t>(multiple);
 }
 
@@ -48,11 +52,19 @@ std::string EncodeElements(std::string_view bytes, size_t stride) {
 }
 
 std::string EncodeMultiples(std::span<const float> values, size_t columns, int exponent) {
-  constexpr uint32_t kMantissaMask = (uint32_t{1} << kMantissaBits) - 1;
+  std::vector<int32_t> multiples(values.size());
+  int32_t largest = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    multiples[i] = Multiple(values[i], exponent);
+    largest = std::max(largest, std::abs(multiples[i]));
+  }
+  // In the upper bits of the mantissa they leave its lowest byte 0, instead of repeating the sign in its highest one.
+  int shift = CHAR_BIT;
+  while ((int64_t{largest} << shift) >= kMantissaEnd) --shift;
   std::vector<uint32_t> filtered(values.size());
   for (size_t i = 0; i < values.size(); ++i) {
-    const uint32_t mantissa = static_cast<uint32_t>(Multiple(values[i], exponent)) & kMantissaMask;
-    filtered[i] = mantissa | (static_cast<uint32_t>(exponent) << kMantissaBits);
+    const uint32_t mantissa = static_cast<uint32_t>(multiples[i]) << shift;
+    filtered[i] = (mantissa & kMantissaMask) | (static_cast<uint32_t>(exponent - shift) << kMantissaBits);
   }
   return EncodeElements({reinterpret_cast<const char*>(filtered.data()), filtered.size() * sizeof(uint32_t)},
                         columns * sizeof(uint32_t));

@@ -47,6 +47,13 @@ TEST(EncodeMultiples, IsDecodedToTheSameFloats) {
   EXPECT_LT(encoded.size(), 3000u * sizeof(float) / 2);
 }
 
+TEST(EncodeMultiples, HoldLargeValuesAsWell) {
+  std::vector<float> values = {60.5f, -0.25f, 0, 7e5f, -8e5f, 1};
+  EXPECT_EQ(DecodedMultiples(EncodeMultiples(values, 3, -2), 2, 3), values);
+  values = {0.125f, -0.125f, 0.5f};
+  EXPECT_EQ(DecodedMultiples(EncodeMultiples(values, 1, -3), 3, 1), values);
+}
+
 TEST(EncodeElements, IsDecodedToTheSameBytes) {
   std::string bytes;
   for (int i = 0; i < 4 * 300; ++i) bytes += char(i * i % 251);
