@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace daumier::sketch {
 namespace {
@@ -110,9 +111,12 @@ render::Placement Centred(const Eigen::AlignedBox2d& box, double turn_degrees, d
 
 }  // namespace
 
-render::Placement FrameOfWhole(const std::vector<render::Stroke>& strokes) {
+render::Placement FrameOfWhole(const std::vector<render::Stroke>& strokes, double turn_degrees) {
   const render::FramedDrawing framed = render::FrameDrawing({.strokes = strokes});
-  return Centred(framed.box, 0, kWholeShare);
+  const Eigen::Rotation2Dd turn(turn_degrees * std::numbers::pi / 180);
+  Eigen::AlignedBox2d box(Vector2d(turn * framed.box.min()));
+  box.extend(turn * framed.box.max());
+  return Centred(box, turn_degrees, kWholeShare);
 }
 
 render::Placement FrameOfPoints(const std::array<Vector2d, faces::kNumFacePoints>& points) {
@@ -132,15 +136,34 @@ DrawingParser::DrawingParser(const ParserNetworkOptions& network_options,
                              std::shared_ptr<const runtime::NetworkRunner> network, const DrawingParserOptions& options)
     : network_options_(network_options), network_(std::move(network)), options_(options) {}
 
+double ParsedDrawing::confidence() const {
+  return std::accumulate(confidences.begin(), confidences.begin() + faces::kNumLandmarkPoints, 0.0) /
+         faces::kNumLandmarkPoints;
+}
+
 ParsedDrawing DrawingParser::Parse(const std::vector<render::Stroke>& strokes) const {
-  const render::Placement whole = FrameOfWhole(strokes);
+  ParsedDrawing best = ParseTurned(strokes, 0);
+  if (options_.turn && best.confidence() < kUncertainParse) {
+    double least = std::max(kCertainTurn, best.confidence() + kMoreCertain);
+    for (const double turn : {180.0, 90.0, 270.0}) {
+      ParsedDrawing turned = ParseTurned(strokes, turn);
+      if (turned.confidence() < least) continue;
+      least = turned.confidence();
+      best = std::move(turned);
+    }
+  }
+  ReadMouthLines(best);
+  return best;
+}
+
+ParsedDrawing DrawingParser::ParseTurned(const std::vector<render::Stroke>& strokes, double turn_degrees) const {
+  const render::Placement whole = FrameOfWhole(strokes, turn_degrees);
   ParsedDrawing drawing;
   drawing.strokes = Dense(strokes, ParsedDrawing::kLabelStep / whole.scale);
   for (const render::Stroke& stroke : drawing.strokes)
     drawing.labels.emplace_back(stroke.points.size(), faces::LineLabel::kOther);
   for (int round = 0; round < options_.rounds; ++round)
     ParseIn(round == 0 ? whole : FrameOfPoints(drawing.points), drawing);
-  ReadMouthLines(drawing);
   return drawing;
 }
 

@@ -30,6 +30,20 @@ void RefuseProfile(const ParsedDrawing& drawing) {
                   profile));
 }
 
+std::vector<std::string> ParseWarnings(const ParsedDrawing& drawing) {
+  constexpr double kTurned = 60;  // Degrees.
+  std::vector<std::string> warnings;
+  if (drawing.confidence() < kLeastConfidence)
+    warnings.push_back(
+        fmt::format("hardly a face is seen: the points are found with a confidence of {:.2f} (faces by most people 0.7 "
+                    "or more). Is it one face from the front, drawn by lines?",
+                    drawing.confidence()));
+  const double turn = std::remainder(drawing.frame.turn_degrees, 360.0);
+  if (std::abs(turn) > kTurned)
+    warnings.push_back(fmt::format("the face is not upright on the sheet: it is read turned by {:.0f} degrees", turn));
+  return warnings;
+}
+
 bool CanShow(faces::LineLabel label, faces::FacePoint point) {
   using enum faces::LineLabel;
   using enum faces::FacePoint;

@@ -3,6 +3,7 @@
 #include "systems/sketch/drawing_parser.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 /// What of a parsed drawing predicts a face.
@@ -13,6 +14,12 @@ std::vector<render::Stroke> LinesOfFace(const ParsedDrawing& drawing);
 
 /// @throws Error if the drawing shows a profile, which no face is predicted from.
 void RefuseProfile(const ParsedDrawing& drawing);
+
+/// What a person should hear of a parsed drawing: that it hardly shows a face (ParsedDrawing::confidence below
+/// kLeastConfidence), or lies on its side or upside down, so that it was turned.
+std::vector<std::string> ParseWarnings(const ParsedDrawing& drawing);
+
+inline constexpr double kLeastConfidence = 0.62;
 
 /// Whether a line of this label can show the point: lids and iris points of eyes, the silhouette the contour.
 bool CanShow(faces::LineLabel label, faces::FacePoint point);

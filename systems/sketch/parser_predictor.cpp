@@ -5,6 +5,7 @@
 #include "systems/predict_each.h"
 #include "systems/shipped_weights.h"
 #include "systems/sketch/input_drawing.h"
+#include "systems/sketch/parsed_face.h"
 #include "systems/sketch/parser_overlay.h"
 #include "systems/sketch/parser_run_folder.h"
 
@@ -51,6 +52,7 @@ std::vector<systems::FaceResult> ParserPredictor::Predict(std::span<const system
     const ParsedDrawing parsed = parser_.Parse(drawing.strokes);
     systems::FaceResult result;
     result.record = ParsedToJson(parsed);
+    result.warnings = ParseWarnings(parsed);
     if (drawing.picture_from_sheet)
       result.record["picture_from_sheet"] = render::HomographyToJson(*drawing.picture_from_sheet);
     result.files = {{".json", result.record.dump(1) + "\n"}};

@@ -109,6 +109,7 @@ SketchPredictor::Found SketchPredictor::OfParsed(const Strokes& strokes, const T
   RefuseProfile(parsed);
   task.ThrowIfCancelled("stopped before the face was predicted");
   Found found;
+  found.warnings = ParseWarnings(parsed);
   found.placement = fitter_->FrameOf(parsed);
   found.face = FromStrokes({render::MapToCanvas(LinesOfFace(parsed), found.placement)}).front();
   found.record["states"] = StatesToJson(parsed);

@@ -63,6 +63,43 @@ TEST(DrawingParser, TheMirrorImageChangesNothingOfASymmetricFace) {
   for (size_t i = 0; i < with.points.size(); ++i) EXPECT_LT((with.points[i] - without.points[i]).norm(), 1.5);
 }
 
+/// The ideal parser of drawings whose ink is mostly above; of others its maps are nearly flat.
+class UprightNetwork : public testing::IdealParserNetwork {
+ public:
+  using IdealParserNetwork::IdealParserNetwork;
+  NamedArrays Run(const NamedArrays& inputs) const override {
+    const FloatArray& pictures = inputs.at("pictures");
+    NamedArrays outputs = IdealParserNetwork::Run(inputs);
+    FloatArray& maps = outputs.at("heat_maps");
+    const int64_t side = pictures.shape[2];
+    for (int64_t row = 0; row < pictures.shape[0]; ++row) {
+      double moment = 0;
+      for (int64_t i = 0; i < pictures.row_size(); ++i)
+        moment += pictures.row(row)[i] * (double(i / side) + 0.5 - 0.5 * double(side));
+      if (moment <= 0) continue;
+      for (int64_t i = 0; i < maps.row_size(); ++i) maps.row(row)[i] *= 0.02f;
+    }
+    return outputs;
+  }
+};
+
+TEST(DrawingParser, AFaceThatIsUpsideDownIsTurned) {
+  const auto network = std::make_shared<UprightNetwork>(ParserNetworkOptions());
+  std::vector<render::Stroke> strokes = Rectangle(40, 70, 100, 140);
+  strokes.push_back({0, {{40, 205}, {140, 205}}});
+  strokes.push_back({0, {{40, 200}, {140, 200}}});
+  const ParsedDrawing parsed = DrawingParser(ParserNetworkOptions(), network).Parse(strokes);
+  EXPECT_GT(parsed.confidence(), 0.9);
+  EXPECT_NEAR(std::abs(parsed.frame.turn_degrees), 180, 1);
+  const auto shares = testing::PlainPointShares();
+  for (size_t i = 0; i < shares.size(); ++i) {
+    const Eigen::Vector2d expected(140 - 100 * shares[i].x(), 210 - 140 * shares[i].y());
+    EXPECT_LT((parsed.points[i] - expected).norm(), 3) << faces::kFacePointNames[i];
+  }
+  const ParsedDrawing as_it_is = DrawingParser(ParserNetworkOptions(), network, {.turn = false}).Parse(strokes);
+  EXPECT_LT(as_it_is.confidence(), 0.5);
+}
+
 TEST(DrawingParser, IsTheSameFromAnyThread) {
   const DrawingParser parser = IdealParser();
   const auto strokes = Rectangle(10, 10, 100, 140);
@@ -93,6 +130,11 @@ TEST(FrameOfWhole, HasTheLongerSide) {
   EXPECT_NEAR(frame.scale, kWholeShare * 256 / 100, 1e-6);
   EXPECT_NEAR(render::ToCanvas(frame, {35, 70}).x(), 128, 1e-4);
   EXPECT_NEAR(render::ToCanvas(frame, {35, 70}).y(), 128, 1e-4);
+  for (const double turn : {90.0, 180.0, 270.0}) {
+    const render::Placement turned = FrameOfWhole(Rectangle(10, 20, 50, 100), turn);
+    EXPECT_NEAR(turned.scale, frame.scale, 1e-6);
+    EXPECT_LT((render::ToCanvas(turned, {35, 70}) - Eigen::Vector2d(128, 128)).norm(), 1e-4);
+  }
 }
 
 }  // namespace

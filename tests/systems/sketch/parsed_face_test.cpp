@@ -68,5 +68,19 @@ TEST(SupportOf, FallsWithTheDistanceOnTheCanvas) {
   EXPECT_EQ(support[at(FacePoint::kChin)], 0) << "no line can show it";
 }
 
+TEST(ParseWarnings, SayThatNoFaceIsSeenOrThatItWasTurned) {
+  ParsedDrawing drawing;
+  drawing.confidences.fill(0.9);
+  drawing.frame.turn_degrees = 14;
+  EXPECT_TRUE(ParseWarnings(drawing).empty());
+  drawing.frame.turn_degrees = -178;
+  ASSERT_EQ(ParseWarnings(drawing).size(), 1u);
+  EXPECT_NE(ParseWarnings(drawing)[0].find("turned by -178 degrees"), std::string::npos);
+  drawing.frame.turn_degrees = 361;
+  drawing.confidences.fill(0.4);
+  ASSERT_EQ(ParseWarnings(drawing).size(), 1u);
+  EXPECT_NE(ParseWarnings(drawing)[0].find("a confidence of 0.40"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace daumier::sketch
