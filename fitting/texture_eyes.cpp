@@ -49,6 +49,7 @@ class IrisProfile {
  public:
   IrisProfile(const PictureLayer& eyes, const IrisDisc& iris) {
     std::array<float, kNumBins> counts{};
+    means_.fill(Eigen::Vector3f::Zero());
     const double reach = iris.radius;
     for (const EyePixel& pixel : EyePixels(eyes, iris.centre, reach)) {
       const double share = std::hypot(pixel.x - iris.centre.x(), pixel.y - iris.centre.y()) / iris.radius;
@@ -77,7 +78,7 @@ class IrisProfile {
 
  private:
   static constexpr size_t kNumBins = 12;
-  std::array<Eigen::Vector3f, kNumBins> means_{Eigen::Vector3f::Zero()};
+  std::array<Eigen::Vector3f, kNumBins> means_;
 };
 
 }  // namespace

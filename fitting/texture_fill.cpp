@@ -42,7 +42,10 @@ VertexValues MeansAtVertices(const geometry::Triangles& triangles, int num_verti
 }
 
 SurfaceFill::SurfaceFill(const geometry::Triangles& triangles, int num_vertices) {
-  const geometry::SparseMatrix laplacian = geometry::UniformLaplacian(triangles, num_vertices);
+  // A diagonal without gaps, also where a vertex has no triangle.
+  geometry::SparseMatrix diagonal(num_vertices, num_vertices);
+  diagonal.setIdentity();
+  const geometry::SparseMatrix laplacian = geometry::UniformLaplacian(triangles, num_vertices) + 0.0 * diagonal;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
   Eigen::AMDOrdering<int>()(laplacian, inverse);
   order_ = inverse.inverse();

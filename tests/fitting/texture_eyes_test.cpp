@@ -111,7 +111,7 @@ class PaintedEye : public ::testing::Test {
           (point / 1.2 - geometry::Vector3(x, y, (is_front ? 1 : -1) * std::sqrt(1 - x * x - y * y))).norm();
       if (distance < nearest) nearest = distance, colour = colours[i];
     }
-    EXPECT_LT(nearest, 0.1);
+    EXPECT_LT(nearest, 0.2);
     return colour;
   }
 
@@ -126,7 +126,7 @@ TEST_F(PaintedEye, HasTheIrisInFrontAndWhiteAround) {
   EXPECT_NEAR(At(colours, 0.1, 0.1)[0], 0.1, 0.05);
   EXPECT_NEAR(At(colours, -0.6, 0)[0], 0.8, 0.05) << "seen white";
   EXPECT_GT(At(colours, 0, 0.95)[0], 0.8) << "white where unseen";
-  EXPECT_GT(At(colours, 0.3, 0, false)[0], 0.9) << "white behind";
+  EXPECT_GT(At(colours, -0.85, 0, false)[0], 0.8) << "white behind";
 }
 
 TEST_F(PaintedEye, CompletesAnIrisThatALidHides) {

@@ -147,9 +147,9 @@ TEST_F(PaintedSheet, PaintsEyesAndGutters) {
   const auto eye = [&](double u, double v) { return int(texture.picture.at(int((1 - v) * kSize), int(u * kSize), 0)); };
   EXPECT_LT(eye(0.94, 0.04), 130) << "a plain iris, since the mask shows no eye";
   EXPECT_GT(eye(0.94, 0.012), 220) << "white behind";
-  // Left of the sheet's border the texture repeats it.
+  // The texel that holds the sheet's border has its middle outside of it.
   const int row = kSize / 2, border = int(sheet_.UvOf(-6) * kSize);
-  EXPECT_NEAR(texture.picture.at(row, border - 1, 0), texture.picture.at(row, border + 1, 0), 3);
+  EXPECT_NEAR(texture.picture.at(row, border, 0), texture.picture.at(row, border + 1, 0), 3);
   EXPECT_EQ(texture.picture.at(2, 2, 0), 255) << "nothing is near";
 }
 
@@ -188,7 +188,7 @@ TEST(TextureGuide, HasMirrorScalpAndBeardOfTheTemplate) {
   face.neutral.col(1).maxCoeff(&crown);
   EXPECT_GT(guide.scalp[crown + 3], 0.9F);
   EXPECT_EQ(guide.scalp[face.annotation.landmarks[30] + 3], 0) << "the nose";
-  EXPECT_EQ(guide.hair_painted[face.annotation.landmarks[30] + 3], 0);
+  EXPECT_LT(guide.hair_painted[face.annotation.landmarks[30] + 3], 0.1F);
   testing::ExpectError([&] { MakeTextureGuide(face, {1, 2}, 9); }, "2 vertices");
 }
 
