@@ -73,6 +73,14 @@ void WriteFrames(const fs::path& folder, const RigContent& content, int size, co
   staged.Commit();
 }
 
+/// Stages, if there are any, over expressions.
+render::Image SheetOf(const RigContent& content) {
+  render::Image expressions = reports::RiggedHeadSheet(content.head, content.texture);
+  if (content.stages.empty()) return expressions;
+  render::Image stages = render::MakeSheet(content.stages, int(content.stages.size()));
+  return render::MakeSheet({{std::move(stages)}, {std::move(expressions)}}, 1, {.gap = 0});
+}
+
 }  // namespace
 
 RigFiles RigFilesOf(const fs::path& out, AlsoCompressed compressed, AlsoVrm vrm, const fs::path& frames) {
@@ -97,7 +105,7 @@ void CheckRigFiles(const RigFiles& files, const std::vector<fs::path>& inputs, b
 
 void WriteRigFiles(const RigFiles& files, const RigContent& content, const RigFileOptions& options, const Task& task) {
   if (files.frames) WriteFrames(*files.frames, content, options.frame_size, task);
-  render::WriteImage(files.sheet, reports::RiggedHeadSheet(content.head, content.texture));
+  render::WriteImage(files.sheet, SheetOf(content));
   const render::Image* const texture = content.texture.get();
   gltf::HeadFileOptions of_file{.normals = options.normals};
   of_file.title = files.head.stem().string();

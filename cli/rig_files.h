@@ -1,6 +1,7 @@
 #pragma once
 #include "core/task.h"
 #include "render/image.h"
+#include "render/sheet.h"
 #include "rig/rigged_head.h"
 #include "rig/target_names.h"
 #include "rig/weights_clip.h"
@@ -38,6 +39,7 @@ struct RigContent {
   rig::RiggedHead head;                          ///< Targets by ARKit's names.
   std::shared_ptr<const render::Image> texture;  ///< Null: colours of materials.
   rig::WeightsClip clip;                         ///< Of these targets.
+  std::vector<render::SheetCell> stages{};       ///< Pictures of how it was made: above the expressions in the sheet.
 };
 
 struct RigFileOptions {

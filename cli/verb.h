@@ -28,6 +28,7 @@ Verb PredictVerb();
 Verb ScoreVerb();
 Verb DrawVerb();
 Verb RigVerb();
+Verb AvatarVerb();
 Verb ExportVerb();
 Verb InfoVerb();
 

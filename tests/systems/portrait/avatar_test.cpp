@@ -1,0 +1,70 @@
+#include "systems/portrait/avatar.h"
+
+#include "faces/face_model_file.h"
+#include "rig/arkit_names.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace daumier::portrait {
+namespace {
+
+using testing::SourceRoot;
+
+const faces::FaceModel& Model() {
+  static const faces::FaceModel model = faces::ReadFaceModelWeights(SourceRoot() / "weights/face-ict");
+  return model;
+}
+
+AvatarMaker MakerWith(bool keep_expression, const PortraitPredictOptions& options = {}) {
+  AvatarOptions avatar;
+  avatar.texture.size = 128;
+  avatar.keep_expression = keep_expression;
+  return {OpenPortraits(SourceRoot() / "weights/portrait", Device(), ToJson(options)), Model(), avatar};
+}
+
+render::Image Woman() {
+  return render::ReadImage(SourceRoot() / "docs/examples/portraits/woman.jpg");
+}
+
+TEST(AvatarMaker, MakesATexturedHeadWithAllTargets) {
+  const Avatar avatar = MakerWith(false).Make(Woman());
+  EXPECT_EQ(avatar.head.targets.num_targets(), rig::kNumArkitNames);
+  EXPECT_EQ(avatar.head.targets.offsets.rows(), 3 * avatar.head.mesh.vertices.rows());
+  ASSERT_EQ(avatar.head.eyes.size(), 2u);
+  EXPECT_LT(avatar.head.eyes[0].centre.x(), avatar.head.eyes[1].centre.x());
+  EXPECT_TRUE(avatar.head.mesh.has_uv());
+  ASSERT_NE(avatar.texture, nullptr);
+  EXPECT_EQ(avatar.texture->width, 128);
+  EXPECT_NEAR(avatar.painted.seen + avatar.painted.mirrored + avatar.painted.filled, 1, 1e-6);
+  EXPECT_GT(avatar.painted.seen, 0.1);
+  EXPECT_FALSE(avatar.face.pictures.empty());
+}
+
+TEST(AvatarMaker, RestsWithoutTheExpressionOfThePictureUnlessItIsKept) {
+  const Avatar neutral = MakerWith(false).Make(Woman()), kept = MakerWith(true).Make(Woman());
+  ASSERT_GT(neutral.face.expression.norm(), 0);
+  const Eigen::VectorXf offset =
+      Model().expression_shapes * neutral.face.expression.head(Model().expression_shapes.cols());
+  const geometry::Points difference = kept.face.vertices - neutral.face.vertices;
+  EXPECT_EQ(difference.norm(), 0) << "the face itself is the same";
+  const double moved = (kept.head.mesh.vertices - neutral.head.mesh.vertices).rowwise().norm().maxCoeff();
+  EXPECT_NEAR(moved,
+              Eigen::Map<const Eigen::Matrix<float, -1, 3, Eigen::RowMajor>>(offset.data(), offset.size() / 3, 3)
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              0.3);
+}
+
+TEST(AvatarMaker, RefusesAPictureWithoutAFace) {
+  const AvatarMaker maker = MakerWith(false);
+  const render::Image blank(64, 64, 3, 200);
+  testing::ExpectError([&] { maker.Make(blank); }, "no face found");
+}
+
+}  // namespace
+}  // namespace daumier::portrait
