@@ -47,14 +47,16 @@ Seam SeamWithReach(const faces::FaceTemplate& face_template, const SeamEdges& ed
   return {{points, face_template.triangles}, edges, rings};
 }
 
-/// The expressions of an eye, without its side, and how the eye turns with them: positive to its outer side and down.
+/// The expressions of an eye, without its side; how the eye turns with them, positive to its outer side and down; and the
+/// share of the opening that they leave.
 struct EyeTarget {
   const char* name;
-  double out, down;
+  double out, down, kept_share;
 };
-constexpr EyeTarget kEyeTargets[] = {{"eyeBlink", 0, 0},    {"eyeSquint", 0, 0},  {"eyeWide", 0, 0},
-                                     {"eyeLookDown", 0, 1}, {"eyeLookUp", 0, -1}, {"eyeLookIn", -1, 0},
-                                     {"eyeLookOut", 1, 0}};
+constexpr EyeTarget kEyeTargets[] = {{"eyeBlink", 0, 0, 0},   {"eyeSquint", 0, 0, 1 - kSquintNarrows},
+                                     {"eyeWide", 0, 0, 1},    {"eyeLookDown", 0, 1, 1 - kLookDownNarrows},
+                                     {"eyeLookUp", 0, -1, 1}, {"eyeLookIn", -1, 0, 1},
+                                     {"eyeLookOut", 1, 0, 1}};
 
 }  // namespace
 
@@ -99,7 +101,11 @@ void FaceContact::FitEye(const Eye& eye, const geometry::Points& neutral, MorphT
     const GazeTurn turn{target.out * outwards, target.down * kGazeDegrees};
     geometry::Points pose = Posed(neutral, column);
     for (int round = 0; round < kRounds; ++round) {
-      if (is_blink) eye.lids.Meet(frame, kUpperLidShare, pose);
+      if (is_blink) {
+        eye.lids.Meet(frame, kUpperLidShare, pose);
+      } else {
+        eye.lids.KeepApart(frame, neutral, target.kept_share, pose);
+      }
       eye.skin.KeepOutside(eyeball, turn, neutral, pose);
       if (!is_blink) break;
     }
@@ -116,7 +122,7 @@ void FaceContact::FitMouth(const geometry::Points& neutral, MorphTargets& target
     if (!name.starts_with("mouth") && !name.starts_with("jaw")) continue;
     if (name == "mouthClose" || name.starts_with("mouthPress") || targets.offsets.col(e).isZero(0)) continue;
     geometry::Points pose = Posed(neutral, targets.offsets.col(e));
-    lips_.Uncross(frame, neutral, pose);
+    lips_.KeepApart(frame, neutral, 0, pose);
     targets.offsets.col(e) = OffsetOf(neutral, pose);
   }
 

@@ -6,6 +6,7 @@
 #include "rig/morph_targets.h"
 #include "rig/seam.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,15 @@ namespace daumier::rig {
 /// What a rig turns an eyeball by at eyeLook* = 1, degrees.
 inline constexpr double kGazeDegrees = 30;
 
+/// How much of the opening between the lids eyeSquint and eyeLookDown take away at most. Targets add up, so that lids
+/// which also blink would cross.
+inline constexpr double kSquintNarrows = 0.25, kLookDownNarrows = 0.5;
+
+/// The greatest weight of eyeBlink with which the lids of that eye meet and do not cross, for a player that limits it.
+inline double BlinkLimit(double squint, double look_down) {
+  return std::max(0.0, 1 - kSquintNarrows * squint - kLookDownNarrows * look_down);
+}
+
 /// Makes expressions fit a face where its parts touch: lids over eyeballs, lip on lip. Made once for a source.
 ///
 /// With S the neutral face and o_e the offset of expression e, all at weight 1:
@@ -21,6 +31,8 @@ inline constexpr double kGazeDegrees = 30;
 /// - All expressions of an eye (eye*): S + t o is outside the ball at t = 1/4, 1/2, 3/4 and 1, for eyeLook* outside the
 ///   ball turned by t kGazeDegrees. A target is a straight way, and the way around a ball is not: closed lids lie
 ///   farther out than the ball alone would have them.
+/// - eyeSquint* and eyeLookDown* leave 1 - kSquintNarrows and 1 - kLookDownNarrows of the opening; the other ones leave
+///   all of it.
 /// - mouthClose = -o_jawOpen times ShareOfLips, and what brings the inner contours of the lips together at S +
 ///   o_jawOpen + o_mouthClose; so a part a of both leaves 1 - a of the neutral face's gap.
 /// - mouthPress*: the contours meet with both sides pressed.

@@ -160,17 +160,18 @@ std::vector<double> Seam::HeightsOfEdges(const SeamFrame& frame, const geometry:
   return heights;
 }
 
-void Seam::Uncross(const SeamFrame& frame, const geometry::Points& rest, geometry::Points& pose) const {
+void Seam::KeepApart(const SeamFrame& frame, const geometry::Points& rest, double kept_share,
+                     geometry::Points& pose) const {
   const std::vector<double> before = HeightsOfEdges(frame, rest), now = HeightsOfEdges(frame, pose);
   std::vector<Eigen::Vector3d> moves(now.size(), Eigen::Vector3d::Zero());
-  bool crosses = false;
+  bool moves_any = false;
   for (size_t i = 0; i < moves.size(); ++i) {
-    const double excess = std::min(0.0, before[i]) - now[i];
+    const double excess = (before[i] > 0 ? kept_share * before[i] : before[i]) - now[i];
     if (excess <= 0 || followers_[i].side == Side::kBoth) continue;
     moves[i] = (followers_[i].side == Side::kUpper ? 0.5 : -0.5) * excess * Across(frame, pose, followers_[i].share);
-    crosses = true;
+    moves_any = true;
   }
-  if (crosses) Follow(moves, pose);
+  if (moves_any) Follow(moves, pose);
 }
 
 std::vector<double> Seam::Heights(const SeamFrame& frame, const geometry::Points& pose) const {

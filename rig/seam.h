@@ -36,8 +36,9 @@ class Seam {
   /// to the lower one, and as far out as the farther of both. Skin of the upper side within three rings that is below
   /// the curve then is lifted to it, that of the lower side above it lowered, less towards the corners. pose: V x 3.
   void Meet(const SeamFrame& frame, double upper_share, geometry::Points& pose) const;
-  /// Moves the edges apart where the upper one is below the lower one by more than at `rest`.
-  void Uncross(const SeamFrame& frame, const geometry::Points& rest, geometry::Points& pose) const;
+  /// Moves the edges apart where they leave less than `kept_share` of the height between them at `rest`, or where they
+  /// cross there, where they cross deeper. A share of 0 lets them close but not cross.
+  void KeepApart(const SeamFrame& frame, const geometry::Points& rest, double kept_share, geometry::Points& pose) const;
 
   /// Height of the upper edge over the lower one, across the seam and not `out`, at each inner vertex of both: negative
   /// where they cross.

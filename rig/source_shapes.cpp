@@ -10,7 +10,7 @@ namespace daumier::rig {
 namespace {
 
 /// Columns of the model's shapes whose sum is an expression; none if one is missing.
-std::vector<Eigen::Index> ColumnsOf(const faces::FaceModel& model, int expression) {
+std::vector<Eigen::Index> ColumnsOfShape(const faces::FaceModel& model, int expression) {
   const auto& names = model.expression_shape_names;
   const auto same = std::ranges::find_if(names, [&](const auto& name) { return FindArkitName(name) == expression; });
   if (same != names.end()) return {same - names.begin()};
@@ -38,7 +38,8 @@ SourceShapes ArkitShapesOf(const faces::FaceModel& model) {
     if (is_makehuman) {
       source.shapes.col(e) = units.Shape(e);
     } else {
-      for (const Eigen::Index column : ColumnsOf(model, e)) source.shapes.col(e) += model.expression_shapes.col(column);
+      for (const Eigen::Index column : ColumnsOfShape(model, e))
+        source.shapes.col(e) += model.expression_shapes.col(column);
     }
     if (!source.shapes.col(e).isZero(0)) {
       ++num_found;

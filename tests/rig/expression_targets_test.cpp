@@ -32,7 +32,8 @@ TEST(ExpressionTargets, ThreadsDoNotMatter) {
 TEST(ExpressionTargets, SayWhatTheSourceCannotMake) {
   const faces::FaceModel model = testing::NamedModel();
   const ExpressionTargets expressions(model);
-  EXPECT_EQ(expressions.warnings().size(), 52u - 6 - 2) << "six are made, then mouthClose, and tongueOut is of the tongue";
+  EXPECT_EQ(expressions.warnings().size(), 52u - 6 - 2)
+      << "six are made, then mouthClose, and tongueOut is of the tongue";
   EXPECT_NE(expressions.warnings().front().find("eyeLookDownLeft"), std::string::npos);
   const MorphTargets targets = expressions.On(model.face_template.neutral);
   EXPECT_TRUE(Column(targets, "eyeLookDownLeft").isZero(0));
