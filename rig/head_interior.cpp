@@ -2,6 +2,7 @@
 
 #include "faces/annotation.h"
 #include "geometry/alignment.h"
+#include "geometry/path.h"
 #include "rig/arkit_names.h"
 #include "rig/mouth_shapes.h"
 
@@ -14,9 +15,11 @@
 namespace daumier::rig {
 namespace {
 
-constexpr int kRightCornerLandmark = 60, kLeftCornerLandmark = 64, kUpperLipLandmark = 62, kLowerLipLandmark = 66;
+constexpr int kRightCorner = 60, kLeftCorner = 64;  // Landmarks.
+constexpr std::array<int, 2> kUpperLip = {51, 62}, kLowerLip = {57, 66};
+constexpr int kFirstOfJaw = 4, kLastOfJaw = 12;
 constexpr double kTeethChart = 0.5, kTongueChart = 0.3;                  // ChartPiece::size
-constexpr double kSkinReach = 0.9, kChinReach = 0.7;                     // In widths of the mouth.
+constexpr double kSkinReach = 0.9, kChinReach = 0.7, kJawReach = 0.3;    // In widths of the mouth.
 constexpr double kBehindLips = 0.04, kClearance = 0.02, kDeepest = 0.5;  // Likewise.
 constexpr double kHighest = 0.3, kLowest = -0.3;                         // Skin that teeth are behind, likewise.
 
@@ -33,24 +36,29 @@ Motion MotionOf(const std::string& target) {
 
 }  // namespace
 
-HeadInterior::HeadInterior(const faces::FaceTemplate& face_template)
-    : upper_teeth_(TeethPoints(Jaw::kUpper)),
-      lower_teeth_(TeethPoints(Jaw::kLower)),
-      tongue_(TonguePoints(0)),
-      tongue_out_(TonguePoints(1)) {
+HeadInterior::HeadInterior(const faces::FaceTemplate& face_template) : at_rest_(NumVertices(), 3) {
+  at_rest_ << TeethPoints(Jaw::kUpper), TeethPoints(Jaw::kLower), TongueAtRest();
   const auto& landmarks = face_template.annotation.landmarks;
   const geometry::Points& neutral = face_template.neutral;
-  right_corner_ = landmarks[kRightCornerLandmark];
-  left_corner_ = landmarks[kLeftCornerLandmark];
-  upper_middle_ = landmarks[kUpperLipLandmark];
-  lower_middle_ = landmarks[kLowerLipLandmark];
+  right_corner_ = landmarks[kRightCorner];
+  left_corner_ = landmarks[kLeftCorner];
+  const auto neighbours = geometry::VertexNeighbours(face_template.triangles, face_template.num_vertices());
+  const auto path = [&](const std::array<int, 2>& ends) {
+    return geometry::ShortestPath(neutral, neighbours, landmarks[size_t(ends[0])], landmarks[size_t(ends[1])]);
+  };
+  upper_lip_ = path(kUpperLip);
+  lower_lip_ = path(kLowerLip);
   const double width = (neutral.row(left_corner_) - neutral.row(right_corner_)).norm();
   const Eigen::RowVector3d mouth = 0.5 * (neutral.row(left_corner_) + neutral.row(right_corner_)),
                            chin = neutral.row(landmarks[faces::kChinLandmark]);
   for (int v = 0; v < neutral.rows(); ++v) {
-    if ((neutral.row(v) - mouth).norm() <= kSkinReach * width) skin_.push_back(v);
-    if ((neutral.row(v) - chin).norm() <= kChinReach * width && neutral(v, 1) < 0.5 * (mouth.y() + chin.y()))
-      chin_.push_back(v);
+    const auto is_near = [&](const Eigen::RowVector3d& point, double reach) {
+      return (neutral.row(v) - point).norm() <= reach * width;
+    };
+    if (is_near(mouth, kSkinReach)) skin_.push_back(v);
+    if (is_near(chin, kChinReach) && neutral(v, 1) < 0.5 * (mouth.y() + chin.y())) chin_.push_back(v);
+    const auto first = landmarks.begin() + kFirstOfJaw, last = landmarks.begin() + kLastOfJaw + 1;
+    if (std::any_of(first, last, [&](int l) { return is_near(neutral.row(l), kJawReach); })) jaw_.push_back(v);
   }
 }
 
@@ -75,21 +83,19 @@ std::vector<faces::HeadMaterial> HeadInterior::Materials() {
 }
 
 HeadInterior::Place HeadInterior::PlaceOf(const geometry::Points& face) const {
-  const geometry::Vector3 right = face.row(right_corner_), left = face.row(left_corner_),
-                          upper = face.row(upper_middle_), lower = face.row(lower_middle_);
+  const geometry::Vector3 right = face.row(right_corner_), left = face.row(left_corner_);
   const double width = (left - right).norm();
-  Place place;
   geometry::Vector3 across = left - right;
   across.z() = 0;
   across.normalize();
-  place.axes << across, geometry::Vector3(-across.y(), across.x(), 0), geometry::Vector3::UnitZ();
+  const geometry::Vector3 up(-across.y(), across.x(), 0);
+  Place place{0.5 * (left + right), {}, 0};
+  place.axes << across, up, geometry::Vector3::UnitZ();
   place.axes *= width;
-  const geometry::Vector3 corners = 0.5 * (left + right), middle = 0.5 * (upper + lower);
-  // Along the line between the corners: in their middle; across it: at the middle of the lips.
-  place.origin = corners;
-  place.origin += place.axes.col(1) * place.axes.col(1).dot(middle - corners) / (width * width);
-  place.origin.z() = std::min(upper.z(), lower.z()) - kBehindLips * width;
-  // No skin behind the front of the upper teeth, which are in front of the lower ones.
+  const geometry::Points upper = face(upper_lip_, Eigen::all), lower = face(lower_lip_, Eigen::all);
+  place.origin += up * ((upper * up).minCoeff() - up.dot(place.origin));
+  place.origin.z() = std::min(upper(upper.rows() - 1, 2), lower(lower.rows() - 1, 2)) - kBehindLips * width;
+  // Behind all skin before the front of the upper teeth, which are in front of the lower ones.
   double push = 0;
   for (const int v : skin_) {
     const geometry::Vector3 p = place.axes.transpose() * (face.row(v).transpose() - place.origin) / (width * width);
@@ -97,21 +103,20 @@ HeadInterior::Place HeadInterior::PlaceOf(const geometry::Points& face) const {
     push = std::max(push, ArchDepth(Jaw::kUpper, p.x()) + kClearance - p.z());
   }
   place.origin.z() -= std::min(push, kDeepest) * width;
+  place.lip = (Eigen::VectorXd(lower.col(2)).maxCoeff() - place.origin.z()) / width;
   return place;
 }
 
 geometry::Points HeadInterior::Vertices(const geometry::Points& face) const {
   const Place place = PlaceOf(face);
-  geometry::Points points(NumVertices(), 3);
-  points << upper_teeth_, lower_teeth_, tongue_;
-  return (points * place.axes.transpose()).rowwise() + place.origin.transpose();
+  return (at_rest_ * place.axes.transpose()).rowwise() + place.origin.transpose();
 }
 
 Eigen::Isometry3d HeadInterior::JawMotion(const geometry::Points& from, const geometry::Points& to) const {
-  const geometry::Points source = from(chin_, Eigen::all), target = to(chin_, Eigen::all);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = geometry::AlignSimilarity(source, target).rotation;
-  motion.translation() = target.colwise().mean().transpose() - motion.linear() * source.colwise().mean().transpose();
+  motion.linear() = geometry::AlignSimilarity(from(jaw_, Eigen::all), to(jaw_, Eigen::all)).rotation;
+  const geometry::Points chin = from(chin_, Eigen::all), moved = to(chin_, Eigen::all);
+  motion.translation() = moved.colwise().mean().transpose() - motion.linear() * chin.colwise().mean().transpose();
   return motion;
 }
 
@@ -131,7 +136,8 @@ Eigen::MatrixXf HeadInterior::Offsets(const geometry::Points& face, const MorphT
       for (Eigen::Index v = num_upper; v < vertices.rows(); ++v)
         moves.row(v) = (jaw * vertices.row(v).transpose()).transpose() - vertices.row(v);
     } else {
-      moves.bottomRows(tongue_.rows()) = (tongue_out_ - tongue_) * PlaceOf(face).axes.transpose();
+      const Place place = PlaceOf(face);
+      moves.bottomRows(kTongueTube.num_vertices()) = (TongueOut(place.lip) - TongueAtRest()) * place.axes.transpose();
     }
     offsets.col(t) = Eigen::Map<const Eigen::VectorXd>(moves.data(), moves.size()).cast<float>();
   }

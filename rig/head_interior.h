@@ -14,9 +14,9 @@ namespace daumier::rig {
 
 /// Teeth of both jaws with gums, and a tongue, behind the lips of any face of a topology: closed surfaces of 718 vertices.
 ///
-/// They are as large as the mouth is wide (landmarks 60 and 64), along the line of its corners, at the height of its
-/// closed lips' middle (landmarks 62 and 66), and as far in front as the inner lips and the skin around them allow:
-/// what of the skin is in front of the teeth stays there by 0.02 of the width or more.
+/// They are as large as the mouth is wide (landmarks 60 and 64), along the line of its corners, at the height of the
+/// lower end of the upper lip, and as far in front as the inner lips and the skin around them allow: the skin before the
+/// teeth stays there by 0.02 of the width or more.
 class HeadInterior {
  public:
   /// @throws Error if a landmark is not annotated.
@@ -31,25 +31,28 @@ class HeadInterior {
   geometry::Points Vertices(const geometry::Points& face) const;
 
   /// 3 NumVertices() x T, as MorphTargets::offsets: how they follow targets of a face. Lower teeth and
-  /// tongue follow jawOpen, jawForward, jawLeft and jawRight as a rigid body, by the motion that fits the chin's best;
+  /// tongue follow jawOpen, jawForward, jawLeft and jawRight as a rigid body, by JawMotion;
   /// tongueOut moves the tongue out between the lips of a mouth that is a third open, or through closed ones; nothing
   /// else moves, whatever the target.
   Eigen::MatrixXf Offsets(const geometry::Points& face, const MorphTargets& targets) const;
 
-  /// The rigid motion of the chin from a face to another one, x -> rotation x + translation.
+  /// The rigid motion of a jaw from a face to another one: turned as the line of the jaw is (least squares), moved as the
+  /// chin is.
   Eigen::Isometry3d JawMotion(const geometry::Points& from, const geometry::Points& to) const;
 
  private:
   struct Place {
     geometry::Vector3 origin;
     Eigen::Matrix3d axes;  ///< Columns: to the left, up and to the front, as long as the mouth is wide.
+    double lip;            ///< How far the lower lip is in front of the teeth, in widths of the mouth.
   };
   Place PlaceOf(const geometry::Points& face) const;
 
-  int right_corner_, left_corner_, upper_middle_, lower_middle_;
-  std::vector<int> skin_;  ///< Around the mouth.
-  std::vector<int> chin_;
-  geometry::Points upper_teeth_, lower_teeth_, tongue_, tongue_out_;
+  int right_corner_, left_corner_;
+  std::vector<int> upper_lip_, lower_lip_;  ///< Along their middle, from outside to inside.
+  std::vector<int> skin_;                   ///< Around the mouth.
+  std::vector<int> chin_, jaw_;
+  geometry::Points at_rest_;
 };
 
 }  // namespace daumier::rig

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kCapSize = 0.14, kRimSize = 0.08, kBagSize = 0.24;  // ChartPiece::size
 constexpr double kSmallestMove = 1e-7;                               // cm; less is rounding.
-constexpr double kLeastTurn = 2 * std::numbers::pi / 180;            // Of a jaw that opens by turning.
-constexpr double kSetBack = 0.07;                                    // Of an eyeball, cm.
+constexpr double kLeastTurn = 5 * std::numbers::pi / 180;            // Of a jaw that opens by turning.
+constexpr double kSetBack = 0.05, kBulgeKept = 0.35;  // Of an eyeball, cm, and its share of the cornea's bulge.
 
 /// The face with a target at weight 1.
 geometry::Points Moved(const geometry::Points& face, const MorphTargets& targets, Eigen::Index target) {
@@ -88,7 +88,11 @@ HeadRig::HeadRig(const faces::FaceTemplate& face_template)
 
 std::vector<faces::Eyeball> HeadRig::Eyeballs(const geometry::Points& neutral) const {
   std::vector<faces::Eyeball> eyeballs = finished_.Eyeballs(neutral);
-  for (faces::Eyeball& eyeball : eyeballs) eyeball.centre.z() -= kSetBack;
+  for (faces::Eyeball& eyeball : eyeballs) {
+    eyeball.radii.setConstant(eyeball.radii.x());
+    eyeball.bulge *= kBulgeKept;
+    eyeball.centre.z() -= kSetBack;
+  }
   return eyeballs;
 }
 
@@ -120,9 +124,9 @@ geometry::Vector3 HeadRig::JawPivot(const geometry::Points& neutral, const Morph
   });
   if (!interior_ || open == targets.names.end()) return otherwise;
   const Eigen::Isometry3d motion = interior_->JawMotion(neutral, Moved(neutral, targets, open - targets.names.begin()));
+  if (Eigen::AngleAxisd(motion.linear()).angle() < kLeastTurn) return otherwise;
   // The point of the plane x = 0 of the pivot that the motion keeps: (I - R) p = t in y and z.
   const Eigen::Matrix2d turn = Eigen::Matrix2d::Identity() - motion.linear().bottomRightCorner<2, 2>();
-  if (Eigen::AngleAxisd(motion.linear()).angle() < kLeastTurn) return otherwise;
   const Eigen::Vector2d pivot = turn.inverse() * motion.translation().tail<2>();
   return {otherwise.x(), pivot.x(), pivot.y()};
 }

@@ -31,9 +31,11 @@ class HeadRig {
   /// `neutral`: V x 3, cm; `targets`: of its V vertices. The head has the same targets: rims, bag and cap follow the skin
   /// as a finished head's do, teeth and tongue as HeadInterior says; eyeballs have none.
   /// @throws Error if a number of vertices differs.
+  /// Pivots: the head's between the ears, the jaw's where JawMotion turns jawOpen about, or as the head's if it does not.
   RiggedHead On(const geometry::Points& neutral, const MorphTargets& targets) const;
 
-  /// The eyeballs that On() places, from the right to the left.
+  /// The eyeballs that On() places, from the right to the left: those of faces::EyeballFit as spheres, which turn within
+  /// themselves, 0.05 cm farther back and with a third of the cornea's bulge, so that lids clear them when they turn.
   std::vector<faces::Eyeball> Eyeballs(const geometry::Points& neutral) const;
 
  private:

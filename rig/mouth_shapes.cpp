@@ -17,7 +17,7 @@ struct Arch {
   double height;  ///< Of its teeth.
 };
 constexpr double kLastAngle = 80 * std::numbers::pi / 180;
-constexpr Arch kUpperArch{0.43, 0.56, 0.0, -0.05, 0.19}, kLowerArch{0.38, 0.51, -0.045, -0.03, 0.16};
+constexpr Arch kUpperArch{0.43, 0.56, 0.0, -0.065, 0.19}, kLowerArch{0.38, 0.51, -0.045, -0.045, 0.16};
 constexpr double kGumHeight = 0.10, kEdgeRise = 0.03;
 /// Widths of the teeth of a side from the middle on.
 constexpr std::array<double, kNumTeeth / 2> kUpperWidths = {1.0, 0.8, 0.9, 0.85, 0.85, 1.15},
@@ -59,8 +59,8 @@ constexpr std::array<SectionPoint, 8> kSection = {{{0.000, 1.0, 1.0, 0.000, 0.00
                                                    {0.012, 1.0, 0.08, 0.000, -0.04},
                                                    {-0.002, 1.0, 0.0, -0.006, -0.045},
                                                    {0.008, 0.5, 0.0, -0.018, 0.00},
-                                                   {-0.010, 0.06, 0.0, -0.016, 0.02},
-                                                   {-0.032, 0.0, 0.0, -0.006, 0.02},
+                                                   {-0.010, 0.06, 0.0, -0.014, 0.010},
+                                                   {-0.032, 0.0, 0.0, -0.006, 0.010},
                                                    {-0.090, 1.0, 0.0, 0.010, -0.03},
                                                    {-0.105, 1.0, 1.0, 0.000, 0.00}}};
 
@@ -73,6 +73,36 @@ Eigen::Vector2d CurveAt(const Curve& curve, double t) {
 Eigen::Vector2d CurveSlope(const Curve& curve, double t) {
   const double s = 1 - t;
   return 3 * (s * s * (curve[1] - curve[0]) + 2 * s * t * (curve[2] - curve[1]) + t * t * (curve[3] - curve[2]));
+}
+
+struct TongueSize {
+  double width, thickness;  ///< Half of what is greatest.
+};
+
+/// A tongue whose middle runs along a curve from its root to its tip.
+geometry::Points TongueAlong(const Curve& curve, const TongueSize& size) {
+  constexpr double kGroove = 0.012;
+  geometry::Points points(kTongueTube.num_vertices(), 3);
+  const std::vector<double> columns = TongueColumns();
+  for (int column = 0; column < kTongueTube.num_columns; ++column) {
+    const double t = columns[size_t(column)];
+    const Eigen::Vector2d at = CurveAt(curve, t), along = CurveSlope(curve, t).normalized(), up(along.y(), -along.x());
+    // Round at the tip, a little narrower at the root.
+    const double tip = std::clamp((t - 0.55) / 0.45, 0.0, 1.0), round = std::sqrt(1 - tip * tip);
+    const double width = size.width * (0.8 + 0.2 * std::min(1.0, 3 * t)) * std::max(round, 0.25),
+                 thickness = size.thickness * (1.2 - 0.5 * t) * std::max(std::sqrt(round), 0.45);
+    for (int side = 0; side < kTongueTube.num_sides; ++side) {
+      const double angle = -2 * std::numbers::pi * side / kTongueTube.num_sides;
+      const double x = width * std::cos(angle), groove = std::sin(angle) > 0.5 ? kGroove * std::exp(-x * x / 0.004) : 0;
+      const Eigen::Vector2d place = at + (thickness * std::sin(angle) - groove) * up;
+      points.row(kTongueTube.vertex(column, side)) << x, place.x(), place.y();
+    }
+  }
+  const Eigen::Vector2d root = CurveAt(curve, 0) - 0.03 * CurveSlope(curve, 0).normalized(),
+                        tip = CurveAt(curve, 1) + 0.015 * CurveSlope(curve, 1).normalized();
+  points.row(kTongueTube.pole(false)) << 0, root.x(), root.y();
+  points.row(kTongueTube.pole(true)) << 0, tip.x(), tip.y();
+  return points;
 }
 
 }  // namespace
@@ -135,34 +165,12 @@ std::vector<double> TeethColumns() {
   return columns;
 }
 
-geometry::Points TonguePoints(double out) {
-  // Height and depth of the middle.
-  static const Curve kRest = {{{-0.24, -0.60}, {-0.02, -0.52}, {-0.06, -0.28}, {-0.125, -0.15}}},
-                     kOut = {{{-0.24, -0.60}, {0.10, -0.40}, {0.06, 0.10}, {-0.30, 0.36}}};
-  constexpr double kWidth = 0.235, kThickness = 0.065, kGroove = 0.012;
-  geometry::Points points(kTongueTube.num_vertices(), 3);
-  const auto middle = [&](double t) { return ((1 - out) * CurveAt(kRest, t) + out * CurveAt(kOut, t)).eval(); };
-  const auto slope = [&](double t) { return ((1 - out) * CurveSlope(kRest, t) + out * CurveSlope(kOut, t)).eval(); };
-  const std::vector<double> columns = TongueColumns();
-  for (int column = 0; column < kTongueTube.num_columns; ++column) {
-    const double t = columns[size_t(column)];
-    const Eigen::Vector2d at = middle(t), along = slope(t).normalized(), up(along.y(), -along.x());
-    // Round at the tip, a little narrower at the root.
-    const double tip = std::clamp((t - 0.55) / 0.45, 0.0, 1.0), round = std::sqrt(std::max(0.0, 1 - tip * tip));
-    const double width = kWidth * (0.8 + 0.2 * std::min(1.0, 3 * t)) * std::max(round, 0.25) * (1 - 0.12 * out),
-                 thickness = kThickness * (1.25 - 0.55 * t) * std::max(std::sqrt(round), 0.45) * (1 - 0.15 * out);
-    for (int side = 0; side < kTongueTube.num_sides; ++side) {
-      const double angle = -2 * std::numbers::pi * side / kTongueTube.num_sides;
-      const double x = width * std::cos(angle), groove = std::sin(angle) > 0.5 ? kGroove * std::exp(-x * x / 0.004) : 0;
-      const Eigen::Vector2d place = at + (thickness * std::sin(angle) - groove) * up;
-      points.row(kTongueTube.vertex(column, side)) << x, place.x(), place.y();
-    }
-  }
-  const Eigen::Vector2d root = middle(0) - 0.03 * slope(0).normalized(),
-                        tip = middle(1) + 0.015 * slope(1).normalized();
-  points.row(kTongueTube.pole(false)) << 0, root.x(), root.y();
-  points.row(kTongueTube.pole(true)) << 0, tip.x(), tip.y();
-  return points;
+geometry::Points TongueAtRest() {
+  return TongueAlong({{{-0.22, -0.60}, {0.06, -0.52}, {0.02, -0.28}, {-0.095, -0.145}}}, {0.235, 0.08});
+}
+
+geometry::Points TongueOut(double lip) {
+  return TongueAlong({{{-0.22, -0.60}, {0.10, -0.40}, {0.14, lip + 0.12}, {-0.24, lip + 0.26}}}, {0.205, 0.06});
 }
 
 std::vector<double> TongueColumns() {

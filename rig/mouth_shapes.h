@@ -16,15 +16,17 @@ inline constexpr Tube kTeethTube{3 * kNumTeeth + 1, 8};
 inline constexpr Tube kTongueTube{11, 12};
 
 /// The teeth of a jaw and their gum along an arch, the front of the middle at z = 0 and the lips' line at y = 0, closed:
-/// the edges of the upper teeth are 0.05 below that line, in front of those of the lower ones at 0.03 below it.
+/// the edges of the upper teeth are 0.065 below that line, in front of those of the lower ones at 0.045 below it.
 geometry::Points TeethPoints(Jaw jaw);
 /// Of each triangle of a jaw's tube.
 std::vector<faces::HeadMaterial> TeethMaterials();
 /// The place of each column along the arch, 0 .. 1.
 std::vector<double> TeethColumns();
 
-/// A tongue between the lower teeth, `out` = 0, or one that hangs over the lower lip, whose root is the same, `out` = 1.
-geometry::Points TonguePoints(double out);
+/// A tongue that lies between the lower teeth.
+geometry::Points TongueAtRest();
+/// The same tongue as it hangs over a lower lip whose front is at z = lip; its root stays.
+geometry::Points TongueOut(double lip);
 std::vector<double> TongueColumns();
 
 /// The depth of the front of a jaw's arch at x, 0 in its middle and negative at the sides; none beyond its ends.
