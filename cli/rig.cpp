@@ -1,7 +1,6 @@
 #include "cli/head_arguments.h"
 #include "cli/rig_face.h"
 #include "cli/verb.h"
-#include "core/error.h"
 #include "core/log.h"
 #include "core/options.h"
 #include "core/parallel.h"
@@ -11,7 +10,6 @@
 #include "rig/head_rig.h"
 
 #include <memory>
-#include <utility>
 
 namespace daumier::cli {
 namespace {
@@ -47,15 +45,7 @@ std::shared_ptr<const render::Image> TextureOf(const fs::path& file) {
   return std::make_shared<const render::Image>(render::ToRgb(render::ReadImage(file)));
 }
 
-void Rig(const RigArguments& arguments) {
-  const Stopwatch watch;
-  const std::optional<faces::SourceOptions> source = SourceOf(arguments);
-  const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.face, arguments.texture});
-  RigContent content{.head = {}, .texture = TextureOf(arguments.texture), .clip = {}};
-  const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
-  const FaceToRig face = ReadFaceToRig(arguments.face, source,
-                                       arguments.keep_expression ? ShownExpression::kKept : ShownExpression::kRemoved);
-  for (const std::string& remark : face.remarks) log::Info("{}: {}", face.name, remark);
+rig::RiggedHead HeadOf(const FaceToRig& face) {
   std::optional<rig::ExpressionTargets> expressions;
   std::optional<rig::HeadRig> head_rig;
   OnAllCores(2, [&](int64_t part) {
@@ -63,7 +53,19 @@ void Rig(const RigArguments& arguments) {
     if (part == 1) head_rig.emplace(face.model.face_template);
   });
   for (const std::string& warning : expressions->warnings()) log::Warn("{}", warning);
-  content.head = head_rig->On(face.neutral, expressions->On(face.neutral));
+  return head_rig->On(face.neutral, expressions->On(face.neutral));
+}
+
+void Rig(const RigArguments& arguments) {
+  const Stopwatch watch;
+  const std::optional<faces::SourceOptions> source = SourceOf(arguments);
+  const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.face, arguments.texture});
+  const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
+  RigContent content{.head = {}, .texture = TextureOf(arguments.texture), .clip = {}};
+  const FaceToRig face = ReadFaceToRig(arguments.face, source,
+                                       arguments.keep_expression ? ShownExpression::kKept : ShownExpression::kRemoved);
+  for (const std::string& remark : face.remarks) log::Info("{}: {}", face.name, remark);
+  content.head = HeadOf(face);
   Json result = WriteHeadFiles(arguments.head, files, clip, std::move(content));
   result["seconds"] = watch.seconds();
   PrintResult(result, arguments.head.as_json);
@@ -85,6 +87,7 @@ Verb RigVerb() {
         command.add_option("overrides", arguments->config.overrides,
                            "source.KEY=value: the face model of the mesh's topology. Without it the shipped face model "
                            "or MakeHuman's, by the number of vertices");
+        AddHeadArguments(command, arguments->head);
         command
             .add_option("--texture", arguments->texture,
                         "Picture of the head's atlas (PNG, JPEG); without it materials have plain colours")
@@ -92,7 +95,6 @@ Verb RigVerb() {
         command.add_flag("--keep-expression", arguments->keep_expression,
                          "Rig a predicted portrait with the expression that it shows; without it the expression is "
                          "removed");
-        AddHeadArguments(command, arguments->head);
         command.footer("Options:\n" + HelpText<RigOptions>());
         return [arguments] { Rig(*arguments); };
       },
