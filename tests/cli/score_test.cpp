@@ -25,7 +25,7 @@ class ScoreCommand : public ::testing::Test {
     const render::Placement frame{0.5, {10, 20}, 8};
     const eval::DrawingScorer scorer(
         face_, datasets::SketchCamera(face_, faces::View::kFrontal, render::FrameOptions{}.curve_height));
-    const Eigen::MatrixX2d on_sheet = scorer.OnSheet({face_.neutral, frame});
+    const Eigen::MatrixX2d on_sheet = scorer.OnPicture({face_.neutral, frame});
     const faces::FacePointVertices vertices = faces::FindFacePoints(face_);
     Json points = Json::object();
     for (const faces::FacePoint point : {faces::FacePoint::kEyeRightOuter, faces::FacePoint::kEyeLeftOuter,
