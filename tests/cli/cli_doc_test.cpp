@@ -24,6 +24,8 @@ const std::vector<std::string> kCommands = {"dataset faces",
                                             "predict",
                                             "score",
                                             "draw",
+                                            "rig",
+                                            "avatar",
                                             "export",
                                             "info"};
 
