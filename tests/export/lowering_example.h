@@ -1,7 +1,6 @@
 #pragma once
 #include "export/lowering.h"
 #include "export/parity.h"
-#include "tests/export/own_runtime.h"
 #include "tests/export/test_function.h"
 
 #include <set>
@@ -35,7 +34,7 @@ inline onnx::ModelProto ExportExample(const Example& example) {
 }
 
 /// Every operator of the table has an example, each becomes what it has to, and its outputs are those of LibTorch in
-/// ONNX Runtime (if there is one), in our own runtime and in OpenCV, at several batch sizes.
+/// ONNX Runtime (if there is one) and in OpenCV, at several batch sizes.
 inline void ExpectExamples(const Lowerings& table, const std::vector<Example>& examples) {
   const testing::TempDir folder;
   std::set<std::string> covered;
@@ -64,7 +63,6 @@ inline void ExpectExamples(const Lowerings& table, const std::vector<Example>& e
     return outputs;
   };
   WriteFileAtomically(folder / "all.onnx", ExportToOnnx(Weights(all_weights), all).SerializeAsString());
-  ExpectTheSameInOwnRuntime(folder / "all.onnx", all);
   const ParityReport report = CheckParity(folder / "all.onnx", all, 1, folder.path());
   for (size_t i = 0; i < report.max_abs_diffs.size(); ++i)
     EXPECT_LT(report.max_abs_diffs[i], 1e-5) << "example " << i << " of " << examples[i].op;

@@ -1,6 +1,5 @@
 // Small networks of the kinds that are exported: residual ones, a U-Net with heat maps.
 #include "export/parity.h"
-#include "tests/export/own_runtime.h"
 #include "tests/export/test_function.h"
 
 #include <torch/nn/functional.h>
@@ -119,7 +118,6 @@ void ExpectParity(Network& network, const std::vector<int64_t>& shape) {
   const testing::TempDir folder;
   const auto function = TestFunction(shape, [&](const torch::Tensor& x) { return network.forward(x); });
   WriteFileAtomically(folder / "model.onnx", ExportToOnnx(network, function).SerializeAsString());
-  ExpectTheSameInOwnRuntime(folder / "model.onnx", function);
   const ParityReport report = CheckParity(folder / "model.onnx", function, 1, folder.path());
   ASSERT_EQ(report.others.size(), 1u);
   EXPECT_TRUE(report.others[0].agrees()) << report.others[0].refusal.value_or("")
