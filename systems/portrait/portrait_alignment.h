@@ -10,7 +10,7 @@
 namespace daumier::portrait {
 
 struct PortraitAlignmentOptions {
-  std::string adjust = "pose";
+  std::string adjust = "all";
   double deviation_px = 2;
   double trust = 0.5;
   fitting::FineAlignmentOptions fine;

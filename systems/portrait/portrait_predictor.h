@@ -64,7 +64,7 @@ class PortraitPredictor : public systems::Predictor {
                     std::unique_ptr<const LandmarkPredictor> landmarks, const PortraitPredictOptions& options = {});
 
   /// One face a picture, the one of highest confidence: vertices in the source's frame and cm, not posed; identity and
-  /// expression of the 3DMM, of the coarse face; landmarks of the mesh; record {stage: "fine" or "coarse", coefficients:
+  /// expression of the 3DMM, to which a fine face is aligned further; landmarks of the mesh; record {stage: "fine" or "coarse", coefficients:
   /// {identity, expression, albedo, light, pose}, crop: {linear, shift}, landmarks: [[x, y], ...] in pixels of the
   /// picture}, of a fine face also landmark_error: {coarse, fine}, the mean distance of its landmarks from those that it
   /// was aligned to, as a share of the distance of the outer eye corners; pictures `input`, `landmarks`, `parsing` (with

@@ -16,7 +16,7 @@ using testing::ExpectError;
 
 struct AnchorProblem {
   SparseMatrix laplacian;
-  std::vector<int> ids = {3, 40, 77, 12, 130};
+  std::vector<int> ids = {3, 40, 61, 12, 30};
   Points moves{5, 3};
   Eigen::VectorXd weights{{1.0, 0.2, 30.0, 1e4, 0.0}};
 };
