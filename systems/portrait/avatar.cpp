@@ -90,7 +90,8 @@ Avatar AvatarMaker::Make(const render::Image& picture) const {
   avatar.times.head = MillisecondsOf(watch);
 
   watch = {};
-  const rig::RiggedHead as_shown = rig_.On(avatar.face.vertices, {});
+  const rig::MorphTargets none{{}, Eigen::MatrixXf(avatar.face.vertices.size(), 0)};
+  const rig::RiggedHead as_shown = rig_.On(avatar.face.vertices, none);
   avatar.painted =
       painter_.Paint(ShownIn(reading, as_shown, predictor_->run().model.centre), render::ToRgb(picture), *reading.mask);
   avatar.texture = std::make_shared<const render::Image>(avatar.painted.picture);
