@@ -28,7 +28,7 @@ struct GraphNode {
   std::map<std::string, GraphAttribute> attributes;
 
   bool Reads(size_t input) const { return input < inputs.size() && !inputs[input].empty(); }
-  /// Attributes, or what stands for an absent one. @throws Error naming the node if an attribute is of another type.
+  /// Attributes, or the default of an absent one. @throws Error naming the node if an attribute is of another type.
   int64_t Integer(const std::string& attribute, int64_t otherwise) const;
   float Real(const std::string& attribute, float otherwise) const;
   std::string Text(const std::string& attribute, const std::string& otherwise) const;
@@ -43,7 +43,7 @@ struct GraphInput {
   Shape shape;
 };
 
-/// Nodes stand in an order in which they can be computed.
+/// Nodes are in an order in which they can be computed.
 struct Graph {
   std::string name;
   std::vector<GraphInput> inputs;

@@ -30,7 +30,7 @@ class PackedWeights {
   std::map<std::string, std::vector<std::unique_ptr<Entry>>> entries_;
 };
 
-/// Makes a plan node by node. An operator (runtime/operators.h) asks for its inputs in the layout that it reads, adds
+/// Makes a plan node by node. An operator (runtime/operators.h) requests its inputs in the layout that it reads, adds
 /// steps and defines its output. A shape without sizes of 0 is promised to operators.
 class PlanBuilder {
  public:

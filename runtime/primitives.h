@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// oneDNN's operators as we use them: the one place that knows its versions 2 and 3. What it refuses is a daumier::Error.
+/// oneDNN's operators as we use them: the one place that depends on its versions 2 and 3. What it refuses is a daumier::Error.
 namespace daumier::runtime {
 
 using Layout = dnnl::memory::desc;
