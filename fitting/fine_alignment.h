@@ -45,7 +45,7 @@ struct FineAlignmentOptions {
 /// A face aligned to landmarks of its picture.
 struct AlignedFace {
   geometry::Points vertices;             ///< V x 3, cm, in the frame of the coarse face.
-  std::array<int, 68> anchors{};         ///< The vertex that stood for each landmark.
+  std::array<int, 68> anchors{};         ///< The vertex used for each landmark.
   Eigen::VectorXd weights;               ///< 68: w_k.
   double rms_before_px = 0, rms_px = 0;  ///< Weighted root mean square distance of anchors from landmarks.
 };

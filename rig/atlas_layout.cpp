@@ -10,7 +10,7 @@ namespace daumier::rig {
 namespace {
 
 /// Lower left corners of boxes in the unit square, highest box first: in shelves from the bottom, each with columns from
-/// the left, in which a box stands on the one before if it fits. None if they do not fit.
+/// the left, in which a box lies on the one before if it fits. None if they do not fit.
 std::optional<std::vector<Eigen::Vector2d>> PlaceBoxes(const std::vector<Eigen::Vector2d>& boxes) {
   struct Column {
     double left, width, used;

@@ -70,7 +70,7 @@ Avatar AvatarMaker::Make(const render::Image& picture) const {
   Avatar avatar;
   const PortraitReading reading = predictor_->Read(picture);
   DAUMIER_CHECK(reading.mask.has_value(),
-                "the picture was not parsed, so that skin and background cannot be told apart: a landmark run or the "
+                "the picture was not parsed, so that skin and background cannot be separated: a landmark run or the "
                 "weights `landmarks` are needed");
   avatar.face = predictor_->ResultOf(picture, reading);
   avatar.times.face = MillisecondsOf(watch);

@@ -33,7 +33,7 @@ struct PortraitAlignmentOptions {
 struct AlignedPortrait {
   std::vector<float> coefficients;  ///< 239, of the coarse face in the pose of the fine one.
   geometry::Points vertices;        ///< V x 3, cm: the fine face.
-  std::vector<int> anchors;         ///< 68: the vertices that stood for the landmarks.
+  std::vector<int> anchors;         ///< 68: the vertices used for the landmarks.
   std::vector<float> coarse,
       landmarks;  ///< 68 x 2, pixels of the crop: of the coarse face in its own pose, and of the fine one.
 };

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using enum faces::LineLabel;
 
 constexpr std::array<faces::LineLabel, 3> kLabelsOfLines = {kUpperLip, kInnerMouth, kLowerLip};
-constexpr double kLeastWidth = 8;    // Pixels: lines of a smaller mouth are not told apart.
+constexpr double kLeastWidth = 8;    // Pixels: lines of a smaller mouth cannot be distinguished.
 constexpr double kMouthReach = 0.9;  // Widths above and below the corners.
 constexpr size_t kLeastThreeCuts = 6;
 constexpr double kHighestMiddle = -0.1, kLowestMiddle = 0.16, kLeastUpperShare = 0.15, kMostUpperShare = 0.65;
