@@ -12,7 +12,7 @@
 #include "datasets/read/portrait_database.h"
 #include "render/draw.h"
 #include "render/sheet.h"
-#include "systems/portrait/alignment_measurement.h"
+#include "systems/portrait/alignment_tables.h"
 #include "systems/portrait/landmark_files.h"
 #include "systems/portrait/picture_files.h"
 #include "systems/portrait/portrait_predictor.h"

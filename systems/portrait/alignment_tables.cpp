@@ -1,6 +1,7 @@
+#include "systems/portrait/alignment_tables.h"
+
 #include "core/error.h"
 #include "core/statistics.h"
-#include "systems/portrait/alignment_measurement.h"
 
 #include <fmt/core.h>
 

@@ -49,7 +49,8 @@ TEST(LabelledFit, ReachesThePointsOfAFaceOfItsGaussian) {
   const LabelledFace& face = TheFace();
   const LabelledFitter fitter = FitterOf(face);
   for (const uint64_t seed : {1, 2, 3}) {
-    const LabelledDrawing drawing = face.PointsOf(face.Face(seed), {0.8, 6, {30, 20}});
+    const LabelledDrawing drawing =
+        face.PointsOf(face.Face(seed), {.scale = 0.8, .shift = {30, 20}, .turn_degrees = 6});
     const auto fit = fitter.Fit(drawing);
     ASSERT_TRUE(fit.has_value());
     EXPECT_LT(MeanPointDistance(face, *fit, drawing), 0.25 * MeanFaceDistance(face, drawing)) << seed;

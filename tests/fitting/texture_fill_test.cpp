@@ -11,7 +11,7 @@
 namespace daumier::fitting {
 namespace {
 
-constexpr int kSize = 128;
+constexpr int kFilledSize = 128;
 
 /// Colours that are a function of the place on the sheet, known where `known` says so.
 TexelColours ColoursOf(const Sheet& sheet, const rig::TexelMap& texels,
@@ -34,7 +34,7 @@ TexelColours ColoursOf(const Sheet& sheet, const rig::TexelMap& texels,
 
 TEST(MeansAtVertices, AreThoseOfTheTexelsAroundThem) {
   const Sheet sheet = Sheet::Make(8, 4);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kFilledSize);
   const TexelColours colours = ColoursOf(
       sheet, texels, [](double x, double y) { return Eigen::Vector3f(float(x), float(y), 1); },
       [](double x, double) { return x < 0; });
@@ -107,7 +107,7 @@ TEST(FillSurface, IsAtRestWhereNothingIsKnown) {
 
 TEST(MirrorTexels, ShowsTheOtherSide) {
   const Sheet sheet = Sheet::Make(6, 3);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kFilledSize);
   const MirroredCorners mirrored = FindMirroredCorners(sheet.space, sheet.mirror);
   const TexelColours colours = ColoursOf(
       sheet, texels, [](double x, double y) { return Eigen::Vector3f(float(x), float(y), 0); },
@@ -122,7 +122,7 @@ TEST(MirrorTexels, ShowsTheOtherSide) {
 
 TEST(MirrorTexels, TwiceShowsTheSameSide) {
   const Sheet sheet = Sheet::Make(6, 3);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kFilledSize);
   const MirroredCorners mirrored = FindMirroredCorners(sheet.space, sheet.mirror);
   const TexelColours colours = ColoursOf(
       sheet, texels, [](double x, double y) { return Eigen::Vector3f(float(x), float(y), 0); },

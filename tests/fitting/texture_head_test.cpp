@@ -14,7 +14,7 @@
 namespace daumier::fitting {
 namespace {
 
-constexpr int kSize = 128, kPixels = 224;
+constexpr int kHeadSize = 128, kPixels = 224;
 
 /// A sheet for a face, whose atlas is the sheet seen from the front, and two eyeballs behind it.
 class PaintedSheet : public ::testing::Test {
@@ -66,7 +66,7 @@ class PaintedSheet : public ::testing::Test {
   }
   /// The texel of a place of the sheet.
   Eigen::Vector3f At(const render::Image& texture, double x, double y) const {
-    const int row = int((1 - sheet_.UvOf(y)) * kSize), column = int(sheet_.UvOf(x) * kSize);
+    const int row = int((1 - sheet_.UvOf(y)) * kHeadSize), column = int(sheet_.UvOf(x) * kHeadSize);
     return {float(texture.at(row, column, 0)), float(texture.at(row, column, 1)), float(texture.at(row, column, 2))};
   }
 
@@ -76,8 +76,8 @@ class PaintedSheet : public ::testing::Test {
 };
 
 TEST_F(PaintedSheet, ShowsThePicture) {
-  const HeadTexture texture = Paint(Ramps(), Mask(PictureClass::kSkin), {.size = kSize, .delight = false});
-  EXPECT_EQ(texture.picture.height, kSize);
+  const HeadTexture texture = Paint(Ramps(), Mask(PictureClass::kSkin), {.size = kHeadSize, .delight = false});
+  EXPECT_EQ(texture.picture.height, kHeadSize);
   for (const double x : {-4.0, 0.5, 3.0}) {
     for (const double y : {-3.0, 4.0}) {
       EXPECT_NEAR(At(texture.picture, x, y)[0], 250 - (112 + 10.15 * x), 2) << x;
@@ -90,7 +90,7 @@ TEST_F(PaintedSheet, ShowsThePicture) {
 }
 
 TEST_F(PaintedSheet, IsTheSameOfALargerPicture) {
-  const TextureOptions options = {.size = kSize, .delight = false};
+  const TextureOptions options = {.size = kHeadSize, .delight = false};
   const HeadTexture small = Paint(Ramps(), Mask(PictureClass::kSkin), options);
   head_.camera.linear *= 4;
   const HeadTexture large = Paint(Ramps(4), Mask(PictureClass::kSkin, 4), options);
@@ -108,7 +108,7 @@ TEST_F(PaintedSheet, HasSkinWhereThePictureShowsAnEye) {
     }
   };
   draw_eye(92), draw_eye(132);
-  const HeadTexture texture = Paint(picture, mask, {.size = kSize, .delight = false});
+  const HeadTexture texture = Paint(picture, mask, {.size = kHeadSize, .delight = false});
   for (const double x : {-1.9, 1.9}) {
     EXPECT_NEAR(At(texture.picture, x, 1.9)[0], 180, 4) << "the lid";
     EXPECT_EQ(At(texture.sources, x, 1.9), Eigen::Vector3f(255, 0, 0));
@@ -122,10 +122,10 @@ TEST_F(PaintedSheet, IsAlbedoWhereTheLightIsKnown) {
   const Eigen::Vector3f normal = RotationOf(head_.pose).col(2).cast<float>();
   raster::Shade(*head_.light, 1, normal.data(), &shade);
   const render::Image picture(kPixels, kPixels, 3, uint8_t(std::lround(150 * shade)));
-  const HeadTexture texture = Paint(picture, Mask(PictureClass::kSkin), {.size = kSize});
+  const HeadTexture texture = Paint(picture, Mask(PictureClass::kSkin), {.size = kHeadSize});
   EXPECT_NEAR(At(texture.picture, 1, -2)[0], 150, 1.5);
   head_.light.reset();
-  testing::ExpectError([&] { Paint(picture, Mask(PictureClass::kSkin), {.size = kSize}); }, "no light");
+  testing::ExpectError([&] { Paint(picture, Mask(PictureClass::kSkin), {.size = kHeadSize}); }, "no light");
 }
 
 TEST_F(PaintedSheet, TakesHairWhereItIsPaintedAlone) {
@@ -136,25 +136,27 @@ TEST_F(PaintedSheet, TakesHairWhereItIsPaintedAlone) {
       for (int k = 0; k < 3; ++k) picture.at(row, column, k) = 30;
     }
   }
-  const TextureOptions options = {.size = kSize, .delight = false};
+  const TextureOptions options = {.size = kHeadSize, .delight = false};
   EXPECT_NEAR(At(Paint(picture, mask, options).picture, 0, 4)[0], 200, 3) << "an occluder";
   guide_.hair_painted.setOnes();
   EXPECT_NEAR(At(Paint(picture, mask, options).picture, 0, 4)[0], 30, 3);
 }
 
 TEST_F(PaintedSheet, PaintsEyesAndGutters) {
-  const HeadTexture texture = Paint(Ramps(), Mask(PictureClass::kSkin), {.size = kSize, .delight = false});
-  const auto eye = [&](double u, double v) { return int(texture.picture.at(int((1 - v) * kSize), int(u * kSize), 0)); };
+  const HeadTexture texture = Paint(Ramps(), Mask(PictureClass::kSkin), {.size = kHeadSize, .delight = false});
+  const auto eye = [&](double u, double v) {
+    return int(texture.picture.at(int((1 - v) * kHeadSize), int(u * kHeadSize), 0));
+  };
   EXPECT_LT(eye(0.94, 0.04), 130) << "a plain iris, since the mask shows no eye";
   EXPECT_GT(eye(0.94, 0.012), 220) << "white behind";
   // The texel that holds the sheet's border has its middle outside of it.
-  const int row = kSize / 2, border = int(sheet_.UvOf(-6) * kSize);
+  const int row = kHeadSize / 2, border = int(sheet_.UvOf(-6) * kHeadSize);
   EXPECT_NEAR(texture.picture.at(row, border, 0), texture.picture.at(row, border + 1, 0), 3);
   EXPECT_EQ(texture.picture.at(2, 2, 0), 255) << "nothing is near";
 }
 
 TEST_F(PaintedSheet, IsTheSameFromSeveralThreads) {
-  const HeadPainter painter(sheet_.space, guide_, {.size = kSize});
+  const HeadPainter painter(sheet_.space, guide_, {.size = kHeadSize});
   const render::Image picture = Ramps(), mask = Mask(PictureClass::kSkin);
   const HeadTexture expected = painter.Paint(head_, picture, mask);
   std::vector<HeadTexture> painted(3);
@@ -165,11 +167,11 @@ TEST_F(PaintedSheet, IsTheSameFromSeveralThreads) {
 }
 
 TEST_F(PaintedSheet, RefusesSizesThatDisagree) {
-  testing::ExpectError([&] { Paint(Ramps(), Mask(PictureClass::kSkin, 2), {.size = kSize}); }, "224 x 224");
+  testing::ExpectError([&] { Paint(Ramps(), Mask(PictureClass::kSkin, 2), {.size = kHeadSize}); }, "224 x 224");
   ShownHead fewer = head_;
   fewer.vertices.conservativeResize(5, 3);
   testing::ExpectError(
-      [&] { PaintHead(sheet_.space, guide_, fewer, Ramps(), Mask(PictureClass::kSkin), {.size = kSize}); },
+      [&] { PaintHead(sheet_.space, guide_, fewer, Ramps(), Mask(PictureClass::kSkin), {.size = kHeadSize}); },
       "a head of 5 vertices");
   guide_.scalp.conservativeResize(3);
   testing::ExpectError([&] { HeadPainter(sheet_.space, guide_); }, "with a guide");

@@ -12,7 +12,7 @@
 namespace daumier::fitting {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kProjectedSize = 64;
 
 /// A picture of 224 x 224 whose red rises to the right and whose green rises downwards.
 PictureLayer Ramps() {
@@ -34,14 +34,15 @@ geometry::Points Turned(const geometry::Points& points, double yaw) {
 
 TEST(FindTexelSights, PutsATexelWhereItsPointIsProjected) {
   const Sheet sheet = Sheet::Make(4, 6);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
   PictureCamera camera;
   camera.linear << 0, -2, 2, 0;  // A quarter turn, twice as large.
   camera.shift << 500, 10;
   const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, camera, std::nullopt);
   const int texel = sheet.TexelAt(texels, 3, -2);
   // The middle of that texel, on the sheet.
-  const double x = ((texel % kSize + 0.5) / kSize - 0.5) / 0.4 * 6, y = (0.5 - (texel / kSize + 0.5) / kSize) / 0.4 * 6;
+  const double x = ((texel % kProjectedSize + 0.5) / kProjectedSize - 0.5) / 0.4 * 6,
+               y = (0.5 - (texel / kProjectedSize + 0.5) / kProjectedSize) / 0.4 * 6;
   const double in_view_x = 112 + 10.15 * x, in_view_y = 112 - 10.15 * y;
   EXPECT_NEAR(sights[size_t(texel)].place.x(), 500 - 2 * in_view_y, 1e-3);
   EXPECT_NEAR(sights[size_t(texel)].place.y(), 10 + 2 * in_view_x, 1e-3);
@@ -52,7 +53,7 @@ TEST(FindTexelSights, PutsATexelWhereItsPointIsProjected) {
 
 TEST(FindTexelSights, SeesNothingOfWhatTurnsAway) {
   const Sheet sheet = Sheet::Make(4, 6);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
   const int middle = sheet.TexelAt(texels, 0.1, 0.1);
   const auto sight_at = [&](double degrees) {
     const auto posed = Turned(sheet.vertices, degrees * std::numbers::pi / 180);
@@ -79,7 +80,7 @@ TEST(FindTexelSights, SeesNothingBehindAnotherSurface) {
 
 TEST(FindTexelSights, ShadesByTheLight) {
   const Sheet sheet = Sheet::Make(4, 6);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
   const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {}, PortraitLight{0.1F});
   EXPECT_NEAR(sights[size_t(sheet.TexelAt(texels, 1, 1))].shade, 0.9 * 0.886227, 1e-5);
 }
@@ -87,13 +88,13 @@ TEST(FindTexelSights, ShadesByTheLight) {
 TEST(FindTexelSights, RefusesAMeshOfFewerVertices) {
   const Sheet sheet = Sheet::Make(4, 6);
   testing::ExpectError(
-      [&] { FindTexelSights(sheet.space, sheet.space.Rasterise(kSize), sheet.vertices.topRows(5), {}, {}); },
+      [&] { FindTexelSights(sheet.space, sheet.space.Rasterise(kProjectedSize), sheet.vertices.topRows(5), {}, {}); },
       "5 vertices");
 }
 
 TEST(SampleLayer, ReadsThePictureAtTheTexelsPlaces) {
   const Sheet sheet = Sheet::Make(4, 6);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
   const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {}, std::nullopt);
   const TexelColours colours = SampleLayer(Ramps(), sights, false);
   const auto texel = size_t(sheet.TexelAt(texels, 2, -3));
@@ -118,7 +119,7 @@ TEST(SampleLayer, AveragesOverTheAreaOfATexel) {
 
 TEST(SampleLayer, KnowsNothingOutsideOfThePictureAndOfTheLayer) {
   const Sheet sheet = Sheet::Make(4, 6);
-  const rig::TexelMap texels = sheet.space.Rasterise(kSize);
+  const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
   PictureCamera camera;
   camera.shift << 112, 0;  // The right half of the sheet is outside.
   const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, camera, std::nullopt);
