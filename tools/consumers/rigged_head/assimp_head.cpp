@@ -14,16 +14,18 @@ int main(int, char** arguments) {
     std::fprintf(stderr, "%s\n", importer.GetErrorString());
     return 1;
   }
-  std::printf("{\"version\": \"%u.%u.%u\", \"meshes\": {", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch());
+  std::printf("{\"version\": \"%u.%u.%u\", \"meshes\": {", aiGetVersionMajor(), aiGetVersionMinor(),
+              aiGetVersionPatch());
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
     const aiMesh& mesh = *scene->mMeshes[m];
     std::printf("%s\"%s\": {\"vertices\": %u, \"targets\": [", m ? ", " : "", mesh.mName.C_Str(), mesh.mNumVertices);
     for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t) {
       const aiAnimMesh& target = *mesh.mAnimMeshes[t];
       float lowest = 0;
-      for (unsigned v = 0; v < mesh.mNumVertices; ++v) lowest = std::min(lowest, target.mVertices[v].y - mesh.mVertices[v].y);
-      std::printf("%s{\"name\": \"%s\", \"weight\": %g, \"lowest\": %.7g}", t ? ", " : "", target.mName.C_Str(), target.mWeight,
-                  lowest);
+      for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+        lowest = std::min(lowest, target.mVertices[v].y - mesh.mVertices[v].y);
+      std::printf("%s{\"name\": \"%s\", \"weight\": %g, \"lowest\": %.7g}", t ? ", " : "", target.mName.C_Str(),
+                  target.mWeight, lowest);
     }
     std::printf("]}");
   }
@@ -33,7 +35,8 @@ int main(int, char** arguments) {
     const aiMeshMorphAnim& channel = *animation.mMorphMeshChannels[c];
     std::printf("%s{\"name\": \"%s\", \"keys\": [", c ? ", " : "", channel.mName.C_Str());
     for (unsigned k = 0; k < channel.mNumKeys; ++k) {
-      std::printf("%s{\"time\": %.9g, \"weights\": [", k ? ", " : "", channel.mKeys[k].mTime / animation.mTicksPerSecond);
+      std::printf("%s{\"time\": %.9g, \"weights\": [", k ? ", " : "",
+                  channel.mKeys[k].mTime / animation.mTicksPerSecond);
       for (unsigned t = 0; t < channel.mKeys[k].mNumValuesAndWeights; ++t) {
         std::printf("%s%.9g", t ? ", " : "", channel.mKeys[k].mWeights[t]);
       }
