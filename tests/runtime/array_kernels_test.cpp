@@ -9,7 +9,7 @@
 namespace daumier::runtime {
 namespace {
 
-using Numbers = std::vector<float>;
+using Floats = std::vector<float>;
 
 TEST(ArrayKernels, StridesOfAPlainArrayAreProductsOfTheInnerSizes) {
   EXPECT_EQ(StridesOf({2, 3, 4}), (std::vector<int64_t>{12, 4, 1}));
@@ -17,21 +17,21 @@ TEST(ArrayKernels, StridesOfAPlainArrayAreProductsOfTheInnerSizes) {
 }
 
 TEST(ArrayKernels, StridedCopyTransposes) {
-  const Numbers from = {0, 1, 2, 3, 4, 5};  // 2 x 3
-  Numbers to(6);
+  const Floats from = {0, 1, 2, 3, 4, 5};  // 2 x 3
+  Floats to(6);
   StridedCopy({3, 2}, {1, 3}, StridesOf({3, 2})).Run(from.data(), to.data());
-  EXPECT_EQ(to, (Numbers{0, 3, 1, 4, 2, 5}));
+  EXPECT_EQ(to, (Floats{0, 3, 1, 4, 2, 5}));
 }
 
 TEST(ArrayKernels, BroadcastFunctionRepeatsAxesOfSizeOne) {
-  const Numbers column = {1, 2}, row = {10, 20, 30};
-  Numbers sum(6);
+  const Floats column = {1, 2}, row = {10, 20, 30};
+  Floats sum(6);
   BroadcastFunction("Add", {2, 1}, {1, 3}, {2, 3}).Run(column.data(), row.data(), sum.data());
-  EXPECT_EQ(sum, (Numbers{11, 21, 31, 12, 22, 32}));
-  const Numbers x = {-2, 4}, slopes = {0.5f};
-  Numbers y(2);
+  EXPECT_EQ(sum, (Floats{11, 21, 31, 12, 22, 32}));
+  const Floats x = {-2, 4}, slopes = {0.5f};
+  Floats y(2);
   BroadcastFunction("PRelu", {2}, {1}, {2}).Run(x.data(), slopes.data(), y.data());
-  EXPECT_EQ(y, (Numbers{-1, 4}));
+  EXPECT_EQ(y, (Floats{-1, 4}));
 }
 
 TEST(ArrayKernels, BroadcastFunctionRefusesAnUnknownOne) {
@@ -39,20 +39,20 @@ TEST(ArrayKernels, BroadcastFunctionRefusesAnUnknownOne) {
 }
 
 TEST(ArrayKernels, StridedReductionReducesTheNamedAxes) {
-  const Numbers from = {1, 2, 3, 4, 5, 9};  // 2 x 3, reduced over its rows.
-  Numbers to(3);
+  const Floats from = {1, 2, 3, 4, 5, 9};  // 2 x 3, reduced over its rows.
+  Floats to(3);
   const auto reduce = [&](Reduction kind) {
     StridedReduction(kind, {3}, {1}, {2}, {3}).Run(from.data(), to.data());
     return to;
   };
-  EXPECT_EQ(reduce(Reduction::kMean), (Numbers{2.5f, 3.5f, 6}));
-  EXPECT_EQ(reduce(Reduction::kMax), (Numbers{4, 5, 9}));
-  EXPECT_EQ(reduce(Reduction::kMin), (Numbers{1, 2, 3}));
+  EXPECT_EQ(reduce(Reduction::kMean), (Floats{2.5f, 3.5f, 6}));
+  EXPECT_EQ(reduce(Reduction::kMax), (Floats{4, 5, 9}));
+  EXPECT_EQ(reduce(Reduction::kMin), (Floats{1, 2, 3}));
 }
 
 TEST(ArrayKernels, SoftmaxSumsToOneAlongItsAxisAndDoesNotOverflow) {
-  const Numbers from = {1000, 0, 1000, std::log(3.0f)};  // outer 1, size 2, inner 2
-  Numbers to(4);
+  const Floats from = {1000, 0, 1000, std::log(3.0f)};  // outer 1, size 2, inner 2
+  Floats to(4);
   SoftmaxOf(from.data(), 1, 2, 2, false, to.data());
   EXPECT_NEAR(to[0], 0.5, 1e-6);
   EXPECT_NEAR(to[2], 0.5, 1e-6);
