@@ -144,9 +144,10 @@ struct Tally {
 void CountContact(const Subject& subject, int num_faces) {
   Tally gap{"gap of lids, eyeBlink 1", kGapMm}, sink{"depth of lids in the ball, eyeBlink 1", kSinkMm},
       way{"depth on the way, eyeBlink 0.2 .. 0.8", kSinkMm}, look{"depth with eyeLook 0.5 and 1, eye turned", kSinkMm},
-      close{"gap of lips, jawOpen 1 + mouthClose 1", kGapMm}, half{"gap of lips, jawOpen 0.5 + mouthClose 0.5", kGapMm},
-      press{"gap of lips, mouthPress both", kGapMm}, cross{"lips crossed, closed or pressed", 0.1},
-      both{"lids crossed, blink 0.75 + squint", 0.1}, down{"lids crossed, blink 0.5 + lookDown", 0.1};
+      close{"gap of lips, jawOpen 1 + mouthClose 1", kGapMm}, rest{"height between lips, neutral", kGapMm},
+      half{"height between lips, jawOpen 0.5 + mouthClose 0.5", kGapMm}, press{"gap of lips, mouthPress both", kGapMm},
+      cross{"lips crossed, closed or pressed", 0.1}, both{"lids crossed, blink 0.75 + squint", 0.1},
+      down{"lids crossed, blink 0.5 + lookDown", 0.1};
   const rig::FaceContact& contact = subject.expressions().contact();
   const double mm = subject.mm();
   const auto greatest = [&](const std::vector<double>& values) { return mm * *std::ranges::max_element(values); };
@@ -181,13 +182,14 @@ void CountContact(const Subject& subject, int num_faces) {
     const geometry::Points closed = PoseOf(face, offsets, {{"jawOpen"}, {"mouthClose"}}),
                            pressed = PoseOf(face, offsets, Both("mouthPress"));
     close.Add(greatest(contact.lips().Gaps(closed)));
-    half.Add(greatest(contact.lips().Gaps(PoseOf(face, offsets, {{"jawOpen", 0.5}, {"mouthClose", 0.5}}))));
+    rest.Add(greatest(contact.lips().Heights(frame, face)));
+    half.Add(greatest(contact.lips().Heights(frame, PoseOf(face, offsets, {{"jawOpen", 0.5}, {"mouthClose", 0.5}}))));
     press.Add(greatest(contact.lips().Gaps(pressed)));
     cross.Add(-std::min(least(contact.lips().Heights(frame, closed)), least(contact.lips().Heights(frame, pressed))));
   }
   std::printf("%d faces of amount %g; mm at 200 mm a face\n", num_faces, kCaricature);
-  for (const Tally& tally : {gap, sink, way, look, close, half, press, cross, both, down})
-    std::printf("%-45s worst %6.2f  beyond %.2f: %d of %d\n", tally.name, tally.worst, tally.limit, tally.num_bad,
+  for (const Tally& tally : {gap, sink, way, look, close, rest, half, press, cross, both, down})
+    std::printf("%-50s worst %6.2f  beyond %.2f: %d of %d\n", tally.name, tally.worst, tally.limit, tally.num_bad,
                 tally.num);
 }
 

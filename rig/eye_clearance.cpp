@@ -85,7 +85,7 @@ double EyeSkin::LeastClearance(const faces::Eyeball& eyeball, const Eigen::Vecto
 
 void EyeSkin::KeepOutside(const faces::Eyeball& eyeball, const GazeTurn& turn, const geometry::Points& rest,
                           geometry::Points& pose) const {
-  constexpr std::array<double, 4> kTimes = {0.25, 0.5, 0.75, 1};
+  constexpr std::array<double, 5> kTimes = {0.15, 0.3, 0.5, 0.75, 1};
   std::vector<double> needed(vertices_.size(), 0);
   geometry::Points points(Eigen::Index(vertices_.size()), 3);
   std::vector<double> clearance(vertices_.size());

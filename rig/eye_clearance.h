@@ -32,7 +32,7 @@ class EyeSkin {
   double LeastClearance(const faces::Eyeball& eyeball, const Eigen::Vector3d& gaze, const geometry::Points& pose) const;
 
   /// Moves `pose` out along rays from the ball's centre, smoothly, so that a face that goes straight from `rest` to it
-  /// stays outside the ball at a quarter, half, three quarters and the whole of the way, where it is outside at rest.
+  /// stays outside the ball at 0.15, 0.3, 0.5, 0.75 and the whole of the way, where it is outside at rest.
   void KeepOutside(const faces::Eyeball& eyeball, const GazeTurn& turn, const geometry::Points& rest,
                    geometry::Points& pose) const;
 

@@ -28,7 +28,7 @@ inline double BlinkLimit(double squint, double look_down) {
 ///
 /// With S the neutral face and o_e the offset of expression e, all at weight 1:
 /// - eyeBlink*: the edges of the lids (FindLidEdges) coincide at S + o, over the ball of faces::EyeballFit.
-/// - All expressions of an eye (eye*): S + t o is outside the ball at t = 1/4, 1/2, 3/4 and 1, for eyeLook* outside the
+/// - All expressions of an eye (eye*): S + t o is outside the ball at some t up to 1 (EyeSkin::KeepOutside), for eyeLook* outside the
 ///   ball turned by t kGazeDegrees. A target is a straight way, and the way around a ball is not: closed lids lie
 ///   farther out than the ball alone would have them.
 /// - eyeSquint* and eyeLookDown* leave 1 - kSquintNarrows and 1 - kLookDownNarrows of the opening; the other ones leave

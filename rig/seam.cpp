@@ -147,6 +147,15 @@ void Seam::Meet(const SeamFrame& frame, double upper_share, geometry::Points& po
     moves[i] = meeting - pose.row(follower.vertex).transpose();
   }
   Follow(moves, pose);
+  // Between its vertices an edge is straight: the finer one comes to lie on the coarser one.
+  const Side finer = edges_.upper.size() >= edges_.lower.size() ? Side::kUpper : Side::kLower;
+  const geometry::Points followed = pose;
+  for (int i = 0; i < num_edge_vertices_; ++i) {
+    const Follower& follower = followers_[size_t(i)];
+    if (follower.side == finer)
+      pose.row(follower.vertex) =
+          PointAt(followed, finer == Side::kUpper ? Side::kLower : Side::kUpper, follower.share).transpose();
+  }
   Clamp(frame, pose);
 }
 
