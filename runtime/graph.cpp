@@ -77,6 +77,7 @@ void CheckGraph(const Graph& graph) {
   }
   for (const GraphInput& input : graph.inputs) add(input.name);
   for (const GraphNode& node : graph.nodes) {
+    DAUMIER_CHECK(!node.inputs.empty(), "{} has no input", node.Text());
     for (const std::string& input : node.inputs)
       DAUMIER_CHECK(input.empty() || known.contains(input), "{} reads '{}', which no earlier node computes",
                     node.Text(), input);

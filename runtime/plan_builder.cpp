@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <stdexcept>
 
 namespace daumier::runtime {
 namespace {
@@ -88,6 +89,8 @@ void PlanBuilder::PlanNode(const GraphNode& node) {
     OperatorOf(node)(node, *this);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", node.Text(), error.what()));
+  } catch (const std::out_of_range&) {
+    throw Error(fmt::format("{} has {} inputs, which is too few", node.Text(), node.inputs.size()));
   } catch (const dnnl::error& error) {
     throw Error(fmt::format("{}: oneDNN refuses it: {}", node.Text(), error.what()));
   }

@@ -33,6 +33,11 @@ TEST(CheckGraph, RefusesTooManyNodes) {
   testing::ExpectError([&] { CheckGraph(example.graph); }, "at most 10000 are read");
 }
 
+TEST(CheckGraph, RefusesANodeWithoutAnInput) {
+  const GraphExample example = GraphExample({1}).Node("Relu", {}, "y");
+  testing::ExpectError([&] { CheckGraph(example.graph); }, "node 'Relu_y' (Relu) has no input");
+}
+
 TEST(CheckedSize, RefusesWhatIsTooLarge) {
   EXPECT_EQ(CheckedSize({2, 3}, "it"), 6);
   EXPECT_EQ(CheckedSize({}, "it"), 1);

@@ -36,5 +36,10 @@ TEST(PlanBuilder, NamesTheNodeThatItRefuses) {
       "MatMul_y");
 }
 
+TEST(PlanBuilder, NamesANodeWithTooFewInputs) {
+  const GraphExample example = GraphExample({1, 2}).Node("MatMul", {"x"}, "y");
+  testing::ExpectError([&] { example.Run(FixedArray({1, 2})); }, "node 'MatMul_y' (MatMul) has 1 inputs");
+}
+
 }  // namespace
 }  // namespace daumier::runtime
