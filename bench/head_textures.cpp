@@ -72,10 +72,13 @@ GivenHead TrueHead(const Workshop& workshop, const KnownHead& known, const Known
 }
 
 GivenHead PredictedHead(const Workshop& workshop, const fs::path& folder, int i) {
-  const Json record = Json::parse(ReadFile(folder / (NameOf(i) + ".json")));
+  const Json manifest = Json::parse(ReadFile(folder / "manifest.json"));
+  const Json& record = manifest.at("details").at("drawings").at(NameOf(i));
   const Json& coefficients = record.at("coefficients");
+  // The face's vertices come first in a written head.
+  const geometry::Points head = geometry::ReadObj(folder / (NameOf(i) + ".obj")).vertices;
   const geometry::Points face =
-      geometry::ReadObj(folder / (NameOf(i) + ".obj")).vertices.rowwise() - workshop.model.centre.transpose();
+      head.topRows(workshop.model.face_template.num_vertices()).rowwise() - workshop.model.centre.transpose();
   fitting::PortraitPose pose;
   for (int k = 0; k < 6; ++k) pose[k] = coefficients.at("pose")[size_t(k)].get<double>();
   portrait::PictureMap map;
