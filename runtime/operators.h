@@ -8,7 +8,7 @@ namespace daumier::runtime {
 using PlanOperator = void (*)(const GraphNode& node, PlanBuilder& plan);
 using OperatorTable = std::map<std::string, PlanOperator>;
 
-/// The operators that the exporter writes (export/lowering.h). @throws Error naming an operator that is not among them.
+/// The operators that the exporter writes (export/lowering.h). @throws Error if it is not among them.
 PlanOperator OperatorOf(const GraphNode& node);
 
 /// The parts of the table.

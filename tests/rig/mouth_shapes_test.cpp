@@ -9,7 +9,8 @@ namespace {
 
 double VolumeOf(const Tube& tube, const std::vector<double>& columns, const geometry::Points& points) {
   double volume = 0;
-  for (const auto& t : TubeChart(tube, columns, 1, TextureChart::kTeeth, 0, 1).triangles.rowwise()) {
+  const ChartPiece piece = TubeChart(tube, columns, 1, TextureChart::kTeeth, 0, 1);
+  for (const auto& t : piece.triangles.rowwise()) {
     const geometry::Vector3 a = points.row(t[0]), b = points.row(t[1]), c = points.row(t[2]);
     volume += a.dot(b.cross(c)) / 6;
   }

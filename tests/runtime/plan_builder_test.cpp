@@ -3,6 +3,9 @@
 #include "tests/runtime/graph_example.h"
 #include "tests/support/expect_error.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace daumier::runtime {
 namespace {
 
@@ -16,14 +19,19 @@ TEST(PlanBuilder, PacksAWeightOncePerLayout) {
   EXPECT_FLOAT_EQ(first[1], weights[2]) << "the second channel of the first pixel comes next";
 }
 
-TEST(PlanBuilder, PartsOfAConcatenationAreWrittenInPlace) {
+TEST(PlanBuilder, AConcatenationHoldsItsParts) {
   const GraphExample example = GraphExample({1, 2, 3, 3})
                                    .Node("Relu", {"x"}, "a")
                                    .Node("Sigmoid", {"x"}, "b")
                                    .Node("Concat", {"a", "b"}, "y", {{"axis", int64_t(1)}});
   PackedWeights packed;
-  const auto plan = PlanBuilder(example.graph, {{"x", {1, 2, 3, 3}}}, packed).Build();
-  EXPECT_EQ(plan->steps().size(), 2u) << "two functions, and nothing is copied";
+  const FloatArray x = FixedArray({1, 2, 3, 3});
+  const FloatArray y = PlanBuilder(example.graph, {{"x", x.shape}}, packed).Build()->Run({{"x", x}}).at("y");
+  ASSERT_EQ(y.shape, (Shape{1, 4, 3, 3}));
+  for (size_t i = 0; i < x.values.size(); ++i) {
+    EXPECT_EQ(y.values[i], std::max(x.values[i], 0.0f));
+    EXPECT_NEAR(y.values[x.values.size() + i], 1 / (1 + std::exp(-x.values[i])), 1e-6);
+  }
 }
 
 TEST(PlanBuilder, NamesTheNodeThatItRefuses) {
