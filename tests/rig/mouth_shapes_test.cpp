@@ -37,8 +37,8 @@ TEST(MouthShapes, TeethAreSymmetricAndMeetAtTheLips) {
       }
   }
   const geometry::Points upper = TeethPoints(Jaw::kUpper), lower = TeethPoints(Jaw::kLower);
-  EXPECT_NEAR(Eigen::VectorXd(upper.col(1)).minCoeff(), -0.065, 1e-9);
-  EXPECT_NEAR(Eigen::VectorXd(lower.col(1)).maxCoeff(), -0.045, 1e-9);
+  EXPECT_NEAR(Eigen::VectorXd(upper.col(1)).minCoeff(), -0.065, 1e-4);
+  EXPECT_NEAR(Eigen::VectorXd(lower.col(1)).maxCoeff(), -0.045, 1e-4);
   EXPECT_GT(Eigen::VectorXd(upper.col(2)).maxCoeff(), Eigen::VectorXd(lower.col(2)).maxCoeff() + 0.03);
 }
 
@@ -46,7 +46,7 @@ TEST(MouthShapes, ArchDepthIsTheFrontOfTheTeeth) {
   for (const Jaw jaw : {Jaw::kUpper, Jaw::kLower}) {
     for (const auto& p : TeethPoints(jaw).rowwise())
       if (IsInArch(jaw, p.x())) {
-        EXPECT_LT(p.z(), ArchDepth(jaw, p.x()) + 0.03);
+        EXPECT_LT(p.z(), ArchDepth(jaw, p.x()) + 0.05) << "the gum is thicker than the teeth";
       }
     EXPECT_FALSE(IsInArch(jaw, 0.5));
     EXPECT_LT(ArchDepth(jaw, 0.3), ArchDepth(jaw, 0.0));

@@ -180,10 +180,9 @@ TEST_F(SketchPredictorTest, ADrawingThatDiffersFromAnyFaceIsWarnedOfWithTheFigur
   const auto shuffled = Parser(std::make_shared<OtherParserNetwork>(ShufflePoints), {.mirror = false});
   const systems::FaceResult wild = SketchPredictor(run_, fixed_, shuffled).Predict(OneInput()).front();
   EXPECT_GT(wild.record["fit"]["residual_scale"].get<double>(), 3);
-  EXPECT_EQ(std::ranges::count_if(wild.warnings,
-                                  [](const std::string& warning) {
-                                    return warning.starts_with("the drawing differs from any face: ");
-                                  }),
+  EXPECT_EQ(std::ranges::count_if(
+                wild.warnings,
+                [](const std::string& warning) { return warning.starts_with("the drawing differs from any face: "); }),
             1);
 }
 
