@@ -147,7 +147,7 @@ TEST(DrawInStyle, ExactDrawingsHaveTheLinesOfTheFaceInTheirPose) {
     const FaceShape shape = testing::PlainFaceShape();
     const StyledDrawing drawing = DrawInStyle(shape, options, rng);
     const auto near = [&](faces::FacePoint point, const Eigen::Vector2d& on_sheet) {
-      const auto at = drawing.pose.Apply({on_sheet.x(), on_sheet.y()});
+      const auto at = render::ToCanvas(drawing.pose, on_sheet);
       const auto& shown = drawing.points[size_t(point)];
       EXPECT_TRUE(shown.is_shown());
       EXPECT_NEAR(shown.value[0], at[0], 0.01);
