@@ -44,7 +44,8 @@ TEST(MouthShapes, TeethAreSymmetricAndMeetAtTheLips) {
 
 TEST(MouthShapes, ArchDepthIsTheFrontOfTheTeeth) {
   for (const Jaw jaw : {Jaw::kUpper, Jaw::kLower}) {
-    for (const auto& p : TeethPoints(jaw).rowwise())
+    const geometry::Points points = TeethPoints(jaw);
+    for (const auto& p : points.rowwise())
       if (IsInArch(jaw, p.x())) {
         EXPECT_LT(p.z(), ArchDepth(jaw, p.x()) + 0.05) << "the gum is thicker than the teeth";
       }
