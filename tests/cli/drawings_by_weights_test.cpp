@@ -48,6 +48,7 @@ TEST_F(DrawingsByWeights, TheParserIsNamedByFolderOrName) {
 }
 
 TEST_F(DrawingsByWeights, WithoutWeightsOfMeshesTheyAreParsedWithAWarning) {
+  fs::create_directory(folder_ / "weights");
   fs::copy(SourceRoot() / "weights/parser", folder_ / "weights/parser", fs::copy_options::recursive);
   const ProcessResult parsed = Predict({"--out", In("out")}, folder_ / "weights");
   EXPECT_EQ(parsed.exit_code, 0) << parsed.err;
