@@ -18,7 +18,7 @@ struct PortraitPredictOptions {
   std::string landmarks = {};
   LandmarkDetectorOptions detector;
   bool fine = true;
-  PortraitAlignmentOptions alignment;
+  PortraitAlignmentOptions alignment = {.fine = {.contour = "fixed"}};  ///< As the landmark network is trained.
 
   template <class V>
   void Visit(V&& visit) {
