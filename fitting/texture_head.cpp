@@ -6,6 +6,7 @@
 #include "faces/appearance/skin_fields.h"
 #include "geometry/topology.h"
 #include "render/draw.h"
+#include "rig/material_colours.h"
 
 #include <Eigen/Geometry>
 
@@ -27,8 +28,7 @@ constexpr double kLeastHair = 0.01;
 /// Rims of lids and inner lips are darker than the skin next to them.
 constexpr float kRimShade = 0.82F;
 constexpr float kLeastEyeShade = 0.4F;
-const Eigen::Vector3f kMouthColour(0.38F, 0.11F, 0.11F), kTeethColour(0.95F, 0.93F, 0.88F),
-    kTongueColour(0.74F, 0.36F, 0.35F);
+const Eigen::Vector3f kMouthColour(0.38F, 0.11F, 0.11F);
 
 bool IsSkin(TextureChart chart) {
   return chart == TextureChart::kSkin || chart == TextureChart::kNeckCap || chart == TextureChart::kLidRim;
@@ -120,6 +120,8 @@ HeadPainter::HeadPainter(rig::TextureSpace space, TextureGuide guide, const Text
                     guide_.hair_painted.size() == num_vertices,
                 "a texture space of {} vertices with a guide of {}, {} and {}", space_.triangles.maxCoeff() + 1,
                 num_vertices, guide_.scalp.size(), guide_.hair_painted.size());
+  DAUMIER_CHECK(space_.materials.empty() || Eigen::Index(space_.materials.size()) == space_.triangles.rows(),
+                "{} materials for {} triangles", space_.materials.size(), space_.triangles.rows());
   gutter_ = rig::NearestShownTexels(texels_, std::max(1, kGutterReach * options.size / 1024));
   mirrored_ = FindMirroredCorners(space_, guide_.mirror);
   std::vector<int> skin, mouth;
@@ -234,10 +236,8 @@ HeadTexture HeadPainter::TextureOf(const SurfaceTexture& surface, std::vector<Ei
         break;
       }
       case TextureChart::kTeeth:
-        colour = kTeethColour;
-        break;
       case TextureChart::kTongue:
-        colour = kTongueColour;
+        if (!space_.materials.empty()) colour = rig::MaterialColour(space_.materials[size_t(t)]);
         break;
       default:
         break;

@@ -43,7 +43,6 @@ class PlanBuilder {
   /// Values, by names of the graph.
   const PlannedValue& Value(const std::string& name) const;
   const Shape& ShapeOf(const std::string& name) const { return Value(name).shape; }
-  bool IsWeight(const std::string& name) const { return graph_.weights.contains(name); }
   /// @throws Error naming the node if the input is no weight, or of the other kind of numbers.
   const GraphTensor& Weight(const GraphNode& node, size_t input) const;
   const std::vector<int64_t>& Integers(const GraphNode& node, size_t input) const;

@@ -5,6 +5,8 @@
 #include "core/stopwatch.h"
 #include "render/draw.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace daumier::portrait {
@@ -16,36 +18,16 @@ double MillisecondsOf(const Stopwatch& watch) {
   return 1e3 * watch.seconds();
 }
 
-/// For each vertex of the template its number in a rigged head, -1: none.
-std::vector<int> HeadFromFace(const rig::HeadRig& rig, int num_vertices) {
-  std::vector<int> numbers(size_t(num_vertices), -1);
-  const std::vector<int>& kept = rig.finished_vertices();
-  for (size_t i = 0; i < kept.size() && kept[i] < num_vertices; ++i) numbers[size_t(kept[i])] = int(i);
-  return numbers;
-}
-
-fitting::HeadPainter PainterOf(const rig::HeadRig& rig, const faces::FaceTemplate& face,
-                               const fitting::TextureOptions& options) {
-  const rig::TextureSpace& space = rig.texture_space();
-  const int num_vertices = space.triangles.maxCoeff() + 1;
-  return {space, fitting::MakeTextureGuide(face, HeadFromFace(rig, face.num_vertices()), num_vertices), options};
-}
-
-/// The head as the picture shows it.
-fitting::ShownHead ShownIn(const PortraitReading& reading, const rig::RiggedHead& head,
-                           const geometry::Vector3& model_centre) {
-  fitting::ShownHead shown;
-  shown.vertices = rig::JoinedMesh(head).vertices.rowwise() - model_centre.transpose();
-  for (size_t side = 0; side < 2; ++side) shown.eye_centres[side] = head.eyes.at(side).centre - model_centre;
-  const auto& x = reading.coefficients;
-  for (int k = 0; k < faces::kPoseSlot.count; ++k) shown.pose[k] = x[size_t(faces::kPoseSlot.first + k)];
+fitting::PortraitLight LightOf(std::span<const float> coefficients) {
   fitting::PortraitLight light;
-  for (int k = 0; k < faces::kLightSlot.count; ++k) light[size_t(k)] = x[size_t(faces::kLightSlot.first + k)];
-  shown.light = light;
-  const PictureMap picture_from_crop = reading.map.Inverse();
-  shown.camera.linear = picture_from_crop.linear;
-  shown.camera.shift = picture_from_crop.shift;
-  return shown;
+  std::ranges::copy(coefficients.subspan(size_t(faces::kLightSlot.first), light.size()), light.begin());
+  return light;
+}
+
+/// From the crop to the picture.
+fitting::PictureCamera CameraOf(const PictureMap& crop_from_picture) {
+  const PictureMap picture_from_crop = crop_from_picture.Inverse();
+  return {.view = {}, .linear = picture_from_crop.linear, .shift = picture_from_crop.shift};
 }
 
 }  // namespace
@@ -57,7 +39,7 @@ AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, con
       expression_shapes_(model.expression_shapes),
       targets_(model),
       rig_(model.face_template),
-      painter_(PainterOf(rig_, model.face_template, options.texture)) {
+      painter_(rig_.texture_space(), fitting::MakeTextureGuide(model.face_template, rig_), options.texture) {
   const faces::MorphableModel& of_faces = predictor_->run().model;
   DAUMIER_CHECK(of_faces.face_template.source == model.face_template.source &&
                     of_faces.face_template.num_vertices() == model.face_template.num_vertices(),
@@ -90,10 +72,10 @@ Avatar AvatarMaker::Make(const render::Image& picture) const {
   avatar.times.head = MillisecondsOf(watch);
 
   watch = {};
-  const rig::MorphTargets none{{}, Eigen::MatrixXf(avatar.face.vertices.size(), 0)};
-  const rig::RiggedHead as_shown = rig_.On(avatar.face.vertices, none);
-  avatar.painted =
-      painter_.Paint(ShownIn(reading, as_shown, predictor_->run().model.centre), render::ToRgb(picture), *reading.mask);
+  const fitting::ShownHead shown =
+      fitting::ShownHeadOf(rig_, reading.face.vertices, PoseOfCoefficients(reading.coefficients), CameraOf(reading.map),
+                           LightOf(reading.coefficients));
+  avatar.painted = painter_.Paint(shown, render::ToRgb(picture), *reading.mask);
   avatar.texture = std::make_shared<const render::Image>(avatar.painted.picture);
   avatar.times.texture = MillisecondsOf(watch);
   return avatar;
