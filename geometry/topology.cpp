@@ -3,8 +3,9 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
-#include <unordered_map>
+#include <span>
 #include <utility>
 
 namespace daumier::geometry {
@@ -18,61 +19,101 @@ void CheckCorners(const Triangles& triangles, int num_vertices) {
 }
 
 /// Lists of distinct ascending values from (item, value) pairs.
-Adjacency Collect(std::vector<std::pair<int, int>> pairs, int num_items) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+Adjacency Collect(const std::vector<std::pair<int, int>>& pairs, int num_items) {
+  std::vector<int> first(num_items + 1, 0);
+  for (const auto& [item, value] : pairs) ++first[item + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> values(pairs.size()), filled(first.begin(), first.end() - 1);
+  for (const auto& [item, value] : pairs) values[filled[item]++] = value;
+
   Adjacency adjacency;
   adjacency.offsets.assign(num_items + 1, 0);
-  adjacency.values.reserve(pairs.size());
-  for (const auto& [item, value] : pairs) {
-    ++adjacency.offsets[item + 1];
-    adjacency.values.push_back(value);
+  adjacency.values.reserve(values.size());
+  for (int i = 0; i < num_items; ++i) {
+    const auto begin = values.begin() + first[i], end = values.begin() + first[i + 1];
+    std::sort(begin, end);
+    adjacency.values.insert(adjacency.values.end(), begin, std::unique(begin, end));
+    adjacency.offsets[i + 1] = static_cast<int>(adjacency.values.size());
   }
-  for (int i = 0; i < num_items; ++i) adjacency.offsets[i + 1] += adjacency.offsets[i];
   return adjacency;
+}
+
+/// A triangle seen from one of its corners: the two others in their order.
+struct OpenCorner {
+  int next, last;
+  bool operator<(const OpenCorner& other) const { return next < other.next; }
+};
+
+/// The corners of all triangles by their vertex, in the order of `next`, so that (vertex, next) are the directed edges.
+struct CornersAtVertices {
+  std::vector<int> offsets;
+  std::vector<OpenCorner> corners;
+
+  std::span<OpenCorner> at(int vertex) {
+    return std::span(corners).subspan(offsets[vertex], offsets[vertex + 1] - offsets[vertex]);
+  }
+  bool HasEdge(int from, int to) {
+    const std::span<OpenCorner> fan = at(from);
+    return std::binary_search(fan.begin(), fan.end(), OpenCorner{to, -1});
+  }
+};
+
+CornersAtVertices CollectCorners(const Triangles& triangles, int num_vertices) {
+  CornersAtVertices collected;
+  collected.offsets.assign(num_vertices + 1, 0);
+  for (const int v : triangles.reshaped()) ++collected.offsets[v + 1];
+  std::partial_sum(collected.offsets.begin(), collected.offsets.end(), collected.offsets.begin());
+  collected.corners.resize(3 * triangles.rows());
+  std::vector<int> filled(collected.offsets.begin(), collected.offsets.end() - 1);
+  for (const auto& t : triangles.rowwise()) {
+    for (int k = 0; k < 3; ++k) collected.corners[filled[t[k]]++] = {t[(k + 1) % 3], t[(k + 2) % 3]};
+  }
+  for (int v = 0; v < num_vertices; ++v) std::sort(collected.at(v).begin(), collected.at(v).end());
+  return collected;
 }
 
 /// The fan of triangles at a vertex is one iff its outgoing edges, each leading on to the next, form one chain or one
 /// ring.
-void CheckSingleFans(const Triangles& triangles, int num_vertices) {
-  const Adjacency fans = TrianglesAtVertices(triangles, num_vertices);
-  for (int v = 0; v < num_vertices; ++v) {
-    std::unordered_map<int, int> next;  // From the corner that follows v to the one that precedes it.
-    std::set<int> ends;
-    for (const int f : fans[v]) {
-      const int k = triangles(f, 0) == v ? 0 : triangles(f, 1) == v ? 1 : 2;
-      next[triangles(f, (k + 1) % 3)] = triangles(f, (k + 2) % 3);
-      ends.insert(triangles(f, (k + 2) % 3));
-    }
-    if (next.empty()) continue;
-    int start = next.begin()->first;
-    for (const auto& [from, to] : next) {
-      if (!ends.contains(from)) start = from;  // An open fan is walked from its free end.
-    }
-    size_t length = 0;
-    int corner = start;
-    do {
-      ++length;
-      corner = next[corner];
-    } while (corner != start && next.contains(corner));
-    DAUMIER_CHECK(length == next.size(), "two separate fans of triangles meet at vertex {}", v);
-  }
+bool IsOneFan(std::span<const OpenCorner> fan, std::vector<int>& ends) {
+  ends.clear();
+  for (const OpenCorner& corner : fan) ends.push_back(corner.last);
+  std::sort(ends.begin(), ends.end());
+  // An open fan is walked from its free end.
+  const auto free_end = std::find_if(fan.begin(), fan.end(), [&](const OpenCorner& corner) {
+    return !std::binary_search(ends.begin(), ends.end(), corner.next);
+  });
+  const auto start = free_end == fan.end() ? fan.begin() : free_end;
+  auto corner = start;
+  size_t length = 0;
+  do {
+    ++length;
+    const int next = corner->last;
+    corner = std::lower_bound(fan.begin(), fan.end(), OpenCorner{next, -1});
+    if (corner == fan.end() || corner->next != next) break;
+  } while (corner != start && length < fan.size());
+  return length == fan.size();
 }
 
-/// The edges (from, to) of all triangles in their direction. @throws Error as CheckManifold.
-std::set<std::pair<int, int>> DirectedEdges(const Triangles& triangles, int num_vertices) {
+/// The corners of triangles that form a manifold. @throws Error as CheckManifold.
+CornersAtVertices ManifoldCorners(const Triangles& triangles, int num_vertices) {
   CheckCorners(triangles, num_vertices);
-  std::set<std::pair<int, int>> directed;
   for (int f = 0; f < triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const int from = triangles(f, k), to = triangles(f, (k + 1) % 3);
-      DAUMIER_CHECK(from != to, "triangle {} has vertex {} twice", f, from);
-      DAUMIER_CHECK(directed.emplace(from, to).second,
-                    "two triangles run from vertex {} to {}: non-manifold or wound wrongly", from, to);
-    }
+    for (int k = 0; k < 3; ++k)
+      DAUMIER_CHECK(triangles(f, k) != triangles(f, (k + 1) % 3), "triangle {} has vertex {} twice", f,
+                    triangles(f, k));
   }
-  CheckSingleFans(triangles, num_vertices);
-  return directed;
+  CornersAtVertices collected = CollectCorners(triangles, num_vertices);
+  std::vector<int> ends;
+  for (int v = 0; v < num_vertices; ++v) {
+    const std::span<const OpenCorner> fan = collected.at(v);
+    if (fan.empty()) continue;
+    const auto twice = std::adjacent_find(fan.begin(), fan.end(),
+                                          [](const OpenCorner& a, const OpenCorner& b) { return a.next == b.next; });
+    DAUMIER_CHECK(twice == fan.end(), "two triangles run from vertex {} to {}: non-manifold or wound wrongly", v,
+                  twice->next);
+    DAUMIER_CHECK(IsOneFan(fan, ends), "two separate fans of triangles meet at vertex {}", v);
+  }
+  return collected;
 }
 
 }  // namespace
@@ -87,7 +128,7 @@ Adjacency VertexNeighbours(const Triangles& triangles, int num_vertices) {
       pairs.emplace_back(t[(k + 1) % 3], t[k]);
     }
   }
-  return Collect(std::move(pairs), num_vertices);
+  return Collect(pairs, num_vertices);
 }
 
 Adjacency TrianglesAtVertices(const Triangles& triangles, int num_vertices) {
@@ -97,20 +138,22 @@ Adjacency TrianglesAtVertices(const Triangles& triangles, int num_vertices) {
   for (int f = 0; f < triangles.rows(); ++f) {
     for (int k = 0; k < 3; ++k) pairs.emplace_back(triangles(f, k), f);
   }
-  return Collect(std::move(pairs), num_vertices);
+  return Collect(pairs, num_vertices);
 }
 
 void CheckManifold(const Triangles& triangles, int num_vertices) {
-  DirectedEdges(triangles, num_vertices);
+  ManifoldCorners(triangles, num_vertices);
 }
 
 std::vector<std::vector<int>> BoundaryLoops(const Triangles& triangles, int num_vertices) {
-  const auto edges = DirectedEdges(triangles, num_vertices);
+  CornersAtVertices corners = ManifoldCorners(triangles, num_vertices);
   // An edge without its opposite runs along a hole, with the surface on its left. Since the triangles at a vertex are
   // one fan, no more than one such edge leaves it.
   std::vector<int> next(num_vertices, -1);
-  for (const auto& [from, to] : edges) {
-    if (!edges.contains({to, from})) next[from] = to;
+  for (int from = 0; from < num_vertices; ++from) {
+    for (const OpenCorner& corner : corners.at(from)) {
+      if (!corners.HasEdge(corner.next, from)) next[from] = corner.next;
+    }
   }
   std::vector<std::vector<int>> loops;
   for (int start = 0; start < num_vertices; ++start) {

@@ -5,17 +5,15 @@
 #include "core/log.h"
 #include "render/exif.h"
 #include "render/jpeg.h"
+#include "render/jpeg_codec.h"
 #include "render/opencv_bridge.h"
 #include "render/opencv_codecs.h"
 #include "render/png.h"
+#include "render/png_reader.h"
 #include "render/png_writer.h"
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <array>
 #include <limits>
-#include <mutex>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -28,13 +26,13 @@ constexpr double kDarkestOpaque = 0.02;
 constexpr int kInvisibleOnWhite = 170;
 
 /// The brightness that a share of the opaque pixels, counted by their opacity, stay below; 0 if all is transparent.
-int OpaqueQuantile(const cv::Mat& bgra, double share) {
+int OpaqueQuantile(const cv::Mat& rgba, double share) {
   std::array<int64_t, 256> opacity_at{};
   int64_t total = 0;
-  for (int row = 0; row < bgra.rows; ++row) {
-    for (int column = 0; column < bgra.cols; ++column) {
-      const auto& pixel = bgra.at<cv::Vec4b>(row, column);
-      const int brightness = (114 * pixel[0] + 587 * pixel[1] + 299 * pixel[2] + 500) / 1000;
+  for (int row = 0; row < rgba.rows; ++row) {
+    for (int column = 0; column < rgba.cols; ++column) {
+      const auto& pixel = rgba.at<cv::Vec4b>(row, column);
+      const int brightness = (299 * pixel[0] + 587 * pixel[1] + 114 * pixel[2] + 500) / 1000;
       opacity_at[brightness] += pixel[3];
       total += pixel[3];
     }
@@ -47,86 +45,46 @@ int OpaqueQuantile(const cv::Mat& bgra, double share) {
 }
 
 /// 8-bit RGB over white; over black what could not be seen there: light lines without a ground.
-cv::Mat LayOverPaper(const cv::Mat& bgra) {
-  const int paper = OpaqueQuantile(bgra, kDarkestOpaque) > kInvisibleOnWhite ? 0 : 255;
-  cv::Mat rgb(bgra.size(), CV_8UC3);
-  for (int row = 0; row < bgra.rows; ++row) {
-    for (int column = 0; column < bgra.cols; ++column) {
-      const auto& from = bgra.at<cv::Vec4b>(row, column);
+cv::Mat LayOverPaper(const cv::Mat& rgba) {
+  const int paper = OpaqueQuantile(rgba, kDarkestOpaque) > kInvisibleOnWhite ? 0 : 255;
+  cv::Mat rgb(rgba.size(), CV_8UC3);
+  for (int row = 0; row < rgba.rows; ++row) {
+    for (int column = 0; column < rgba.cols; ++column) {
+      const auto& from = rgba.at<cv::Vec4b>(row, column);
       auto& to = rgb.at<cv::Vec3b>(row, column);
       const int alpha = from[3];
       for (int channel = 0; channel < 3; ++channel) {
-        to[channel] = static_cast<uint8_t>((from[2 - channel] * alpha + paper * (255 - alpha) + 127) / 255);
+        to[channel] = static_cast<uint8_t>((from[channel] * alpha + paper * (255 - alpha) + 127) / 255);
       }
     }
   }
   return rgb;
 }
 
-/// Rows and columns as they are stored: our own code turns pictures, of every format alike.
-cv::Mat DecodeWithOpenCv(std::string_view bytes) {
-  if (bytes.empty() || bytes.size() > size_t(std::numeric_limits<int>::max())) return {};
+/// The first picture of the file, grey or RGB. @throws Error if it is cut.
+cv::Mat PixelsOfJpeg(std::string_view bytes, std::string_view name) {
+  const JpegExtent extent = FirstJpeg(bytes);
+  DAUMIER_CHECK(extent.has_scan, "{}: truncated JPEG", name);
+  DecodedJpeg decoded = DecodeJpeg(extent.picture);
+  DAUMIER_CHECK(!decoded.pixels.empty(), "{}: not a readable JPEG: {}. Export it again", name, decoded.complaint);
+  DAUMIER_CHECK(decoded.is_whole || extent.has_end, "{}: truncated JPEG: rows are missing at its end", name);
+  if (!decoded.is_whole) log::Warn("{}: parts of the JPEG are damaged or missing: {}", name, decoded.complaint);
+  if (!extent.has_end) log::Warn("{}: the JPEG lacks its end marker; all of its pixels are there", name);
+  return decoded.pixels;
+}
+
+/// Grey, RGB or RGBA of a file of another format; empty if it cannot be read.
+cv::Mat PixelsByOpenCv(std::string_view bytes) {
+  if (bytes.size() > size_t(std::numeric_limits<int>::max())) return {};
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   try {
-    return OpenCvDecode(
-        buffer, IsJpeg(bytes) ? cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION : int(cv::IMREAD_UNCHANGED));
+    cv::Mat pixels = OpenCvDecode(buffer, cv::IMREAD_UNCHANGED);
+    if (pixels.channels() == 3) cv::cvtColor(pixels, pixels, cv::COLOR_BGR2RGB);
+    if (pixels.channels() == 4) cv::cvtColor(pixels, pixels, cv::COLOR_BGRA2RGBA);
+    return pixels;
   } catch (const cv::Exception&) {
     return {};
   }
-}
-
-/// While it lives, stderr is discarded: libjpeg writes its own text there, and OpenCV offers no other way to hear of it.
-/// One at a time; lines of other threads are lost meanwhile.
-class SilentStderr {
- public:
-  SilentStderr() : lock_(Mutex()), kept_(dup(STDERR_FILENO)) {
-    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (kept_ >= 0 && nothing >= 0) dup2(nothing, STDERR_FILENO);
-    if (nothing >= 0) close(nothing);
-  }
-  ~SilentStderr() {
-    if (kept_ < 0) return;
-    dup2(kept_, STDERR_FILENO);
-    close(kept_);
-  }
-  SilentStderr(const SilentStderr&) = delete;
-  SilentStderr& operator=(const SilentStderr&) = delete;
-
- private:
-  static std::mutex& Mutex() {
-    static std::mutex mutex;
-    return mutex;
-  }
-  std::lock_guard<std::mutex> lock_;
-  int kept_;
-};
-
-/// A JPEG without its end marker, which libjpeg decodes without an error, grey where data are missing. Whether some are
-/// is found by what follows them: if all pixels are there, none depends on it. Empty if some are missing.
-cv::Mat DecodeWithoutEnd(std::string_view picture) {
-  constexpr std::string_view kEndMarker = "\xFF\xD9";
-  constexpr size_t kNumFollowing = 64;
-  const SilentStderr silent;
-  cv::Mat decoded;
-  for (const char following : {'\x00', '\xB5', '\x6A'}) {
-    const cv::Mat other =
-        DecodeWithOpenCv(fmt::format("{}{}{}", picture, std::string(kNumFollowing, following), kEndMarker));
-    if (other.empty()) return {};
-    if (!decoded.empty() && (decoded.size() != other.size() || cv::norm(decoded, other, cv::NORM_INF) > 0)) return {};
-    decoded = other;
-  }
-  return decoded;
-}
-
-/// @throws Error if the file is cut.
-cv::Mat DecodeJpeg(std::string_view bytes, std::string_view name) {
-  const JpegExtent extent = FirstJpeg(bytes);
-  DAUMIER_CHECK(extent.has_scan, "{}: truncated JPEG", name);
-  if (extent.has_end) return DecodeWithOpenCv(extent.picture);
-  cv::Mat decoded = DecodeWithoutEnd(extent.picture);
-  DAUMIER_CHECK(!decoded.empty(), "{}: truncated JPEG: rows are missing at its end", name);
-  log::Warn("{}: the JPEG lacks its end marker; all of its pixels are there", name);
-  return decoded;
 }
 
 /// The picture as its Exif orientation, from 1 to 8, says that it is shown.
@@ -152,24 +110,16 @@ Image::Image(int height, int width, int channels, uint8_t value) : height(height
 
 Image DecodeImage(std::string_view bytes, std::string_view name) {
   DAUMIER_CHECK(!bytes.empty(), "{}: the file is empty", name);
-  if (IsPng(bytes)) CheckPngHeader(bytes, name);
-  cv::Mat decoded = IsJpeg(bytes)  ? DecodeJpeg(bytes, name)
-                    : IsPng(bytes) ? DecodeWithOpenCv(PixelChunksOfPng(bytes, name))
-                                   : DecodeWithOpenCv(bytes);
+  cv::Mat decoded = IsJpeg(bytes)  ? PixelsOfJpeg(bytes, name)
+                    : IsPng(bytes) ? DecodePng(bytes, name)
+                                   : PixelsByOpenCv(bytes);
   DAUMIER_CHECK(!decoded.empty(), "{}: not a readable picture, or truncated (expected PNG, JPEG, WebP, BMP or TIFF)",
                 name);
   decoded = Turned(decoded, ExifOrientation(bytes));
   if (decoded.depth() == CV_16U) decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
   DAUMIER_CHECK(decoded.depth() == CV_8U, "{}: neither 8 nor 16 bits a channel", name);
 
-  cv::Mat result;
-  if (decoded.channels() == 4) {
-    result = LayOverPaper(decoded);
-  } else if (decoded.channels() == 3) {
-    cv::cvtColor(decoded, result, cv::COLOR_BGR2RGB);
-  } else {
-    result = decoded;
-  }
+  const cv::Mat result = decoded.channels() == 4 ? LayOverPaper(decoded) : decoded;
   Image image(result.rows, result.cols, result.channels());
   result.copyTo(MatView(image));
   return image;
@@ -181,17 +131,7 @@ Image ReadImage(const std::filesystem::path& path) {
 
 std::string EncodeImage(const Image& image, ImageFormat format, int jpeg_quality) {
   DAUMIER_CHECK(!image.pixels.empty(), "the picture to encode is empty");
-  if (format == ImageFormat::kPng) return EncodePng(image);
-  cv::Mat encoded;
-  if (image.channels == 3) {
-    cv::cvtColor(MatView(image), encoded, cv::COLOR_RGB2BGR);
-  } else {
-    encoded = MatView(image);
-  }
-  std::vector<uint8_t> bytes;
-  DAUMIER_CHECK(OpenCvEncode(".jpg", encoded, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality}),
-                "a picture cannot be encoded");
-  return {bytes.begin(), bytes.end()};
+  return format == ImageFormat::kPng ? EncodePng(image) : EncodeJpeg(image, jpeg_quality);
 }
 
 void WriteImage(const std::filesystem::path& path, const Image& image, int jpeg_quality) {

@@ -11,7 +11,6 @@ namespace daumier::render {
 namespace {
 
 constexpr std::string_view kPngSignature("\x89PNG\r\n\x1A\n", 8);
-constexpr uint32_t kMaxPngSide = 1u << 20;
 constexpr uint64_t kMaxPngPixels = uint64_t{1} << 30;
 
 uint32_t BigEndian32(std::string_view bytes, size_t offset) {

@@ -1,8 +1,11 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace daumier::render {
+
+inline constexpr uint32_t kMaxPngSide = 1u << 20;
 
 bool IsPng(std::string_view bytes);
 
@@ -11,9 +14,8 @@ bool IsPng(std::string_view bytes);
 /// found.
 void CheckPngHeader(std::string_view bytes, std::string_view name);
 
-/// A PNG of the chunks that make its pixels alone: header, palette, transparency, data, end. libpng, as OpenCV uses it,
-/// prints its complaints about all others, and about damage, to stderr. What follows the end is left out; a missing end is
-/// added. @throws Error naming `name` if a checksum differs, or the data are no whole zlib stream.
+/// A PNG of the chunks that make its pixels alone: header, palette, transparency, data, end. No colour profile or gamma
+/// is kept: libpng refuses pictures for damage in those. What follows the end is left out; a missing end is added. @throws Error naming `name` if a checksum differs, or the data are no whole zlib stream.
 std::string PixelChunksOfPng(std::string_view bytes, std::string_view name);
 
 }  // namespace daumier::render

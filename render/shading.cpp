@@ -1,6 +1,7 @@
 #include "render/shading.h"
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "geometry/corner_uv.h"
 #include "geometry/normals.h"
 #include "render/rasteriser.h"
@@ -200,7 +201,8 @@ Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingSt
 
   Image image(camera.height, camera.width, 3);
   const int n = style.supersampling;
-  for (int row = 0; row < camera.height; ++row) {
+  OnAllCores(camera.height, [&](int64_t of_row) {
+    const int row = int(of_row);
     for (int column = 0; column < camera.width; ++column) {
       Colour sum = Colour::Zero();
       bool empty = true;
@@ -215,7 +217,7 @@ Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingSt
             empty ? style.background[channel] : EncodedOf(sum[channel] / static_cast<float>(n * n));
       }
     }
-  }
+  });
   return image;
 }
 

@@ -29,9 +29,10 @@ void WriteHead(const std::filesystem::path& path, const faces::FinishedHead& hea
   }
   std::erase_if(parts, [](const geometry::ObjPart& part) { return part.num_triangles == 0; });
   std::vector<geometry::ObjMaterial> materials;
-  for (const auto& [material, name] : faces::kHeadMaterials) {
+  for (const faces::NamedHeadMaterial& named : faces::kHeadMaterials) {
+    const std::string name(named.name);
     if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.material == name; })) continue;
-    const MaterialLook look = LookOf(material);
+    const MaterialLook look = LookOf(named.material);
     materials.push_back({name, render::LinearLight(look.colour), look.gloss});
   }
   geometry::WriteObj(path, head.Mesh(face), parts, materials);

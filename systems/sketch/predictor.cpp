@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/parallel.h"
 #include "core/weights_folder.h"
 #include "geometry/coordinates.h"
 #include "render/faces_on_sheet.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace daumier::sketch {
@@ -186,11 +188,18 @@ std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::p
                     "refine=false",
                     run.string()));
   const std::filesystem::path of_parser = is_framed ? ParserFolder(parsed.parser) : std::filesystem::path();
-  SketchRunFolder folder = ReadSketchFolder(run);
+  std::optional<SketchRunFolder> folder;
+  std::unique_ptr<runtime::NetworkRunner> network;
   std::shared_ptr<const DrawingParser> parser;
-  if (is_framed) parser = std::make_shared<DrawingParser>(OpenDrawingParser(of_parser, device, parsed.parsing));
-  return std::make_unique<SketchPredictor>(std::move(folder), systems::OpenNetwork(run, device), std::move(parser),
-                                           parsed);
+  OnAllCores(2, [&](int64_t part) {
+    if (part == 0) {
+      folder = ReadSketchFolder(run);
+      network = systems::OpenNetwork(run, device);
+    } else if (is_framed) {
+      parser = std::make_shared<DrawingParser>(OpenDrawingParser(of_parser, device, parsed.parsing));
+    }
+  });
+  return std::make_unique<SketchPredictor>(std::move(*folder), std::move(network), std::move(parser), parsed);
 }
 
 }  // namespace daumier::sketch

@@ -4,7 +4,6 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "render/opencv_bridge.h"
-#include "render/opencv_codecs.h"
 #include "tests/render/oriented_pictures.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
@@ -19,6 +18,8 @@
 namespace daumier::render {
 namespace {
 
+using testing::Encoded;
+
 /// Smooth, with three different channels: red grows to the right, green downwards.
 Image Gradient(int height, int width, int channels) {
   Image image(height, width, channels);
@@ -30,12 +31,6 @@ Image Gradient(int height, int width, int channels) {
     }
   }
   return image;
-}
-
-std::string Encode(const std::string& extension, const cv::Mat& matrix) {
-  std::vector<uint8_t> bytes;
-  render::OpenCvEncode(extension, matrix, bytes, {});
-  return {bytes.begin(), bytes.end()};
 }
 
 TEST(ImageFile, PngRoundTripIsExact) {
@@ -111,7 +106,7 @@ TEST(DecodeImage, RefusesTruncatedPictures) {
     return matrix;
   }();
   for (const std::string extension : {".png", ".jpg"}) {
-    const std::string bytes = Encode(extension, noise);
+    const std::string bytes = Encoded(extension, noise);
     EXPECT_NO_THROW(DecodeImage(bytes, "whole")) << extension;
     for (const size_t size : {size_t{0}, size_t{1}, size_t{10}, bytes.size() / 2, bytes.size() - 20}) {
       EXPECT_THROW(DecodeImage(bytes.substr(0, size), "part"), Error) << extension << " " << size;
@@ -124,15 +119,15 @@ TEST(DecodeImage, LaysLightLinesOnNothingOverBlack) {
   cv::Mat bgra(6, 8, CV_8UC4, cv::Scalar(0, 0, 0, 0));
   bgra.row(2).setTo(cv::Scalar(240, 250, 255, 255));
   bgra.row(4).setTo(cv::Scalar(255, 255, 255, 128));
-  const Image light = DecodeImage(Encode(".png", bgra), "light");
+  const Image light = DecodeImage(Encoded(".png", bgra), "light");
   EXPECT_EQ(light.at(0, 0), 0);
   EXPECT_EQ(light.at(2, 3), 255);
   EXPECT_EQ(light.at(4, 3), 128);
   // A dark line on an opaque light shape is seen on white.
   bgra.row(3).setTo(cv::Scalar(0, 0, 0, 255));
-  EXPECT_EQ(DecodeImage(Encode(".png", bgra), "sticker").at(0, 0), 255);
+  EXPECT_EQ(DecodeImage(Encoded(".png", bgra), "sticker").at(0, 0), 255);
   bgra.setTo(cv::Scalar(255, 255, 255, 0));
-  EXPECT_EQ(DecodeImage(Encode(".png", bgra), "nothing").at(0, 0), 255);
+  EXPECT_EQ(DecodeImage(Encoded(".png", bgra), "nothing").at(0, 0), 255);
 }
 
 TEST(DecodeImage, LaysTransparencyOverWhite) {
@@ -140,7 +135,7 @@ TEST(DecodeImage, LaysTransparencyOverWhite) {
   bgra.at<cv::Vec4b>(0, 0) = {10, 20, 30, 255};
   bgra.at<cv::Vec4b>(0, 1) = {0, 0, 0, 0};
   bgra.at<cv::Vec4b>(0, 2) = {0, 0, 255, 51};  // One fifth red over white.
-  const Image image = DecodeImage(Encode(".png", bgra), "alpha");
+  const Image image = DecodeImage(Encoded(".png", bgra), "alpha");
   ASSERT_EQ(image.channels, 3);
   const std::vector<uint8_t> expected = {30, 20, 10, 255, 255, 255, 255, 204, 204};
   EXPECT_EQ(image.pixels, expected);
@@ -148,15 +143,15 @@ TEST(DecodeImage, LaysTransparencyOverWhite) {
 
 TEST(DecodeImage, RoundsSixteenBitsToEight) {
   const cv::Mat grey = (cv::Mat_<uint16_t>(1, 3) << 0, 257 * 100 + 20, 65535);
-  const Image image = DecodeImage(Encode(".png", grey), "deep");
+  const Image image = DecodeImage(Encoded(".png", grey), "deep");
   EXPECT_EQ(image.channels, 1);
   EXPECT_EQ(image.pixels, (std::vector<uint8_t>{0, 100, 255}));
 }
 
 TEST(DecodeImage, TurnsEveryFormatAsItsOrientationSays) {
   const cv::Mat stored = testing::SixBlocks();
-  const std::string jpeg = Encode(".jpg", stored), png = Encode(".png", stored);
-  const std::string webp = testing::Encoded(".webp", stored, {cv::IMWRITE_WEBP_QUALITY, 101});
+  const std::string jpeg = Encoded(".jpg", stored), png = Encoded(".png", stored);
+  const std::string webp = Encoded(".webp", stored, {cv::IMWRITE_WEBP_QUALITY, 101});
   for (int orientation = 1; orientation <= 8; ++orientation) {
     const std::string exif = testing::ExifData(orientation, orientation % 2 == 0);
     for (const auto& [name, bytes] : {std::pair{"JPEG", testing::JpegWithExif(jpeg, exif)},
@@ -177,7 +172,7 @@ TEST(DecodeImage, TurnsEveryFormatAsItsOrientationSays) {
 }
 
 TEST(DecodeImage, ReadsTheFirstPictureOfAJpegWithMoreBehind) {
-  const std::string jpeg = Encode(".jpg", testing::SixBlocks()), other = Encode(".jpg", cv::Mat(8, 8, CV_8UC1));
+  const std::string jpeg = Encoded(".jpg", testing::SixBlocks()), other = Encoded(".jpg", cv::Mat(8, 8, CV_8UC1));
   const Image alone = DecodeImage(jpeg, "alone");
   EXPECT_EQ(DecodeImage(jpeg + "ftypmp42 \xFF\xDA movie", "with a movie"), alone);
   EXPECT_EQ(DecodeImage(jpeg + other, "with a second picture"), alone);
@@ -186,8 +181,7 @@ TEST(DecodeImage, ReadsTheFirstPictureOfAJpegWithMoreBehind) {
 TEST(DecodeImage, ReadsAJpegThatLacksItsEndMarkerAloneWithAWarning) {
   testing::AllowWarnings();
   for (const int progressive : {0, 1}) {
-    const std::string jpeg =
-        testing::Encoded(".jpg", testing::SixBlocks(), {cv::IMWRITE_JPEG_PROGRESSIVE, progressive});
+    const std::string jpeg = Encoded(".jpg", testing::SixBlocks(), {cv::IMWRITE_JPEG_PROGRESSIVE, progressive});
     const int before = log::NumWarnings();
     EXPECT_EQ(DecodeImage(jpeg.substr(0, jpeg.size() - 2), "without end"), DecodeImage(jpeg, "whole"));
     EXPECT_EQ(log::NumWarnings(), before + 1);
@@ -196,7 +190,7 @@ TEST(DecodeImage, ReadsAJpegThatLacksItsEndMarkerAloneWithAWarning) {
 }
 
 TEST(DecodeImage, OfACutJpegPrintsNothing) {
-  const std::string jpeg = Encode(".jpg", testing::SixBlocks());
+  const std::string jpeg = Encoded(".jpg", testing::SixBlocks());
   ::testing::internal::CaptureStderr();
   testing::ExpectError([&] { DecodeImage(jpeg.substr(0, jpeg.size() - 6), "cut.jpg"); }, "cut.jpg: truncated JPEG");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");

@@ -1,6 +1,5 @@
 #pragma once
 #include "render/image.h"
-#include "render/opencv_codecs.h"
 
 #include <zlib.h>
 #include <array>
@@ -14,7 +13,7 @@ namespace daumier::testing {
 
 inline std::string Encoded(const std::string& extension, const cv::Mat& matrix, const std::vector<int>& options = {}) {
   std::vector<uint8_t> bytes;
-  render::OpenCvEncode(extension, matrix, bytes, options);
+  cv::imencode(extension, matrix, bytes, options);
   return {bytes.begin(), bytes.end()};
 }
 

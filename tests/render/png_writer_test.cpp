@@ -1,7 +1,6 @@
 #include "render/png_writer.h"
 
 #include "render/opencv_bridge.h"
-#include "render/opencv_codecs.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +23,7 @@ TEST(EncodePng, WritesWhatOpenCvWrites) {
     cv::Mat mat = MatView(image).clone();
     if (channels == 3) cv::cvtColor(mat, mat, cv::COLOR_RGB2BGR);
     std::vector<uint8_t> expected;
-    ASSERT_TRUE(OpenCvEncode(".png", mat, expected, {cv::IMWRITE_PNG_COMPRESSION, 6}));
+    ASSERT_TRUE(cv::imencode(".png", mat, expected, {cv::IMWRITE_PNG_COMPRESSION, 6}));
     EXPECT_EQ(EncodePng(image), std::string(expected.begin(), expected.end()));
   }
 }
