@@ -22,13 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mesh, or a face of a database: vertices, and polygons where they are known.
-struct GivenFace {
-  geometry::PolygonMesh mesh;
-  fs::path file;        ///< As messages name it.
-  bool is_mesh = true;  ///< Otherwise of a database, whose topology needs no check.
-};
-
 constexpr const char* kExpected =
     "expected a mesh (.obj, .ply), an entry of a folder that `daumier predict` wrote (predicted/drawing), or a face of "
     "a "
@@ -44,26 +37,6 @@ GivenFace ReadFromDatabase(const fs::path& face) {
                     "person-00000-level-1-{})",
                     face.parent_path().string(), name, database.num_faces() - 1, database.expression_names().front()));
   return {{.vertices = database.points(*index)}, face, false};
-}
-
-GivenFace ReadGivenFace(const fs::path& face) {
-  if (fs::is_directory(face)) throw UsageError(fmt::format("{} is a folder ({})", face.string(), kExpected));
-  if (fs::exists(face)) return {faces::ReadMesh(face), face};
-  for (const char* extension : {".obj", ".ply"}) {
-    fs::path mesh = face;
-    if (fs::exists(mesh += extension)) return {faces::ReadMesh(mesh), mesh};
-  }
-  if (fs::exists(face.parent_path() / "template.json")) return ReadFromDatabase(face);
-  throw UsageError(fmt::format("there is no {} ({})", face.string(), kExpected));
-}
-
-/// Vertices of the finished head that `daumier predict` writes; V where the template has none.
-int NumHeadVertices(const faces::FaceTemplate& face_template) {
-  try {
-    return faces::FinishedHead(face_template).num_vertices();
-  } catch (const Error&) {
-    return face_template.num_vertices();
-  }
 }
 
 std::set<std::pair<int, int>> EdgesOf(const geometry::Triangles& triangles) {
@@ -93,25 +66,6 @@ double ShareOfEdges(const geometry::PolygonMesh& mesh, const faces::FaceTemplate
 
 double HeightOf(const geometry::Points& points) {
   return points.col(1).maxCoeff() - points.col(1).minCoeff();
-}
-
-/// The face's vertices. @throws Error as ReadFaceToRig.
-geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTemplate& face_template) {
-  const std::string file = given.file.string();
-  DAUMIER_CHECK(given.mesh.vertices.allFinite(), "{} has a vertex that is no finite number", file);
-  const geometry::Points vertices = given.mesh.vertices.topRows(face_template.num_vertices());
-  constexpr double kLeastShare = 0.9;
-  if (given.is_mesh)
-    DAUMIER_CHECK(ShareOfEdges(given.mesh, face_template) >= kLeastShare,
-                  "{} has as many vertices as faces of '{}', but other polygons: another program has sorted its "
-                  "vertices, or it is of another topology. Export it with the order of vertices kept",
-                  file, face_template.source);
-  constexpr double kLargestRatio = 4;
-  const double ratio = HeightOf(vertices) / HeightOf(face_template.neutral);
-  DAUMIER_CHECK(ratio < kLargestRatio && ratio > 1 / kLargestRatio,
-                "{} is {:.3g} high, faces of '{}' are {:.0f} cm: it has another unit. Scale it to centimetres", file,
-                HeightOf(vertices), face_template.source, HeightOf(face_template.neutral));
-  return vertices;
 }
 
 /// Face models in the order in which they are tried, without those that are not installed.
@@ -172,6 +126,43 @@ Eigen::VectorXf StatedExpression(const fs::path& mesh, Eigen::Index num_shapes) 
 }
 
 }  // namespace
+
+GivenFace ReadGivenFace(const fs::path& face) {
+  if (fs::is_directory(face)) throw UsageError(fmt::format("{} is a folder ({})", face.string(), kExpected));
+  if (fs::exists(face)) return {faces::ReadMesh(face), face};
+  for (const char* extension : {".obj", ".ply"}) {
+    fs::path mesh = face;
+    if (fs::exists(mesh += extension)) return {faces::ReadMesh(mesh), mesh};
+  }
+  if (fs::exists(face.parent_path() / "template.json")) return ReadFromDatabase(face);
+  throw UsageError(fmt::format("there is no {} ({})", face.string(), kExpected));
+}
+
+int NumHeadVertices(const faces::FaceTemplate& face_template) {
+  try {
+    return faces::FinishedHead(face_template).num_vertices();
+  } catch (const Error&) {
+    return face_template.num_vertices();
+  }
+}
+
+geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTemplate& face_template) {
+  const std::string file = given.file.string();
+  DAUMIER_CHECK(given.mesh.vertices.allFinite(), "{} has a vertex that is no finite number", file);
+  const geometry::Points vertices = given.mesh.vertices.topRows(face_template.num_vertices());
+  constexpr double kLeastShare = 0.9;
+  if (given.is_mesh)
+    DAUMIER_CHECK(ShareOfEdges(given.mesh, face_template) >= kLeastShare,
+                  "{} has as many vertices as faces of '{}', but other polygons: another program has sorted its "
+                  "vertices, or it is of another topology. Export it with the order of vertices kept",
+                  file, face_template.source);
+  constexpr double kLargestRatio = 4;
+  const double ratio = HeightOf(vertices) / HeightOf(face_template.neutral);
+  DAUMIER_CHECK(ratio < kLargestRatio && ratio > 1 / kLargestRatio,
+                "{} is {:.3g} high, faces of '{}' are {:.0f} cm: it has another unit. Scale it to centimetres", file,
+                HeightOf(vertices), face_template.source, HeightOf(face_template.neutral));
+  return vertices;
+}
 
 FaceToRig ReadFaceToRig(const fs::path& face, const std::optional<faces::SourceOptions>& source,
                         ShownExpression expression) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "faces/face_model.h"
 #include "faces/source.h"
+#include "geometry/mesh.h"
 
 #include <filesystem>
 #include <optional>
@@ -14,6 +15,23 @@ enum class ShownExpression {
   kRemoved,  ///< Where the prediction states it, as those of portraits do.
   kKept,
 };
+
+/// A mesh, or a face of a database: vertices, and polygons where they are known.
+struct GivenFace {
+  geometry::PolygonMesh mesh;
+  std::filesystem::path file;  ///< As messages name it.
+  bool is_mesh = true;         ///< Otherwise of a database, whose topology needs no check.
+};
+
+/// Reads `face` as ReadFaceToRig does, of whatever topology. @throws UsageError if there is no such face.
+GivenFace ReadGivenFace(const std::filesystem::path& face);
+
+/// The vertices of a face of the template, V x 3: those of the mesh, or the first V of a finished head.
+/// @throws Error if a vertex is not finite, the polygons are not the topology's, or the size suggests another unit.
+geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTemplate& face_template);
+
+/// Vertices of the finished head that `daumier predict` writes; V where the template has none.
+int NumHeadVertices(const faces::FaceTemplate& face_template);
 
 /// A face that is to be rigged.
 struct FaceToRig {

@@ -25,6 +25,7 @@ Verb TrainVerb();
 Verb AblateVerb();
 Verb EvalVerb();
 Verb PredictVerb();
+Verb EditVerb();
 Verb ScoreVerb();
 Verb DrawVerb();
 Verb RigVerb();

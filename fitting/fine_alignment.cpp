@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "faces/landmark_parts.h"
-#include "geometry/path.h"
 #include "geometry/topology.h"
 
 #include <Eigen/Geometry>
@@ -17,14 +16,7 @@ namespace {
 
 using geometry::Vector3;
 
-constexpr int kNumJaw = 17;
-/// Landmarks of the jaw's right half and of the face further in at about their height: the silhouette of a turned head
-/// is between them. The left half mirrors them; the chin has no such path.
-constexpr std::array<std::pair<int, int>, 8> kContourEnds = {
-    {{0, 36}, {1, 41}, {2, 31}, {3, 31}, {4, 48}, {5, 48}, {6, 59}, {7, 58}}};
-constexpr std::array<int, 8> kLeftContourEnds = {45, 46, 35, 35, 54, 54, 55, 56};
-/// The silhouette lies in this part of a path.
-constexpr double kContourShare = 0.7;
+constexpr int kNumJaw = ContourPaths::kNumJaw;
 /// Edges about a landmark over which its direction is averaged: lids and lips have rims that face anywhere.
 constexpr int kSurroundingRings = 3;
 /// Between these cosines of the angle to the viewer a landmark becomes hidden.
@@ -162,11 +154,9 @@ FineAlignment::FineAlignment(const faces::FaceTemplate& face_template, const Fin
     : options_(options),
       triangles_(face_template.triangles),
       landmarks_(face_template.annotation.landmarks),
+      contour_paths_(face_template),
       openings_(face_template, FindOpeningPairs(face_template)) {
-  const geometry::Points& neutral = face_template.neutral;
   const int num_vertices = face_template.num_vertices();
-  for (size_t k = 0; k < landmarks_.size(); ++k)
-    DAUMIER_CHECK(landmarks_[k] >= 0 && landmarks_[k] < num_vertices, "landmark {} is not annotated", k);
   const geometry::Adjacency neighbours = geometry::VertexNeighbours(triangles_, num_vertices),
                             around = geometry::TrianglesAtVertices(triangles_, num_vertices);
   for (const int vertex : landmarks_) {
@@ -177,23 +167,11 @@ FineAlignment::FineAlignment(const faces::FaceTemplate& face_template, const Fin
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     surroundings_.push_back(std::move(faces));
   }
-  contour_paths_.resize(kNumJaw);
-  const auto add_path = [&](int jaw, int inner) {
-    const int from = landmarks_[size_t(jaw)], to = landmarks_[size_t(inner)];
-    std::vector<int> path = geometry::ShortestPath(neutral, neighbours, from, to);
-    path.resize(std::max<size_t>(1, size_t(kContourShare * double(path.size()))));
-    const Eigen::Vector2d outwards = (neutral.row(from) - neutral.row(to)).head<2>();
-    contour_paths_[size_t(jaw)] = {std::move(path), outwards.normalized()};
-  };
-  for (size_t i = 0; i < kContourEnds.size(); ++i) {
-    add_path(kContourEnds[i].first, kContourEnds[i].second);
-    add_path(kNumJaw - 1 - kContourEnds[i].first, kLeftContourEnds[i]);
-  }
-  contour_paths_[faces::kChinLandmark] = {{landmarks_[faces::kChinLandmark]}, {0, -1}};
   if (options_.laplacian != "uniform") return;
   std::vector<int> ids(landmarks_.begin(), landmarks_.end());
   if (options_.contour == "slide") {
-    for (const ContourPath& path : contour_paths_) ids.insert(ids.end(), path.vertices.begin(), path.vertices.end());
+    const std::vector<int> candidates = contour_paths_.AllVertices();
+    ids.insert(ids.end(), candidates.begin(), candidates.end());
   }
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -207,16 +185,10 @@ std::array<int, 68> FineAlignment::Anchors(const geometry::Points& vertices, con
                                            const PortraitView& view) const {
   std::array<int, 68> anchors = landmarks_;
   if (options_.contour != "slide") return anchors;
-  const Eigen::Rotation2Dd roll(pose[2]);
-  for (size_t k = 0; k < contour_paths_.size(); ++k) {
-    const ContourPath& path = contour_paths_[k];
-    geometry::Points points(Eigen::Index(path.vertices.size()), 3);
-    for (size_t i = 0; i < path.vertices.size(); ++i) points.row(Eigen::Index(i)) = vertices.row(path.vertices[i]);
-    const PicturePoints pixels = Projected(Posed(points, pose), view);
-    const Eigen::Vector2d up = roll * path.outwards, outwards(up.x(), -up.y());
-    Eigen::Index outermost = 0;
-    (pixels * outwards).maxCoeff(&outermost);
-    anchors[k] = path.vertices[size_t(outermost)];
+  for (int k = 0; k < kNumJaw; ++k) {
+    const std::vector<int>& path = contour_paths_.vertices(k);
+    const PicturePoints pixels = Projected(Posed(vertices(path, Eigen::all), pose), view);
+    anchors[size_t(k)] = path[size_t(contour_paths_.Outermost(k, pixels, pose[2]))];
   }
   return anchors;
 }

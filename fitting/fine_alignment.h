@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 #include "faces/face_model.h"
+#include "fitting/contour_paths.h"
 #include "fitting/opening_moves.h"
 #include "fitting/portrait_view.h"
 #include "geometry/laplacian_anchors.h"
@@ -78,17 +79,13 @@ class FineAlignment {
   const FineAlignmentOptions& options() const { return options_; }
 
  private:
-  struct ContourPath {
-    std::vector<int> vertices;  ///< From the template's vertex inwards.
-    Eigen::Vector2d outwards;   ///< In the picture of an upright face: x to the right, y up.
-  };
   Eigen::VectorXd Weights(const geometry::Points& coarse, const PortraitPose& pose,
                           const Eigen::VectorXd& confidences) const;
 
   const FineAlignmentOptions options_;
   const geometry::Triangles triangles_;
   const std::array<int, 68> landmarks_;
-  std::vector<ContourPath> contour_paths_;      ///< 17
+  const ContourPaths contour_paths_;
   std::vector<std::vector<int>> surroundings_;  ///< 68: triangles about each landmark.
   const OpeningMover openings_;
   std::vector<int> column_of_;  ///< V: the anchor that a vertex can be, or -1.

@@ -17,7 +17,7 @@ using Eigen::Vector2f;
 
 constexpr float kStepPx = 1.0f;
 /// Of one side; longer lines are sampled more coarsely.
-constexpr double kMostSamples = 12000;
+constexpr double kMostDistanceSamples = 12000;
 
 /// The bits of a number below 2^16 at the even places of the result.
 uint32_t SpreadBits(uint32_t bits) {
@@ -108,7 +108,7 @@ double OneWay(const std::vector<Segment>& from, const std::vector<Segment>& to, 
   SegmentBlocks targets(to);
   double total = 0;
   for (const Segment& segment : from) total += (segment.to - segment.from).norm();
-  const auto step = float(std::max<double>(kStepPx, total / kMostSamples));
+  const auto step = float(std::max<double>(kStepPx, total / kMostDistanceSamples));
   std::vector<Sample> samples;
   for (const Segment& segment : from) {
     const float length = (segment.to - segment.from).norm();

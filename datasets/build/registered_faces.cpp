@@ -109,15 +109,22 @@ Preparation Prepare(const faces::FaceTemplate& face, const MeshInputs& inputs, c
   return result;
 }
 
-/// The shard of a registered mesh. @throws Error as NonRigidRegistration::Register, and if its result is beyond limits.
-SafetensorsWriter RegisteredShard(const geometry::NonRigidRegistration& registration, const faces::FaceTemplate& face,
-                                  const RegistrationLimits& limits, const Target& target) {
+/// A registered mesh that is within limits.
+struct RegisteredMesh {
+  geometry::Points vertices;  ///< V x 3
+  Eigen::VectorXd distances;  ///< V
+  Json row;                   ///< Of quality.json.
+};
+
+/// @throws Error as NonRigidRegistration::Register, and if its result is beyond limits.
+RegisteredMesh Registered(const geometry::NonRigidRegistration& registration, const faces::FaceTemplate& face,
+                          const RegistrationLimits& limits, const Target& target) {
   const LandmarkedMesh& mesh = target.mesh;
   const geometry::Points landmarks = PlacesOf(mesh.landmarks);
-  const geometry::Registration result = registration.Register(mesh.mesh, landmarks);
+  geometry::Registration result = registration.Register(mesh.mesh, landmarks);
   const geometry::SurfaceMatcher matcher({result.template_from_target.Apply(mesh.mesh.vertices), mesh.mesh.triangles});
   const geometry::RegistrationOptions& options = registration.options();
-  const geometry::RegistrationQuality quality =
+  geometry::RegistrationQuality quality =
       geometry::MeasureRegistration(registration.source().mesh, result.vertices,
                                     faces::RegionFor(face.annotation, "face", "the quality of a registration"), matcher,
                                     {options.max_distance_end, options.max_angle});
@@ -130,12 +137,16 @@ SafetensorsWriter RegisteredShard(const geometry::NonRigidRegistration& registra
   if (const auto fault = FaultOf(quality, landmark_error * mm_per_cm, limits)) throw Error(*fault);
   Json row = QualityJson(mesh.name, result, quality, landmark_error, mm_per_cm);
   if (target.winding == Winding::kTurned) row["turned_inside_out"] = true;
+  return {std::move(result.vertices), std::move(quality.distances), std::move(row)};
+}
+
+SafetensorsWriter ShardOf(const RegisteredMesh& registered) {
   using Floats = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Floats vertices = result.vertices.cast<float>();
-  const Eigen::VectorXf distances = quality.distances.cast<float>();
+  const Floats vertices = registered.vertices.cast<float>();
+  const Eigen::VectorXf distances = registered.distances.cast<float>();
   SafetensorsWriter writer;
   writer.SetMetadata("kind", "faces");
-  writer.SetMetadata("quality", row.dump());
+  writer.SetMetadata("quality", registered.row.dump());
   writer.Add<float>("vertices", {1, 1, vertices.rows(), 3}, {vertices.data(), size_t(vertices.size())});
   writer.Add<float>("identity_weights", {0}, {});
   writer.Add<float>("distances", {distances.size()}, {distances.data(), size_t(distances.size())});
@@ -251,6 +262,15 @@ void WriteQuality(const fs::path& directory) {
 
 }  // namespace
 
+geometry::Points RegisterMesh(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
+                              const RegisterOptions& options) {
+  DAUMIER_CHECK(inputs.meshes.size() == 1, "{} meshes to register, expected one", inputs.meshes.size());
+  const Preparation prepared = Prepare(face_template, inputs, options, 0);
+  if (!prepared.target) throw Error(prepared.failed.cause);
+  const auto registration = MakeRegistration(face_template, PresentLandmarks(prepared.target->mesh.landmarks), options);
+  return Registered(registration, face_template, options.limits, *prepared.target).vertices;
+}
+
 std::string ListFailures(const std::vector<FailedMesh>& failed, size_t num_meshes) {
   const bool have_same_cause = std::all_of(failed.begin(), failed.end(),
                                            [&](const FailedMesh& mesh) { return mesh.cause == failed.front().cause; });
@@ -323,7 +343,7 @@ std::vector<FailedMesh> BuildRegisteredFaces(const faces::FaceTemplate& face_tem
     const auto& registration = registrations.at(PresentLandmarks(target.mesh.landmarks));
     const auto shard = [&] {
       try {
-        return RegisteredShard(registration, face_template, options.limits, target);
+        return ShardOf(Registered(registration, face_template, options.limits, target));
       } catch (const Error& error) {
         return FailedShard(error.what());
       }

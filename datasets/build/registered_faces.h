@@ -58,6 +58,11 @@ std::vector<FailedMesh> BuildRegisteredFaces(const faces::FaceTemplate& face_tem
                                              const RegisterOptions& options, const std::filesystem::path& directory,
                                              const Task& task = {});
 
+/// The template brought onto the one mesh of `inputs`, V x 3, cm, in the template's frame: a person of
+/// BuildRegisteredFaces. @throws Error where that lists the mesh as failed.
+geometry::Points RegisterMesh(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
+                              const RegisterOptions& options = {});
+
 /// "2 of 5 meshes failed:" and a line for each.
 std::string ListFailures(const std::vector<FailedMesh>& failed, size_t num_meshes);
 

@@ -1,5 +1,6 @@
 #include "systems/deform/train/run.h"
 
+#include "systems/deform/network_code_model.h"
 #include "tests/support/deform_run_folder.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_dir.h"
@@ -30,6 +31,21 @@ TEST_F(DeformRunTest, IsReadBackWithTemplateFrameWeightsAndCodes) {
   EXPECT_EQ(read.data_weight, 2e3);
   EXPECT_EQ(read.code_weight, 5e5);
   EXPECT_FALSE(read.network->is_training());
+}
+
+TEST(DeformRun, IsDecodedWithoutLibTorch) {
+  for (const char* kind : {"hypernetwork", "conditioning"}) {
+    const testing::TempDir folder;
+    const auto decoder = testing::WriteDeformRun(folder / "run", kind);
+    const NetworkCodeModel model(testing::SyntheticFace(), decoder->network()->options(),
+                                 folder / "run/best/model.safetensors");
+    const Eigen::VectorXd code = Eigen::VectorXd::LinSpaced(model.num_numbers(), -1, 2);
+    const Eigen::VectorXf latent = model.Latent(code).cast<float>();
+    const torch::Tensor codes = torch::from_blob(const_cast<float*>(latent.data()), {1, latent.size()});
+    const geometry::Points truth = decoder->network()->frame().ToCm(
+        tensor::CopyToMatrix<double>(decoder->network()->DeformVertices(codes)[0].detach()));
+    EXPECT_LT((model.Vertices(code) - truth).cwiseAbs().maxCoeff(), 1e-4) << kind;
+  }
 }
 
 TEST_F(DeformRunTest, RefusesWhatIsNoFinishedRunOfThisProduct) {

@@ -1,0 +1,100 @@
+#include "cli/edit_files.h"
+
+#include "core/files.h"
+#include "core/staged_directory.h"
+#include "geometry/flips.h"
+#include "geometry/obj.h"
+#include "geometry/ply.h"
+#include "geometry/self_intersections.h"
+#include "reports/face_pictures.h"
+#include "reports/face_surface.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace daumier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+render::Image SheetOfEdit(const fitting::CodeModel& model, const EditContent& content) {
+  const faces::FaceTemplate& face_template = model.face_template();
+  const faces::FinishedHead head = reports::HeadOf(reports::SurfaceOf(face_template), face_template.neutral);
+  std::vector<geometry::Points> vertices;
+  for (const EditedFace& face : content.faces) vertices.push_back(face.vertices);
+  const render::Frame frame = reports::FrameOfFaces(vertices);
+  std::vector<render::SheetCell> fronts, sides;
+  for (const EditedFace& face : content.faces) {
+    fronts.push_back({reports::FrontView(head, face.vertices, frame), face.caption});
+    sides.push_back({reports::SideView(head, face.vertices, frame)});
+  }
+  std::vector<render::SheetCell> cells = std::move(fronts);
+  cells.insert(cells.end(), sides.begin(), sides.end());
+  render::Image sheet = render::MakeSheet(cells, int(content.faces.size()));
+  if (content.pictures.empty()) return sheet;
+  std::vector<render::SheetCell> all = content.pictures;
+  all.push_back({std::move(sheet)});
+  return render::MakeSheet(all, int(all.size()), {.gap = 4});
+}
+
+std::vector<double> NumbersOf(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+}  // namespace
+
+void MeasureFaces(const fitting::CodeModel& model, std::vector<EditedFace>& faces) {
+  const faces::FaceTemplate& face_template = model.face_template();
+  const double mm_per_cm = faces::MillimetresPerCm(face_template);
+  const geometry::Points& first = faces.front().vertices;
+  for (EditedFace& face : faces) {
+    if (face.code.size() > 0) {
+      face.record["radius"] = face.code.norm();
+      face.record["usual"] = face.code.norm() <= model.usual_radius();
+    }
+    face.record["self_intersections"] = geometry::SelfIntersections({face.vertices, face_template.triangles}).size();
+    if (&face == &faces.front()) continue;
+    face.record["moved_mm"] = (face.vertices - first).rowwise().norm().mean() * mm_per_cm;
+    face.record["new_flips"] = geometry::CountFlippedTriangles(first, face.vertices, face_template.triangles);
+  }
+}
+
+Json WriteEdit(const fs::path& out, const fitting::CodeModel& model, const EditContent& content) {
+  StagedDirectory staged(out, kEditKind);
+  Manifest manifest = content.manifest;
+  manifest.kind = kEditKind;
+  const auto add = [&](const std::string& name) { manifest.checksums[name] = Sha256OfFile(staged.path() / name); };
+  Json list = Json::array();
+  for (const EditedFace& face : content.faces) {
+    const geometry::TriangleMesh mesh = faces::SurfaceMesh(model.face_template(), face.vertices);
+    geometry::WriteObj(staged.path() / (face.name + ".obj"), mesh);
+    add(face.name + ".obj");
+    if (content.writes_ply) {
+      geometry::WritePly(staged.path() / (face.name + ".ply"), mesh);
+      add(face.name + ".ply");
+    }
+    Json entry = face.record;
+    entry["name"] = face.name;
+    if (face.code.size() > 0) {
+      entry["code"] = NumbersOf(face.code);
+      entry["latent"] = NumbersOf(model.Latent(face.code));
+    }
+    list.push_back(std::move(entry));
+  }
+  render::WriteImage(staged.path() / "sheet.png", SheetOfEdit(model, content));
+  add("sheet.png");
+  Json edit = {{"model", content.model}, {"constraints", content.constraints}, {"faces", std::move(list)}};
+  WriteFileAtomically(staged.path() / "edit.json", edit.dump(1) + "\n");
+  add("edit.json");
+  manifest.counts["faces"] = content.faces.size();
+  WriteManifest(staged.path(), manifest);
+  staged.Commit();
+  for (Json& face : edit["faces"]) {
+    face.erase("code");
+    face.erase("latent");
+  }
+  return edit;
+}
+
+}  // namespace daumier::cli

@@ -1,0 +1,146 @@
+#include "systems/deform/edit_points.h"
+
+#include "core/error.h"
+#include "faces/face_parts.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace daumier::deform {
+namespace {
+
+using geometry::Vector3;
+
+constexpr int kNoseTip = 30, kNumLandmarks = 68;
+constexpr int kBlendRings = 6;
+constexpr double kPartShare = 0.1, kOutsideShare = 0.02;
+
+constexpr const char* kExample =
+    "expected a landmark as --handle 30=0,0,1, a vertex as --handle v1200=0,0.5,0, or a preset as --handle nose=1; "
+    "lengths are centimetres, x to the face's left, y up, z to the front";
+
+[[noreturn]] void Refuse(const std::string& word, const std::string& what) {
+  throw UsageError(fmt::format("--handle {}: {} ({})", word, what, kExample));
+}
+
+/// A whole text as a number.
+template <class Number>
+std::optional<Number> NumberIn(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  return number;
+}
+
+EditHandles Both(const faces::FaceTemplate& face_template, const std::vector<int>& region, double amount_cm) {
+  EditHandles handles{{}, geometry::Points(2, 3)};
+  for (const double side : {-1.0, 1.0}) {
+    const int outermost = *std::max_element(region.begin(), region.end(), [&](int a, int b) {
+      return side * face_template.neutral(a, 0) < side * face_template.neutral(b, 0);
+    });
+    handles.displacements.row(std::ssize(handles.vertices)) << side * amount_cm, 0, 0;
+    handles.vertices.push_back(outermost);
+  }
+  return handles;
+}
+
+EditHandles One(int vertex, const Vector3& displacement) {
+  return {{vertex}, displacement.transpose()};
+}
+
+/// Vertices of both cheeks.
+std::vector<int> Cheeks(const faces::FaceTemplate& face_template) {
+  const faces::FaceParts parts = faces::MakeFaceParts(face_template, 0);
+  std::vector<int> vertices;
+  for (size_t p = 0; p < parts.names.size(); ++p) {
+    if (!parts.names[p].starts_with("cheek")) continue;
+    for (Eigen::Index v = 0; v < parts.weights.rows(); ++v)
+      if (parts.weights(v, Eigen::Index(p)) > 0.5) vertices.push_back(int(v));
+  }
+  DAUMIER_CHECK(!vertices.empty(), "the template '{}' has no cheeks among its parts", face_template.source);
+  return vertices;
+}
+
+}  // namespace
+
+const std::vector<std::string>& PresetNames() {
+  static const std::vector<std::string> names = {"nose", "chin", "cheeks", "ears"};
+  return names;
+}
+
+EditHandles PresetHandles(const faces::FaceTemplate& face_template, const std::string& name, double amount_cm) {
+  const auto& landmarks = face_template.annotation.landmarks;
+  if (name == "nose") return One(landmarks[kNoseTip], {0, 0, amount_cm});
+  if (name == "chin") return One(landmarks[faces::kChinLandmark], {0, -amount_cm, 0});
+  if (name == "cheeks") return Both(face_template, Cheeks(face_template), amount_cm);
+  if (name == "ears")
+    return Both(face_template, faces::RegionFor(face_template.annotation, "ears", "the preset ears"), amount_cm);
+  throw UsageError(fmt::format("there is no preset '{}' (there are: {})", name, fmt::join(PresetNames(), ", ")));
+}
+
+EditHandles ParseHandle(const faces::FaceTemplate& face_template, const std::string& word) {
+  const size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0) Refuse(word, "there is no POINT=...");
+  const std::string point = word.substr(0, equals);
+  std::vector<double> numbers;
+  for (size_t begin = equals + 1; begin <= word.size();) {
+    const size_t end = std::min(word.find(',', begin), word.size());
+    const std::optional<double> number = NumberIn<double>(std::string_view(word).substr(begin, end - begin));
+    if (!number || !std::isfinite(*number))
+      Refuse(word, fmt::format("'{}' is no number", word.substr(begin, end - begin)));
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  if (std::ranges::count(PresetNames(), point) > 0) {
+    if (numbers.size() != 1) Refuse(word, fmt::format("{} numbers of a preset, expected one", numbers.size()));
+    return PresetHandles(face_template, point, numbers[0]);
+  }
+  if (numbers.size() != 3) Refuse(word, fmt::format("{} numbers, expected three", numbers.size()));
+  const bool is_vertex = point.starts_with('v');
+  const std::optional<int> index = NumberIn<int>(std::string_view(point).substr(is_vertex ? 1 : 0));
+  if (!index)
+    Refuse(word, fmt::format("'{}' is no landmark, vertex or preset ({})", point, fmt::join(PresetNames(), ", ")));
+  const int most = is_vertex ? face_template.num_vertices() : kNumLandmarks;
+  if (*index < 0 || *index >= most)
+    Refuse(word,
+           fmt::format("there is no {} {} (expected 0 to {})", is_vertex ? "vertex" : "landmark", *index, most - 1));
+  const int vertex = is_vertex ? *index : face_template.annotation.landmarks[size_t(*index)];
+  return One(vertex, {numbers[0], numbers[1], numbers[2]});
+}
+
+EditHandles JoinHandles(const std::vector<EditHandles>& handles) {
+  EditHandles all;
+  for (const EditHandles& some : handles) {
+    for (size_t k = 0; k < some.vertices.size(); ++k) {
+      if (std::ranges::count(all.vertices, some.vertices[k]) > 0)
+        throw UsageError(fmt::format("vertex {} has two handles: give each point once", some.vertices[k]));
+      all.vertices.push_back(some.vertices[k]);
+      all.displacements.conservativeResize(std::ssize(all.vertices), 3);
+      all.displacements.bottomRows<1>() = some.displacements.row(Eigen::Index(k));
+    }
+  }
+  return all;
+}
+
+std::vector<int> OutsideOfPart(const faces::FaceTemplate& face_template, const std::vector<int>& vertices) {
+  const faces::FaceParts parts = faces::MakeFaceParts(face_template, kBlendRings);
+  std::vector<bool> is_inside(parts.names.size(), false);
+  for (const int vertex : vertices)
+    for (size_t p = 0; p < is_inside.size(); ++p)
+      if (parts.weights(vertex, Eigen::Index(p)) >= kPartShare) is_inside[p] = true;
+  DAUMIER_CHECK(std::ranges::count(is_inside, true) > 0,
+                "the handles belong to no part of the face (they are on the skull or the neck): edit without --local");
+  std::vector<int> outside;
+  for (Eigen::Index v = 0; v < parts.weights.rows(); ++v) {
+    double share = 0;
+    for (size_t p = 0; p < is_inside.size(); ++p) share += is_inside[p] ? parts.weights(v, Eigen::Index(p)) : 0;
+    if (share < kOutsideShare) outside.push_back(int(v));
+  }
+  return outside;
+}
+
+}  // namespace daumier::deform

@@ -1,0 +1,49 @@
+#pragma once
+#include "faces/face_model.h"
+#include "faces/model_frame.h"
+#include "fitting/code_model.h"
+#include "fitting/code_prior.h"
+#include "systems/deform/network_options.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace daumier::deform {
+
+/// The numbers of a trained deformable model, as best/model.safetensors of a run stores them.
+class DeformWeights;
+
+/// The SIREN of a run [Jung et al. 2022, eq. 2] without LibTorch: D(p, z) = p + S(p; H(z)), by runtime::SirenKernel.
+/// Kinds "hypernetwork" and "conditioning". Codes are standardised by the run's training codes. The derivative by the code
+/// is by forward differences of half a hundredth of a deviation. Threads share nothing but the weights.
+class NetworkCodeModel : public fitting::CodeModel {
+ public:
+  /// weights: the safetensors file. @throws Error naming the file if arrays are missing or of other shapes than the
+  /// options say, or if the kind has no SIREN.
+  NetworkCodeModel(faces::FaceTemplate face_template, const DeformOptions& options,
+                   const std::filesystem::path& weights);
+  ~NetworkCodeModel() override;
+
+  const faces::FaceTemplate& face_template() const override { return face_template_; }
+  int num_numbers() const override { return int(prior_.mean.size()); }
+  bool is_linear() const override { return false; }
+  double usual_radius() const override { return prior_.usual_radius; }
+  geometry::Points Vertices(const Eigen::VectorXd& code) const override;
+  Eigen::VectorXd Positions(const Eigen::VectorXd& code, std::span<const int> vertices) const override;
+  Eigen::MatrixXd Derivative(const Eigen::VectorXd& code, std::span<const int> vertices) const override;
+  Eigen::VectorXd Latent(const Eigen::VectorXd& code) const override { return prior_.mean + prior_.factor * code; }
+
+ private:
+  faces::FaceTemplate face_template_;
+  faces::ModelFrame frame_;
+  runtime::SirenLayout siren_;
+  fitting::CodePrior prior_;
+  std::unique_ptr<const DeformWeights> weights_;
+};
+
+struct LinearFaces;
+/// A linear run (kind "linear") as a linear model in standardised codes. @throws Error as NetworkCodeModel.
+LinearFaces LinearFacesOfRun(const faces::FaceTemplate& face_template, const DeformOptions& options,
+                             const std::filesystem::path& weights);
+
+}  // namespace daumier::deform

@@ -1,0 +1,65 @@
+#include "systems/deform/edit_points.h"
+
+#include "core/error.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/synthetic_face.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace daumier::testing {
+namespace {
+
+TEST(EditPoints, ReadsLandmarksVerticesAndPresets) {
+  const faces::FaceTemplate face = SyntheticFace();
+  const deform::EditHandles landmark = deform::ParseHandle(face, "30=0,0,1.5");
+  EXPECT_EQ(landmark.vertices, std::vector<int>{face.annotation.landmarks[30]});
+  EXPECT_EQ(landmark.displacements, (geometry::Points(1, 3) << 0, 0, 1.5).finished());
+  EXPECT_EQ(deform::ParseHandle(face, "v12=-1,2e-1,0").vertices, std::vector<int>{12});
+  EXPECT_EQ(deform::ParseHandle(face, "chin=2").displacements, (geometry::Points(1, 3) << 0, -2, 0).finished());
+}
+
+TEST(EditPoints, PresetsOfBothSidesAreSymmetric) {
+  const faces::FaceTemplate face = SyntheticFace();
+  for (const char* name : {"cheeks", "ears"}) {
+    const deform::EditHandles handles = deform::PresetHandles(face, name, 1);
+    ASSERT_EQ(handles.vertices.size(), 2u) << name;
+    EXPECT_NEAR(face.neutral(handles.vertices[0], 0), -face.neutral(handles.vertices[1], 0), 1e-9) << name;
+    EXPECT_LT(face.neutral(handles.vertices[0], 0), 0) << name;
+    EXPECT_EQ(handles.displacements(0, 0), -1) << name;
+    EXPECT_EQ(handles.displacements(1, 0), 1) << name;
+  }
+}
+
+TEST(EditPoints, RefusesWordsWithAnExample) {
+  const faces::FaceTemplate face = SyntheticFace();
+  for (const char* word : {"30", "=1", "68=0,0,1", "30=0,1", "v-1=0,0,1", "v100000=0,0,1", "knee=1", "nose=1,2,3",
+                           "30=0,0,x", "30=0,0,nan", "30=0,0,1,"}) {
+    EXPECT_THROW(deform::ParseHandle(face, word), UsageError) << word;
+    ExpectError([&] { deform::ParseHandle(face, word); }, "--handle");
+  }
+}
+
+TEST(EditPoints, AVertexHasOneHandle) {
+  const faces::FaceTemplate face = SyntheticFace();
+  const deform::EditHandles nose = deform::PresetHandles(face, "nose", 1),
+                            chin = deform::PresetHandles(face, "chin", 1);
+  const deform::EditHandles both = deform::JoinHandles({nose, chin});
+  EXPECT_EQ(both.vertices.size(), 2u);
+  EXPECT_EQ(both.displacements.rows(), 2);
+  ExpectError([&] { deform::JoinHandles({nose, nose}); }, "two handles");
+}
+
+TEST(EditPoints, TheOutsideOfTheNoseIsNotTheNose) {
+  const faces::FaceTemplate face = SyntheticFace();
+  const std::vector<int> nose = deform::PresetHandles(face, "nose", 1).vertices;
+  const std::vector<int> outside = deform::OutsideOfPart(face, nose);
+  EXPECT_TRUE(std::is_sorted(outside.begin(), outside.end()));
+  EXPECT_FALSE(std::binary_search(outside.begin(), outside.end(), nose.front()));
+  EXPECT_TRUE(std::binary_search(outside.begin(), outside.end(), face.annotation.hairline_vertex));
+  EXPECT_GT(outside.size(), size_t(face.num_vertices() / 2));
+}
+
+}  // namespace
+}  // namespace daumier::testing

@@ -1,0 +1,1 @@
+#include "systems/deform/labelled_faces.h"

@@ -1,0 +1,1 @@
+#include "systems/deform/open_code_model.h"
