@@ -3,6 +3,8 @@
 //   head_textures measure WEIGHTS N [PREDICTED]      table; shapes, poses, light and masks are the true ones, or those of
 //                                                    PREDICTED: `daumier predict WEIGHTS OUT/*.png --out PREDICTED`, and
 //                                                    NNN_mask.png of `daumier predict weights/landmarks ...` there
+//   head_textures figure WEIGHTS OUT.png PREDICTED FIRST COUNT [Pan et al. 2024, figure 4]: every pixel projected, the parsed
+//                                                    and diffused picture, mirror images and fill, delighted
 //   head_textures sheet WEIGHTS OUT.png FIRST COUNT  texture, truth and result from several sides
 // WEIGHTS: a portrait run or weights/portrait.
 #include "bench/textured_portraits.h"
@@ -31,6 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const double kDefaultShare = fitting::TextureOptions{}.light_share;
 constexpr std::array<double, 2> kSideViews = {-30, 30};
 
 std::string NameOf(int i) {
@@ -153,15 +156,18 @@ int Measure(const Workshop& workshop, int count, const std::optional<fs::path>& 
     std::unique_ptr<fitting::HeadPainter> painter;
     AreaErrors errors;
   };
-  const auto painter = [&](fitting::TextureFill fill, bool delight) {
-    return std::make_unique<fitting::HeadPainter>(workshop.rig.texture_space(), workshop.guide,
-                                                  fitting::TextureOptions{.delight = delight, .fill = fill});
+  const auto painter = [&](fitting::TextureFill fill, bool delight, bool fit_light = false, double share = 1) {
+    return std::make_unique<fitting::HeadPainter>(
+        workshop.rig.texture_space(), workshop.guide,
+        fitting::TextureOptions{.delight = delight, .fit_light = fit_light, .light_share = share, .fill = fill});
   };
   std::vector<Row> rows;
   rows.push_back({"projection, median elsewhere", painter(kNone, false), {}});
   rows.push_back({"+ mirrored", painter(kMirrored, false), {}});
   rows.push_back({"+ diffused", painter(kSmooth, false), {}});
-  rows.push_back({"+ delighted, relit", painter(kSmooth, true), {}});
+  rows.push_back({"+ delighted by the given light", painter(kSmooth, true), {}});
+  rows.push_back({"+ delighted by a fitted light", painter(kSmooth, true, true), {}});
+  rows.push_back({"+ its contrast to 0.6 (default)", painter(kSmooth, true, true, kDefaultShare), {}});
   rows.push_back({"mean albedo, relit", nullptr, {}});
   rows.push_back({"albedo of coefficients, relit", nullptr, {}});
   const rig::TexelMap texels = workshop.rig.texture_space().Rasterise(1024);
@@ -175,7 +181,7 @@ int Measure(const Workshop& workshop, int count, const std::optional<fs::path>& 
     for (const Row& row : rows) {
       const Stopwatch stopwatch;
       if (row.painter) textures.push_back(row.painter->Paint(given.shown, front.picture, given.mask));
-      if (textures.size() == 4 && row.painter) milliseconds.push_back(1e3 * stopwatch.seconds());
+      if (textures.size() == 6 && row.painter) milliseconds.push_back(1e3 * stopwatch.seconds());
     }
     seen.push_back(textures.back().seen), mirrored.push_back(textures.back().mirrored);
     textures.push_back(TextureOfAlbedo(workshop, texels, workshop.model.albedo_mean));
@@ -187,10 +193,15 @@ int Measure(const Workshop& workshop, int count, const std::optional<fs::path>& 
       const fitting::PortraitPose pose = TurnedPose(given.shown.pose, yaw);
       std::vector<TexturedView> views;
       for (size_t row = 0; row < rows.size(); ++row) {
-        const auto* const light = row >= 3 ? &*given.shown.light : nullptr;
-        views.push_back(DrawTextured(workshop.rig.texture_space(), given.shown.vertices, pose, textures[row], light));
+        // What is painted is relit by the light that it was divided by.
+        const auto* const light = textures[row].light ? &*textures[row].light
+                                  : row >= 3          ? &*given.shown.light
+                                                      : nullptr;
+        const double share = row == 5 ? kDefaultShare : 1;
+        views.push_back(
+            DrawTextured(workshop.rig.texture_space(), given.shown.vertices, pose, textures[row], light, share));
       }
-      for (size_t row = 0; row < rows.size(); ++row) rows[row].errors.Add(truth, views[row], views[3].source);
+      for (size_t row = 0; row < rows.size(); ++row) rows[row].errors.Add(truth, views[row], views[4].source);
     }
   }
   std::printf("| texture | skin | seen | mirrored | filled | eyes |\n|---|---:|---:|---:|---:|---:|\n");
@@ -199,7 +210,7 @@ int Measure(const Workshop& workshop, int count, const std::optional<fs::path>& 
     for (size_t area = 0; area < 5; ++area) std::printf(" %.1f |", row.errors.sum[area] / row.errors.count[area]);
     std::printf("\n");
   }
-  const AreaErrors& last = rows[3].errors;
+  const AreaErrors& last = rows[4].errors;
   std::printf("\n%d heads; of the pixels of skin compared: seen %.1f %%, mirrored %.1f %%, filled %.1f %%\n", count,
               100 * last.count[1] / last.count[0], 100 * last.count[2] / last.count[0],
               100 * last.count[3] / last.count[0]);
@@ -217,7 +228,8 @@ int Sheet(const Workshop& workshop, const fs::path& out, int first, int count) {
     const GivenHead given = TrueHead(workshop, known, front);
     const fitting::HeadTexture texture = painter.Paint(given.shown, front.picture, given.mask);
     const auto ours = [&](const fitting::PortraitPose& pose) {
-      return DrawTextured(workshop.rig.texture_space(), given.shown.vertices, pose, texture, &*given.shown.light)
+      return DrawTextured(workshop.rig.texture_space(), given.shown.vertices, pose, texture, &*texture.light,
+                          kDefaultShare)
           .picture;
     };
     cells.push_back({front.picture, "picture"});
@@ -230,6 +242,40 @@ int Sheet(const Workshop& workshop, const fs::path& out, int first, int count) {
     cells.push_back({ours(TurnedPose(given.shown.pose, 180)), "from behind"});
   }
   render::WriteImage(out, render::MakeSheet(cells, 4));
+  return 0;
+}
+
+int Figure(const Workshop& workshop, const fs::path& out, const fs::path& predicted, int first, int count) {
+  using enum fitting::TextureFill;
+  struct Column {
+    const char* caption;
+    fitting::TextureOptions options;
+    bool is_parsed = true;
+  };
+  const std::array<Column, 4> columns = {
+      {{"every pixel projected", {.delight = false, .margin = 0, .fill = kNone}, false},
+       {"parsed and diffused", {.delight = false, .fill = kNone}},
+       {"+ mirrored and filled", {.delight = false}},
+       {"+ delighted", {}}}};
+  std::vector<render::SheetCell> cells;
+  for (int i = first; i < first + count; ++i) {
+    const KnownHead known = MakeKnownHead(workshop.model, workshop.dresser, i);
+    const render::Image picture = ViewOf(known, known.pose).picture;
+    const GivenHead given = PredictedHead(workshop, predicted, i);
+    const render::Image all_skin(picture.height, picture.width, 1, uint8_t(PictureClass::kSkin));
+    cells.push_back({picture, "picture"});
+    for (const Column& column : columns) {
+      const fitting::HeadTexture texture =
+          fitting::PaintHead(workshop.rig.texture_space(), workshop.guide, given.shown, picture,
+                             column.is_parsed ? given.mask : all_skin, column.options);
+      const double away = given.shown.pose[1] > 0 ? -45 : 45;  // To the side that the picture does not show.
+      cells.push_back({DrawTextured(workshop.rig.texture_space(), given.shown.vertices,
+                                    TurnedPose(given.shown.pose, away), texture, nullptr)
+                           .picture,
+                       column.caption});
+    }
+  }
+  render::WriteImage(out, render::MakeSheet(cells, 5));
   return 0;
 }
 
@@ -247,9 +293,13 @@ int main(int argc, char** argv) {
     if (is("measure", 3, 4))
       return daumier::Measure(daumier::Workshop(arguments[1]), number(2),
                               arguments.size() > 3 ? std::optional<std::filesystem::path>(arguments[3]) : std::nullopt);
+    if (is("figure", 6, 6))
+      return daumier::Figure(daumier::Workshop(arguments[1]), arguments[2], arguments[3], number(4), number(5));
     if (is("sheet", 5, 5)) return daumier::Sheet(daumier::Workshop(arguments[1]), arguments[2], number(3), number(4));
     std::fputs(
-        "usage: head_textures make WEIGHTS OUT N | measure WEIGHTS N [PREDICTED] | sheet WEIGHTS OUT FIRST COUNT\n",
+        "usage: head_textures make WEIGHTS OUT N | measure WEIGHTS N [PREDICTED] | figure WEIGHTS OUT PREDICTED FIRST "
+        "COUNT "
+        "| sheet WEIGHTS OUT FIRST COUNT\n",
         stderr);
     return 2;
   } catch (const std::exception& error) {

@@ -96,10 +96,10 @@ struct TexturedView {
   std::vector<uint8_t> source;  ///< A pixel: 0 neither skin nor eye, 1 seen, 2 mirrored, 3 filled, 4 eye.
 };
 
-/// texture.picture over posed vertices of the space; lit by `light` where it is albedo.
+/// texture.picture over posed vertices of the space; lit by shade^share of `light` where it is divided by that.
 inline TexturedView DrawTextured(const rig::TextureSpace& space, const geometry::Points& vertices,
                                  const fitting::PortraitPose& pose, const fitting::HeadTexture& texture,
-                                 const fitting::PortraitLight* light, int pixels = kPortraitPixels) {
+                                 const fitting::PortraitLight* light, double share = 1, int pixels = kPortraitPixels) {
   const geometry::Points posed = fitting::Posed(vertices, pose);
   const geometry::Points normals = geometry::VertexNormals({posed, space.triangles});
   const int side = pixels * kPortraitSamples;
@@ -141,6 +141,7 @@ inline TexturedView DrawTextured(const rig::TextureSpace& space, const geometry:
         const Eigen::Vector3f direction = normal.normalized().cast<float>();
         float shade = 1;
         if (light) raster::Shade(*light, 1, direction.data(), &shade);
+        if (light && share < 1) shade = fitting::WithContrast(Eigen::VectorXf::Constant(1, shade), share)[0];
         sum += colour * std::max(shade, 0.0F);
         uint8_t& source = view.source[size_t(row) * size_t(pixels) + size_t(column)];
         const rig::TextureChart chart = space.charts[size_t(t)];

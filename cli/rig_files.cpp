@@ -105,20 +105,24 @@ void CheckRigFiles(const RigFiles& files, const std::vector<fs::path>& inputs, b
 
 void WriteRigFiles(const RigFiles& files, const RigContent& content, const RigFileOptions& options, const Task& task) {
   if (files.frames) WriteFrames(*files.frames, content, options.frame_size, task);
-  render::WriteImage(files.sheet, SheetOf(content));
   const render::Image* const texture = content.texture.get();
   gltf::HeadFileOptions of_file{.normals = options.normals};
   of_file.title = files.head.stem().string();
-  if (files.vrm) gltf::WriteHead(*files.vrm, content.head, texture, std::nullopt, of_file);
-  rig::RiggedHead named = content.head;
-  named.targets = InPreset(content.head.targets, options.names);
-  const rig::WeightsClip clip = InPreset(content.clip, options.names);
-  if (files.compressed) {
-    of_file.compressed = true;
-    gltf::WriteHead(*files.compressed, named, texture, clip, of_file);
-    of_file.compressed = false;
-  }
-  gltf::WriteHead(files.head, named, texture, clip, of_file);
+  std::string head;  // Written last.
+  const auto write_copies = [&] {
+    if (files.vrm) gltf::WriteHead(*files.vrm, content.head, texture, std::nullopt, of_file);
+    rig::RiggedHead named = content.head;
+    named.targets = InPreset(content.head.targets, options.names);
+    const rig::WeightsClip clip = InPreset(content.clip, options.names);
+    if (files.compressed) {
+      gltf::HeadFileOptions compressed = of_file;
+      compressed.compressed = true;
+      gltf::WriteHead(*files.compressed, named, texture, clip, compressed);
+    }
+    head = gltf::HeadToGlb(named, texture, clip, of_file);
+  };
+  OnAllCores(2, [&](int64_t part) { part == 0 ? render::WriteImage(files.sheet, SheetOf(content)) : write_copies(); });
+  WriteFileAtomically(files.head, head);
 }
 
 }  // namespace daumier::cli

@@ -18,117 +18,39 @@ constexpr double kMostGaze = 35 * std::numbers::pi / 180;
 constexpr double kSeenFacing = 0.2;
 /// Iris of a plain eye: sines of the angles at the border of pupil and iris, and colours.
 constexpr float kPlainPupil = 0.15F, kPlainIris = 0.36F;
+/// Whites of eyes lie in the shadow of lids and lashes: what is darker than this share of the bright ones is not theirs.
+constexpr float kShadowed = 0.55F, kBright = 0.75F;
+/// Whites that are darker than this are made lighter, up to so much.
+constexpr float kDarkWhite = 0.6F, kMostLightening = 1.8F;
+/// Least share of an opening that the mask must call eye.
+constexpr double kLeastEyeShare = 0.4;
+const Eigen::Vector3f kLightnessOf(0.299F, 0.587F, 0.114F);
 const Eigen::Vector3f kWhite(0.95F, 0.945F, 0.935F), kBrown(0.36F, 0.22F, 0.11F), kBlack(0.03F, 0.03F, 0.04F);
 
-struct EyePixel {
-  float x, y, lightness;
+/// An eyeball as a disc of a picture, pixels.
+struct EyeInPicture {
+  Eigen::Vector2d middle;
+  double radius;
 };
 
-float LightnessAt(const PictureLayer& layer, size_t pixel) {
-  const float* const c = layer.colours.data() + 3 * pixel;
-  return 0.299F * c[0] + 0.587F * c[1] + 0.114F * c[2];
+EyeInPicture PlaceOf(const ShownEye& eye, const PictureCamera& camera) {
+  const geometry::Points at_centre = eye.centre.transpose();
+  const double pixels_per_cm = camera.scale() * camera.view.focal / (camera.view.distance - eye.centre.z());
+  return {camera.PlacesOf(at_centre).row(0).transpose(), pixels_per_cm * eye.points.col(2).maxCoeff()};
 }
 
-std::vector<EyePixel> EyePixels(const PictureLayer& eyes, const Eigen::Vector2d& middle, double reach) {
-  std::vector<EyePixel> pixels;
-  const int top = std::max(0, int(middle.y() - reach)), bottom = std::min(eyes.height - 1, int(middle.y() + reach));
-  const int left = std::max(0, int(middle.x() - reach)), right = std::min(eyes.width - 1, int(middle.x() + reach));
-  for (int row = top; row <= bottom; ++row) {
-    for (int column = left; column <= right; ++column) {
-      const size_t pixel = size_t(row) * size_t(eyes.width) + size_t(column);
-      const float x = float(column) + 0.5F, y = float(row) + 0.5F;
-      if (eyes.confidence[pixel] <= 0 || std::hypot(x - middle.x(), y - middle.y()) > reach) continue;
-      pixels.push_back({x, y, LightnessAt(eyes, pixel)});
-    }
+/// Whether a point lies in a polygon [even-odd rule].
+bool IsInOpening(const PicturePoints& polygon, double x, double y) {
+  bool is_inside = false;
+  for (Eigen::Index i = 0, j = polygon.rows() - 1; i < polygon.rows(); j = i++) {
+    const Eigen::RowVector2d a = polygon.row(i), b = polygon.row(j);
+    if ((a.y() > y) != (b.y() > y) && x < a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()))
+      is_inside = !is_inside;
   }
-  return pixels;
+  return is_inside;
 }
-
-/// Mean colours by the distance from the iris' centre, in shares of its radius, of what the picture shows.
-class IrisProfile {
- public:
-  IrisProfile(const PictureLayer& eyes, const IrisDisc& iris) {
-    std::array<float, kNumBins> counts{};
-    means_.fill(Eigen::Vector3f::Zero());
-    const double reach = iris.radius;
-    for (const EyePixel& pixel : EyePixels(eyes, iris.centre, reach)) {
-      const double share = std::hypot(pixel.x - iris.centre.x(), pixel.y - iris.centre.y()) / iris.radius;
-      const size_t bin = std::min(kNumBins - 1, size_t(share * kNumBins));
-      const size_t from = 3 * (size_t(pixel.y) * size_t(eyes.width) + size_t(pixel.x));
-      means_[bin] += Eigen::Vector3f(eyes.colours[from], eyes.colours[from + 1], eyes.colours[from + 2]);
-      ++counts[bin];
-    }
-    for (size_t bin = 0; bin < kNumBins; ++bin)
-      if (counts[bin] > 0) means_[bin] /= counts[bin];
-    for (size_t bin = 0; bin < kNumBins; ++bin) {
-      for (size_t away = 1; counts[bin] == 0 && away < kNumBins; ++away) {
-        if (bin >= away && counts[bin - away] > 0) means_[bin] = means_[bin - away], counts[bin] = -1;
-        if (counts[bin] == 0 && bin + away < kNumBins && counts[bin + away] > 0)
-          means_[bin] = means_[bin + away], counts[bin] = -1;
-      }
-    }
-  }
-
-  Eigen::Vector3f At(float share) const {
-    const float place = std::clamp(share * kNumBins - 0.5F, 0.0F, float(kNumBins - 1));
-    const auto first = std::min(size_t(place), kNumBins - 2);
-    const float t = place - float(first);
-    return (1 - t) * means_[first] + t * means_[first + 1];
-  }
-
- private:
-  static constexpr size_t kNumBins = 12;
-  std::array<Eigen::Vector3f, kNumBins> means_;
-};
 
 }  // namespace
-
-std::optional<IrisDisc> FindIris(const PictureLayer& eyes, const Eigen::Vector2d& middle, double reach) {
-  constexpr size_t kLeastPixels = 20, kMostPixels = 700;
-  constexpr double kLeastContrast = 0.06;
-  constexpr int kNumRadii = 12;
-  std::vector<EyePixel> pixels = EyePixels(eyes, middle, reach);
-  if (pixels.size() < kLeastPixels) return std::nullopt;
-  float left = pixels[0].x, right = left, top = pixels[0].y, bottom = top;
-  for (const EyePixel& p : pixels) {
-    left = std::min(left, p.x), right = std::max(right, p.x), top = std::min(top, p.y), bottom = std::max(bottom, p.y);
-  }
-  const double width = right - left + 1, step = std::max(1.0, width / 28);
-  if (const size_t stride = pixels.size() / kMostPixels + 1; stride > 1) {
-    std::vector<EyePixel> some;
-    for (size_t i = 0; i < pixels.size(); i += stride) some.push_back(pixels[i]);
-    pixels = std::move(some);
-  }
-  double total = 0;
-  for (const EyePixel& p : pixels) total += p.lightness;
-  const auto count = double(pixels.size());
-
-  std::optional<IrisDisc> best;
-  double best_score = 0, contrast = 0;
-  std::array<double, kNumRadii> sums{}, counts{};
-  for (double y = top; y <= bottom; y += step) {
-    for (double x = left; x <= right; x += step) {
-      sums.fill(0), counts.fill(0);
-      for (const EyePixel& p : pixels) {
-        // The least radius that holds the pixel.
-        const double share = std::hypot(p.x - x, p.y - y) / width;
-        const int k = std::max(0, int(std::ceil((share - 0.12) / 0.38 * (kNumRadii - 1))));
-        if (k < kNumRadii) sums[size_t(k)] += p.lightness, ++counts[size_t(k)];
-      }
-      double inside = 0, num_inside = 0;
-      for (int k = 0; k < kNumRadii; ++k) {
-        inside += sums[size_t(k)], num_inside += counts[size_t(k)];
-        if (num_inside < 4 || count - num_inside < 4) continue;
-        const double difference = (total - inside) / (count - num_inside) - inside / num_inside;
-        const double score = num_inside * (count - num_inside) / (count * count) * difference * difference;
-        if (difference <= 0 || score <= best_score) continue;
-        best_score = score, contrast = difference;
-        best = IrisDisc{{x, y}, width * (0.12 + 0.38 * k / (kNumRadii - 1))};
-      }
-    }
-  }
-  return contrast < kLeastContrast ? std::nullopt : best;
-}
 
 Eigen::Matrix3d TurnToIris(const ShownEye& eye, const PictureCamera& camera, const IrisDisc& iris) {
   const double radius = eye.points.col(2).maxCoeff();
@@ -171,32 +93,97 @@ EyeChart MakeEyeChart(const rig::TextureSpace& space, const rig::TexelMap& texel
   return made;
 }
 
+render::Image EyesWithin(const render::Image& mask, std::span<const PicturePoints> openings) {
+  render::Image eyes(mask.height, mask.width, 1, uint8_t(PictureClass::kBackground));
+  const ClassSet open = {PictureClass::kEyes, PictureClass::kSkin, PictureClass::kBrows};
+  for (const PicturePoints& polygon : openings) {
+    if (polygon.rows() < 3) continue;
+    const Eigen::RowVector2d low = polygon.colwise().minCoeff(), high = polygon.colwise().maxCoeff();
+    std::vector<size_t> inside;
+    size_t num_eye = 0;
+    const int top = std::max(0, int(low.y())), bottom = std::min(mask.height - 1, int(high.y()));
+    const int left = std::max(0, int(low.x())), right = std::min(mask.width - 1, int(high.x()));
+    for (int row = top; row <= bottom; ++row) {
+      for (int column = left; column <= right; ++column) {
+        const size_t pixel = size_t(row) * size_t(mask.width) + size_t(column);
+        if (!open.holds(mask.pixels[pixel]) || !IsInOpening(polygon, column + 0.5, row + 0.5)) continue;
+        inside.push_back(pixel);
+        num_eye += mask.pixels[pixel] == uint8_t(PictureClass::kEyes);
+      }
+    }
+    const bool all = double(num_eye) < kLeastEyeShare * double(inside.size());
+    for (const size_t pixel : inside)
+      if (all || mask.pixels[pixel] == uint8_t(PictureClass::kEyes)) eyes.pixels[pixel] = uint8_t(PictureClass::kEyes);
+  }
+  return eyes;
+}
+
+std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCamera& camera, const PictureLayer& eyes,
+                               const Eigen::Vector3f& skin) {
+  constexpr float kLightest = 0.75F, kLeastDifference = 0.06F;
+  constexpr double kLeastOfBest = 0.3;
+  const auto find = [&](const EyeInPicture& eye, const IrisSizes& sizes) {
+    std::optional<IrisDisc> disc = FindIris(eyes, eye.middle, eye.radius, sizes);
+    if (!disc) return disc;
+    const Eigen::Vector3f colour = IrisProfile(eyes, *disc).At(0.6F);
+    const float lightness = colour.dot(kLightnessOf), of_skin = skin.dot(kLightnessOf);
+    const float difference = (colour / (colour.sum() + 1e-3F) - skin / (skin.sum() + 1e-3F)).norm();
+    if (lightness > of_skin || (difference < kLeastDifference && lightness > kLightest * of_skin)) disc.reset();
+    return disc;
+  };
+  std::vector<EyeLook> looks(shown.size());
+  const EyeLook* best = nullptr;
+  const auto is_better = [](const EyeLook& a, const EyeLook* b) {
+    return a.disc && (b == nullptr || a.disc->score > b->disc->score);
+  };
+  for (size_t i = 0; i < shown.size(); ++i) {
+    const EyeInPicture eye = PlaceOf(shown[i], camera);
+    looks[i].disc = find(eye, {});
+    if (looks[i].disc) looks[i].border = float(looks[i].disc->radius / eye.radius);
+    if (is_better(looks[i], best)) best = &looks[i];
+  }
+  for (size_t i = 0; i < shown.size(); ++i) {
+    EyeLook& look = looks[i];
+    if (best == nullptr) {
+      look.border = kPlainIris;
+      continue;
+    }
+    if (&look != best) {
+      const EyeInPicture eye = PlaceOf(shown[i], camera);
+      const double size = best->border;
+      look.disc = find(eye, {0.93 * size, 1.07 * size, size});
+      look.border = best->border;
+      if (look.disc && look.disc->score < kLeastOfBest * best->disc->score) look.disc.reset();
+    }
+    if (look.disc) look.profile.emplace(eyes, *look.disc);
+  }
+  for (EyeLook& look : looks)
+    if (!look.profile && best != nullptr) look.profile = best->profile;
+  return looks;
+}
+
 std::vector<Eigen::Vector3f> PaintEye(const EyeChart& chart, const ShownEye& eye, const PictureCamera& camera,
-                                      const PictureLayer& eyes, float shade) {
+                                      const PictureLayer& eyes, const EyeLook& look, float shade, Gaze gaze) {
   const int num_vertices = int(eye.points.rows());
   DAUMIER_CHECK(chart.corners.size() > 0 && chart.corners.maxCoeff() < num_vertices,
                 "an eye of {} points with a chart of {} triangles", num_vertices, chart.corners.rows());
-  const geometry::Points at_centre = eye.centre.transpose();
-  const Eigen::Vector2d middle = camera.PlacesOf(at_centre).row(0).transpose();
-  const double pixels_per_cm = camera.scale() * camera.view.focal / (camera.view.distance - eye.centre.z());
-  const double radius = eye.points.col(2).maxCoeff();
-  const std::optional<IrisDisc> iris = FindIris(eyes, middle, 1.1 * radius * pixels_per_cm);
+  const std::optional<IrisDisc>& iris = look.disc;
   const Eigen::Matrix3d turn = iris ? TurnToIris(eye, camera, *iris) : Eigen::Matrix3d::Identity();
-  // Sine of the angle at the border of the iris.
-  const auto border = iris ? float(std::min(0.95, iris->radius / (pixels_per_cm * radius))) : kPlainIris;
-  const std::optional<IrisProfile> profile =
-      iris ? std::optional<IrisProfile>(std::in_place, eyes, *iris) : std::nullopt;
+  const float border = look.border;
+  const EyeInPicture place = PlaceOf(eye, camera);
 
-  const Eigen::Matrix3d posed_from_eye = eye.rotation * turn;
+  const bool is_turned_back = gaze == Gaze::kAhead;
+  const Eigen::Matrix3d posed_from_eye = is_turned_back ? Eigen::Matrix3d(eye.rotation * turn) : eye.rotation;
+  const geometry::Vector3 axis = is_turned_back ? geometry::Vector3::UnitZ() : geometry::Vector3(turn.col(2));
   const size_t num_texels = chart.texels.size();
   std::vector<TexelSight> sights(num_texels);
-  std::vector<float> distances(num_texels);  // Sine of the angle from the front pole; 2 behind.
+  std::vector<float> distances(num_texels);  // Sine of the angle from the axis; 2 behind.
   for (size_t i = 0; i < num_texels; ++i) {
     geometry::Vector3 point = geometry::Vector3::Zero();
     for (int k = 0; k < 3; ++k)
       point += double(chart.weights[i][k]) * eye.points.row(chart.corners(chart.triangles[i], k)).transpose();
     const geometry::Vector3 direction = point.normalized();
-    distances[i] = direction.z() > 0 ? float(std::hypot(direction.x(), direction.y())) : 2.0F;
+    distances[i] = direction.dot(axis) > 0 ? float(direction.cross(axis).norm()) : 2.0F;
     if (!iris) continue;
     const geometry::Vector3 posed = eye.centre + posed_from_eye * point;
     const geometry::Vector3 to_viewer = (geometry::Vector3(0, 0, camera.view.distance) - posed).normalized();
@@ -204,14 +191,24 @@ std::vector<Eigen::Vector3f> PaintEye(const EyeChart& chart, const ShownEye& eye
     const geometry::Points at_point = posed.transpose();
     sights[i].place = camera.PlacesOf(at_point).row(0).transpose().cast<float>();
     sights[i].sight = float(std::clamp((facing - kSeenFacing) / kSeenFacing, 0.0, 1.0));
-    sights[i].shade = shade;
   }
-  const TexelColours seen = SampleLayer(eyes, sights, true);
+  TexelColours seen = SampleLayer(eyes, sights);
+  const float bright = WhiteLightness(eyes, place.middle, 1.1 * place.radius, iris).value_or(kDarkWhite * shade);
+  const float lightening = std::clamp(kDarkWhite * shade / std::max(bright, 1e-3F), 1.0F, kMostLightening);
+  for (size_t i = 0; i < num_texels; ++i) {
+    if (distances[i] < 1.1F * border) continue;
+    const float lightness = seen.colours[i].dot(kLightnessOf) / std::max(bright, 1e-3F);
+    seen.weights[i] *= std::clamp((lightness - kShadowed) / (kBright - kShadowed), 0.0F, 1.0F);
+    seen.colours[i] *= lightening;
+  }
 
   // The white of the eye: what is seen of it, and white elsewhere.
   TexelColours white = seen;
-  for (size_t i = 0; i < num_texels; ++i)
+  for (size_t i = 0; i < num_texels; ++i) {
+    const float grey = white.colours[i].dot(kLightnessOf);
+    white.colours[i] = (white.colours[i] + Eigen::Vector3f::Constant(grey)) / (2 * shade);
     if (distances[i] < 1.15F * border) white.weights[i] = 0;
+  }
   const VertexValues known = MeansAtVertices(chart.corners, num_vertices, chart.triangles, chart.weights, white);
   const Eigen::MatrixXf rest = kWhite.transpose().replicate(num_vertices, 1);
   const Eigen::MatrixXf fill = FillSurface(chart.corners, known, rest, {.stiffness = 1, .rest_weight = 0.05});
@@ -223,13 +220,16 @@ std::vector<Eigen::Vector3f> PaintEye(const EyeChart& chart, const ShownEye& eye
     for (int k = 0; k < 3; ++k)
       colour += chart.weights[i][k] * fill.row(chart.corners(chart.triangles[i], k)).transpose();
     const float soft = std::clamp((1.05F * border - distances[i]) / (0.1F * border), 0.0F, 1.0F);
-    if (profile) {
-      colour += soft * (profile->At(distances[i] / border) / shade - colour);
+    if (look.profile) {
+      colour += soft * (look.profile->At(distances[i] / border) / shade - colour);
     } else {
       const float inner = std::clamp((kPlainPupil - distances[i]) / 0.02F + 0.5F, 0.0F, 1.0F);
       colour += soft * (kBrown + inner * (kBlack - kBrown) - colour);
     }
-    colour += seen.weights[i] * (seen.colours[i] - colour);
+    if (distances[i] < 1.1F * border)
+      colour += seen.weights[i] * (seen.colours[i] / shade - colour);
+    else
+      colour += seen.weights[i] * (white.colours[i] - colour);
   }
   return colours;
 }

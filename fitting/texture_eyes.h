@@ -1,24 +1,14 @@
 #pragma once
 #include "fitting/texture_fill.h"
+#include "fitting/texture_iris.h"
 
 #include <Eigen/Core>
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace daumier::fitting {
-
-/// The dark disc of an eye in a picture.
-struct IrisDisc {
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< Pixels.
-  double radius = 0;                                 ///< Pixels.
-};
-
-/// The disc that parts the pixels of an eye best into dark ones within and light ones without: of the greatest
-///   n_in n_out / n^2 (mean_out - mean_in)^2
-/// of their lightness [Otsu 1979], over centres within the eye and radii of 0.12 to 0.5 of its width. The eye: the
-/// layer's known pixels within `reach` of `middle`. Absent if there are fewer than 20 of them or the means differ by less
-/// than 0.06.
-std::optional<IrisDisc> FindIris(const PictureLayer& eyes, const Eigen::Vector2d& middle, double reach);
 
 /// An eyeball as a picture shows it.
 struct ShownEye {
@@ -41,11 +31,36 @@ struct EyeChart {
 };
 EyeChart MakeEyeChart(const rig::TextureSpace& space, const rig::TexelMap& texels, rig::TextureChart chart);
 
+/// The mask with eyes within the given openings alone (polygons of lids, pixels), background elsewhere: lashes and shadows of
+/// lids, which a mask of few cells includes, are left out. Of an opening that is eye by less than 0.4, all skin counts as eye.
+render::Image EyesWithin(const render::Image& mask, std::span<const PicturePoints> openings);
+
+enum class Gaze {
+  kAhead,  ///< The iris in front.
+  kShown,  ///< Where the picture shows it.
+};
+
+/// The iris of an eye.
+struct EyeLook {
+  std::optional<IrisDisc> disc;        ///< Where the picture shows it.
+  std::optional<IrisProfile> profile;  ///< Its colours; absent: those of a plain brown one.
+  float border = 0;                    ///< Sine of the angle between its axis and its border.
+};
+
+/// The irises of eyes of one head (FindIris). Those of a head have one size, that of the disc of the highest score; an eye
+/// whose iris is not shown, or whose score is below 0.3 of that, has the colours of another one. A disc that is not darker than three quarters of the skin and of its
+/// hue is none: it is a closed lid, or skin next to an eye that was found at a wrong place. skin: RGB, of the picture.
+std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCamera& camera, const PictureLayer& eyes,
+                               const Eigen::Vector3f& skin);
+
 /// Colours for the texels of an eye's chart, one each. Where the picture shows the eye: its colour divided by `shade`
-/// [Pan et al. 2024, section 3.2.3], on the ball turned to the iris. Within the iris, what lids hide: the mean of what is
-/// seen at the same distance from its centre. Elsewhere white, into which the seen white of the eye passes smoothly.
-/// Where the picture shows no iris: a plain brown one. @throws Error if the eye's points are fewer than the chart's.
+/// [Pan et al. 2024, section 3.2.3], on the ball turned to the iris. Within the iris, what lids hide: the median of what is
+/// seen at the same distance from its centre. Elsewhere white, into which the seen white of the eye passes smoothly, of half
+/// its saturation; what is darker than 0.55 of the bright white counts as shadow. White that is darker than 0.6 is made
+/// lighter, by at most 1.8. Where the picture shows no iris: white alone around it.
+/// @throws Error if the eye's points are fewer than the chart's.
 std::vector<Eigen::Vector3f> PaintEye(const EyeChart& chart, const ShownEye& eye, const PictureCamera& camera,
-                                      const PictureLayer& eyes, float shade);
+                                      const PictureLayer& eyes, const EyeLook& look, float shade,
+                                      Gaze gaze = Gaze::kAhead);
 
 }  // namespace daumier::fitting

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "faces/appearance/scalp.h"
 #include "faces/appearance/skin_fields.h"
+#include "geometry/normals.h"
 #include "geometry/topology.h"
 #include "render/draw.h"
 #include "rig/material_colours.h"
@@ -28,6 +29,8 @@ constexpr double kLeastHair = 0.01;
 /// Rims of lids and inner lips are darker than the skin next to them.
 constexpr float kRimShade = 0.82F;
 constexpr float kLeastEyeShade = 0.4F;
+/// An eye's opening is wider than the polygon of its six landmarks.
+constexpr double kOpening = 1.03;
 const Eigen::Vector3f kMouthColour(0.38F, 0.11F, 0.11F);
 
 bool IsSkin(TextureChart chart) {
@@ -79,7 +82,7 @@ TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const std::vector
   DAUMIER_CHECK(int(joined_from_face.size()) == face.num_vertices(), "numbers of {} vertices, expected {}",
                 joined_from_face.size(), face.num_vertices());
   TextureGuide guide{std::vector<int>(size_t(num_vertices), -1), Eigen::VectorXf::Zero(num_vertices),
-                     Eigen::VectorXf::Zero(num_vertices)};
+                     Eigen::VectorXf::Zero(num_vertices), Eigen::VectorXf::Zero(num_vertices)};
   const Eigen::VectorXd scalp = faces::Scalp(face).weights(), beard = faces::SkinField(face, "beard");
   double brow = 0;
   for (int l = 17; l <= 26; ++l) brow += 0.1 * face.neutral(face.annotation.landmarks[size_t(l)], 1);
@@ -92,6 +95,15 @@ TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const std::vector
     guide.scalp[joined] = float(scalp[v]);
     const double above = faces::SmoothBetween(0.2, 0.5, (face.neutral(v, 1) - brow) / forehead);
     guide.hair_painted[joined] = float(std::max({scalp[v], beard[v], above}));
+  }
+  if (const auto ears = face.annotation.regions.find("ears"); ears != face.annotation.regions.end())
+    for (const int v : ears->second)
+      if (joined_from_face[size_t(v)] >= 0) guide.ears[joined_from_face[size_t(v)]] = 1;
+  for (const size_t first : {size_t(36), size_t(42)}) {
+    guide.lids.emplace_back();
+    for (size_t l = first; l < first + 6; ++l)
+      guide.lids.back().push_back(joined_from_face[size_t(face.annotation.landmarks[l])]);
+    if (std::ranges::min(guide.lids.back()) < 0) guide.lids.pop_back();
   }
   return guide;
 }
@@ -117,9 +129,9 @@ HeadPainter::HeadPainter(rig::TextureSpace space, TextureGuide guide, const Text
     : space_(std::move(space)), guide_(std::move(guide)), options_(options), texels_(space_.Rasterise(options.size)) {
   const int num_vertices = int(guide_.mirror.size());
   DAUMIER_CHECK(space_.triangles.maxCoeff() < num_vertices && guide_.scalp.size() == num_vertices &&
-                    guide_.hair_painted.size() == num_vertices,
-                "a texture space of {} vertices with a guide of {}, {} and {}", space_.triangles.maxCoeff() + 1,
-                num_vertices, guide_.scalp.size(), guide_.hair_painted.size());
+                    guide_.hair_painted.size() == num_vertices && guide_.ears.size() == num_vertices,
+                "a texture space of {} vertices with a guide of {}, {}, {} and {}", space_.triangles.maxCoeff() + 1,
+                num_vertices, guide_.scalp.size(), guide_.hair_painted.size(), guide_.ears.size());
   DAUMIER_CHECK(space_.materials.empty() || Eigen::Index(space_.materials.size()) == space_.triangles.rows(),
                 "{} materials for {} triangles", space_.materials.size(), space_.triangles.rows());
   gutter_ = rig::NearestShownTexels(texels_, std::max(1, kGutterReach * options.size / 1024));
@@ -161,25 +173,75 @@ HeadTexture HeadPainter::Paint(const ShownHead& head, const render::Image& pictu
       CutHead(picture, mask, head.camera, posed, space_.triangles, kLargestPicture * double(options_.size));
   const double margin = options_.margin * cut.head_height;
   using enum PictureClass;
-  const std::vector<TexelSight> sights =
-      FindTexelSights(space_, texels_, posed, cut.camera, options_.delight ? head.light : std::nullopt);
+  const std::vector<TexelSight> sights = FindTexelSights(space_, texels_, posed, cut.camera);
 
   const auto see = [&](const ClassSet& classes) {
-    return SampleLayer(LayerOf(cut.picture, cut.mask, classes, margin), sights, options_.delight);
+    PictureLayer layer = LayerOf(cut.picture, cut.mask, classes, margin);
+    if (options_.delight) DoubtOverexposed(cut.picture, layer);
+    return SampleLayer(layer, sights);
   };
-  const TexelColours skin = see({kSkin, kBrows, kLips, kEars});
-  const auto num_hair = std::ranges::count(cut.mask.pixels, uint8_t(kHair));
+  TexelColours skin;
   std::optional<TexelColours> hair;
-  if (double(num_hair) > kLeastHair * double(cut.mask.pixels.size())) {
+  PictureLayer eyes;
+  OnAllCores(2, [&](int64_t part) {
+    if (part == 0) {
+      skin = see({kSkin, kBrows, kLips, kEars});
+      return;
+    }
+    eyes = LayerOf(cut.picture, EyesOf(posed, cut.camera, cut.mask), {kEyes}, 0.5 * margin);
+    const auto num_hair = std::ranges::count(cut.mask.pixels, uint8_t(kHair));
+    if (double(num_hair) <= kLeastHair * double(cut.mask.pixels.size())) return;
     hair = see({kHair});
     for (size_t i = 0; i < hair->weights.size(); ++i)
       if (hair->weights[i] > 0) hair->weights[i] *= At(i, guide_.hair_painted);
+    DoubtOutliers(AtVertices(*hair), nullptr, *hair);
+  });
+  const VertexValues skin_of_picture = AtVertices(skin);
+  DoubtOutliers(skin_of_picture, &guide_.ears, skin);
+  std::optional<PortraitLight> light;
+  if (options_.delight) {
+    const geometry::Points normals = geometry::VertexNormals({posed, space_.triangles});
+    light = head.light;
+    if (options_.fit_light) light = FitLight(normals, skin_of_picture, *light);
+    const Eigen::VectorXf shades = WithContrast(ShadesOf(normals, *light), options_.light_share);
+    DivideByShades(space_, texels_, shades, skin);
+    if (hair) DivideByShades(space_, texels_, shades, *hair);
   }
   const SurfaceTexture surface =
       CompleteSurface(space_, texels_, mirrored_, guide_, *surface_, skin, hair ? &*hair : nullptr, options_.fill);
   std::vector<Eigen::Vector3f> colours = surface.colours;
-  PaintEyes(head, posed, cut.camera, LayerOf(cut.picture, cut.mask, {kEyes}, 0.5 * margin), colours);
-  return TextureOf(surface, colours);
+  PaintEyes(head, posed, cut.camera, eyes, light, MedianColour(skin_of_picture, Eigen::Vector3f::Ones()), colours);
+  HeadTexture texture = TextureOf(surface, colours);
+  texture.light = light;
+  return texture;
+}
+
+/// The mask's eyes within the openings of lids, if the guide has these.
+render::Image HeadPainter::EyesOf(const geometry::Points& posed, const PictureCamera& camera,
+                                  const render::Image& mask) const {
+  std::vector<PicturePoints> openings;
+  for (const std::vector<int>& lids : guide_.lids) {
+    openings.push_back(camera.PlacesOf(posed(lids, Eigen::all)));
+    const Eigen::RowVector2d middle = openings.back().colwise().mean();
+    openings.back() = ((openings.back().rowwise() - middle) * kOpening).rowwise() + middle;
+  }
+  return openings.empty() ? mask : EyesWithin(mask, openings);
+}
+
+VertexValues HeadPainter::AtVertices(const TexelColours& colours) const {
+  return MeansAtVertices(space_.triangles, int(guide_.mirror.size()), texels_.triangles, texels_.weights, colours);
+}
+
+/// Reduces weights of colours that differ from the median: where `where` (a vertex; null: everywhere) is 1.
+void HeadPainter::DoubtOutliers(const VertexValues& at_vertices, const Eigen::VectorXf* where,
+                                TexelColours& colours) const {
+  const InlierMeasure measure(at_vertices);
+  OnAllCores(int64_t(colours.weights.size()), [&](int64_t texel) {
+    const auto i = size_t(texel);
+    if (colours.weights[i] <= 0) return;
+    const float share = where == nullptr ? 1.0F : At(i, *where);
+    if (share > 0) colours.weights[i] *= 1 - share * (1 - measure(colours.colours[i]));
+  });
 }
 
 /// The value of a texel of numbers at vertices.
@@ -190,23 +252,28 @@ float HeadPainter::At(size_t i, const Eigen::VectorXf& values) const {
 }
 
 void HeadPainter::PaintEyes(const ShownHead& head, const geometry::Points& posed, const PictureCamera& camera,
-                            const PictureLayer& eyes, std::vector<Eigen::Vector3f>& colours) const {
+                            const PictureLayer& eyes, const std::optional<PortraitLight>& light,
+                            const Eigen::Vector3f& skin, std::vector<Eigen::Vector3f>& colours) const {
   const Eigen::Matrix3d rotation = RotationOf(head.pose);
-  float shade = 1;
-  if (options_.delight) {
-    const Eigen::Vector3f ahead = rotation.col(2).cast<float>();
-    raster::Shade(*head.light, 1, ahead.data(), &shade);
-  }
+  const geometry::Points ahead = rotation.col(2).transpose();
+  const float shade = light ? WithContrast(ShadesOf(ahead, *light), options_.light_share)[0] : 1.0F;
+  std::vector<ShownEye> shown;
+  std::vector<const EyeChart*> charts;
   for (size_t side = 0; side < 2; ++side) {
     const EyeChart& chart = eyes_[side];
     if (chart.texels.empty()) continue;
-    const int num_points = chart.corners.maxCoeff() + 1;
-    ShownEye eye{{}, rotation, head.vertices.middleRows(chart.first_vertex, num_points)};
+    ShownEye eye{{}, rotation, head.vertices.middleRows(chart.first_vertex, chart.corners.maxCoeff() + 1)};
     eye.points.rowwise() -= head.eye_centres[side].transpose();
     const geometry::Points centre = head.eye_centres[side].transpose();
     eye.centre = Posed(centre, head.pose).row(0).transpose();
-    const std::vector<Eigen::Vector3f> painted = PaintEye(chart, eye, camera, eyes, std::max(shade, kLeastEyeShade));
-    for (size_t i = 0; i < painted.size(); ++i) colours[size_t(chart.texels[i])] = painted[i];
+    shown.push_back(std::move(eye)), charts.push_back(&chart);
+  }
+  const std::vector<EyeLook> looks = FindLooks(shown, camera, eyes, skin);
+  for (size_t i = 0; i < shown.size(); ++i) {
+    const std::vector<Eigen::Vector3f> painted =
+        PaintEye(*charts[i], shown[i], camera, eyes, looks[i], std::max(shade, kLeastEyeShade),
+                 options_.keep_gaze ? Gaze::kShown : Gaze::kAhead);
+    for (size_t k = 0; k < painted.size(); ++k) colours[size_t(charts[i]->texels[k])] = painted[k];
   }
 }
 
@@ -246,7 +313,10 @@ HeadTexture HeadPainter::TextureOf(const SurfaceTexture& surface, std::vector<Ei
   for (double* const share : {&texture.seen, &texture.mirrored, &texture.filled}) *share /= std::max(num_skin, 1.0);
   for (size_t i = 0; i < colours.size(); ++i) {
     if (gutter_[i] < 0) continue;
-    for (int k = 0; k < 3; ++k) texture.picture.pixels[3 * i + size_t(k)] = ByteOf(colours[size_t(gutter_[i])][k]);
+    // Too bright a colour keeps its hue.
+    const Eigen::Vector3f& colour = colours[size_t(gutter_[i])];
+    const float brightest = std::max(1.0F, colour.maxCoeff());
+    for (int k = 0; k < 3; ++k) texture.picture.pixels[3 * i + size_t(k)] = ByteOf(colour[k] / brightest);
   }
   return texture;
 }

@@ -2,6 +2,7 @@
 #include "core/options.h"
 #include "faces/face_model.h"
 #include "fitting/texture_eyes.h"
+#include "fitting/texture_light.h"
 #include "fitting/texture_surface.h"
 #include "rig/head_rig.h"
 
@@ -36,14 +37,25 @@ ShownHead ShownHeadOf(const rig::HeadRig& rig, const geometry::Points& face, con
 struct TextureOptions {
   int size = 1024;
   bool delight = true;
+  bool fit_light = true;
+  double light_share = 0.6;
+  bool keep_gaze = false;
   double margin = 0.008;
   TextureFill fill = TextureFill::kSmooth;  ///< For measurements.
 
   template <class V>
   void Visit(V&& visit) {
     visit("size", size, Range{64, 4096}, "Side of the texture, texels.");
-    visit("delight", delight, Flag{},
-          "Divide colours by the light of the coefficients, so that the texture is albedo.");
+    visit("delight", delight, Flag{}, "Divide colours by the light of the picture, so that the texture is albedo.");
+    visit("fit_light", fit_light, Flag{},
+          "Fit that light to the picture's lightness over the aligned face, about that of the coefficients; otherwise "
+          "it is that of the coefficients.");
+    visit("light_share", light_share, Range{0, 1},
+          "Share of the light's contrast that is removed: with 1 the texture is albedo if the light is right; with "
+          "less it "
+          "keeps some of the painter's shadows.");
+    visit("keep_gaze", keep_gaze, Flag{},
+          "The iris is where the picture shows it; otherwise in front, so that the head looks straight ahead.");
     visit("margin", margin, Range{0, 0.1},
           "Width of the border within which pixels of a part of the face are not trusted, as a share of the head's "
           "height.");
@@ -56,6 +68,7 @@ struct HeadTexture {
   render::Image
       sources;  ///< The same size, RGB: green what the picture shows, blue mirrored, red filled; black no skin.
   double seen = 0, mirrored = 0, filled = 0;
+  std::optional<PortraitLight> light{};  ///< By which colours were divided.
 };
 
 /// Paints textures of the heads of one topology from pictures. Const and thread-safe.
@@ -77,8 +90,12 @@ class HeadPainter {
 
  private:
   float At(size_t texel, const Eigen::VectorXf& values) const;
+  render::Image EyesOf(const geometry::Points& posed, const PictureCamera& camera, const render::Image& mask) const;
+  VertexValues AtVertices(const TexelColours& colours) const;
+  void DoubtOutliers(const VertexValues& at_vertices, const Eigen::VectorXf* where, TexelColours& colours) const;
   void PaintEyes(const ShownHead& head, const geometry::Points& posed, const PictureCamera& camera,
-                 const PictureLayer& eyes, std::vector<Eigen::Vector3f>& colours) const;
+                 const PictureLayer& eyes, const std::optional<PortraitLight>& light, const Eigen::Vector3f& skin,
+                 std::vector<Eigen::Vector3f>& colours) const;
   HeadTexture TextureOf(const SurfaceTexture& surface, std::vector<Eigen::Vector3f> colours) const;
 
   rig::TextureSpace space_;

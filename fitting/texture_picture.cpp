@@ -97,4 +97,26 @@ PictureLayer LayerOf(const render::Image& picture, const render::Image& mask, co
   return layer;
 }
 
+void DoubtOverexposed(const render::Image& picture, PictureLayer& layer) {
+  constexpr uint8_t kOverexposed = 252, kWhitePixel = 240;
+  constexpr float kDoubt = 0.1F;
+  DAUMIER_CHECK(picture.channels == 3 && picture.height == layer.height && picture.width == layer.width,
+                "a picture of {} x {} x {} with a layer of {} x {}", picture.height, picture.width, picture.channels,
+                layer.height, layer.width);
+  const auto is_white = [&](size_t i) {
+    const uint8_t* const c = picture.pixels.data() + 3 * i;
+    return std::min({c[0], c[1], c[2]}) >= kWhitePixel;
+  };
+  size_t num_known = 0, num_white = 0;
+  for (size_t i = 0; i < layer.confidence.size(); ++i) {
+    if (layer.confidence[i] <= 0) continue;
+    ++num_known, num_white += is_white(i);
+  }
+  for (size_t i = 0; i < layer.confidence.size(); ++i) {
+    const uint8_t* const c = picture.pixels.data() + 3 * i;
+    if (2 * num_white < num_known && is_white(i)) layer.confidence[i] = 0;
+    if (std::max({c[0], c[1], c[2]}) >= kOverexposed) layer.confidence[i] *= kDoubt;
+  }
+}
+
 }  // namespace daumier::fitting

@@ -45,4 +45,9 @@ struct PictureLayer {
 /// there they mix with what is behind. @throws Error if the sizes disagree, the picture is not RGB, or the mask not grey.
 PictureLayer LayerOf(const render::Image& picture, const render::Image& mask, const ClassSet& classes, double margin);
 
+/// Reduces the confidence of pixels of which a channel is at its end (252 or more) to a tenth: their hue is not that of the
+/// surface, and shows once they are divided by their light. White ones (all channels at least 240) have none, unless half of the
+/// layer is white: they are highlights and bright backgrounds. @throws Error if the sizes disagree or the picture is not RGB.
+void DoubtOverexposed(const render::Image& picture, PictureLayer& layer);
+
 }  // namespace daumier::fitting

@@ -17,7 +17,6 @@
 namespace daumier::fitting {
 namespace {
 
-constexpr float kLeastShade = 0.2F;
 /// Levels of mip maps: halves, quarters ... 1 / 16.
 constexpr int kNumMips = 5;
 
@@ -111,7 +110,7 @@ double PictureCamera::scale() const {
 
 std::vector<TexelSight> FindTexelSights(const rig::TextureSpace& space, const rig::TexelMap& texels,
                                         const geometry::Points& posed, const PictureCamera& camera,
-                                        const std::optional<PortraitLight>& light, const SightOptions& options) {
+                                        const SightOptions& options) {
   DAUMIER_CHECK(space.triangles.size() > 0 && space.triangles.maxCoeff() < posed.rows(),
                 "a texture space of {} triangles with {} vertices", space.triangles.rows(), posed.rows());
   const DepthView depths(space, posed, camera.view, options.side);
@@ -138,7 +137,6 @@ std::vector<TexelSight> FindTexelSights(const rig::TextureSpace& space, const ri
     const float to_pixels = focal / (distance - point.z());
     sight.place = linear * Eigen::Vector2f(centre + to_pixels * point.x(), centre - to_pixels * point.y()) + shift;
     sight.level = levels[size_t(t)];
-    if (light) raster::Shade(*light, 1, normal.data(), &sight.shade);
     const float facing = normal.dot((Eigen::Vector3f(0, 0, distance) - point).normalized());
     sight.sight = SmoothStep(float(options.hidden_facing), float(options.full_facing), facing);
     if (sight.sight <= 0) return;
@@ -166,7 +164,7 @@ LayerSampler::LayerSampler(const PictureLayer& layer) : height_(layer.height), w
   if (mip_map_.size() > kNumMips) mip_map_.resize(kNumMips);
 }
 
-TexelColours LayerSampler::Sample(const std::vector<TexelSight>& sights, bool delight) const {
+TexelColours LayerSampler::Sample(const std::vector<TexelSight>& sights) const {
   TexelColours sampled{std::vector<Eigen::Vector3f>(sights.size(), Eigen::Vector3f::Zero()),
                        std::vector<float>(sights.size(), 0.0F)};
   OnAllCores(int64_t(sights.size()), [&](int64_t i) {
@@ -178,8 +176,7 @@ TexelColours LayerSampler::Sample(const std::vector<TexelSight>& sights, bool de
     std::array<float, 4> value{};
     raster::LookUpMipMap(mip_map_, raster::Wrap::kClamp, 1, uv.data(), &sight.level, nullptr, value.data());
     sampled.weights[size_t(i)] = sight.sight * value[3];
-    const float shade = delight ? std::max(sight.shade, kLeastShade) : 1.0F;
-    sampled.colours[size_t(i)] = Eigen::Vector3f(value[0], value[1], value[2]) / shade;
+    sampled.colours[size_t(i)] = Eigen::Vector3f(value[0], value[1], value[2]);
   });
   return sampled;
 }

@@ -1,14 +1,11 @@
 #pragma once
 #include "fitting/portrait_view.h"
 #include "fitting/texture_picture.h"
-#include "raster/spherical_harmonics.h"
 #include "raster/texture.h"
 #include "rig/texture_space.h"
 
 #include <Eigen/Core>
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace daumier::fitting {
@@ -25,14 +22,10 @@ struct PictureCamera {
   double scale() const;
 };
 
-/// Monochrome light as of raster::Shade.
-using PortraitLight = std::array<float, raster::kLightBands>;
-
 /// A texel where the picture shows it.
 struct TexelSight {
   Eigen::Vector2f place = Eigen::Vector2f::Zero();  ///< Pixels of the picture.
   float sight = 0;  ///< 0 turned away or hidden .. 1: seen from about the front, nothing before it.
-  float shade = 1;  ///< Light on it; 1 without light.
   float level = 0;  ///< log2 of pixels a texel: the mip level.
 };
 
@@ -48,7 +41,7 @@ struct SightOptions {
 /// triangle. @throws Error if the number of vertices is less than the triangles name.
 std::vector<TexelSight> FindTexelSights(const rig::TextureSpace& space, const rig::TexelMap& texels,
                                         const geometry::Points& posed, const PictureCamera& camera,
-                                        const std::optional<PortraitLight>& light, const SightOptions& options = {});
+                                        const SightOptions& options = {});
 
 /// Colours of texels and how well each is known.
 struct TexelColours {
@@ -62,17 +55,16 @@ class LayerSampler {
   explicit LayerSampler(const PictureLayer& layer);
 
   /// Colours at the sights' places, averaged over about the area of a texel where the picture is the larger; weights:
-  /// sight times the layer's confidence, 0 outside of the picture. With `delight` colours are divided by the shade, which
-  /// counts as at least 0.2.
-  TexelColours Sample(const std::vector<TexelSight>& sights, bool delight) const;
+  /// sight times the layer's confidence, 0 outside of the picture.
+  TexelColours Sample(const std::vector<TexelSight>& sights) const;
 
  private:
   int height_, width_;
   raster::MipMap<float> mip_map_;
 };
 
-inline TexelColours SampleLayer(const PictureLayer& layer, const std::vector<TexelSight>& sights, bool delight) {
-  return LayerSampler(layer).Sample(sights, delight);
+inline TexelColours SampleLayer(const PictureLayer& layer, const std::vector<TexelSight>& sights) {
+  return LayerSampler(layer).Sample(sights);
 }
 
 }  // namespace daumier::fitting

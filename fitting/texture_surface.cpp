@@ -12,23 +12,10 @@ namespace {
 const Eigen::Vector3f kPlainSkin(0.80F, 0.62F, 0.53F);
 /// Differences of tone are smoother than colours.
 constexpr SurfaceFillOptions kToneFill{.stiffness = 8, .rest_weight = 1e-3};
+/// Far from all that is seen, a colour drifts to the median within about ten edges: dark rims are not carried to the back.
+constexpr SurfaceFillOptions kColourFill{.stiffness = 1, .rest_weight = 0.01};
 /// Hair ends within a few edges of what is seen of it, but for the scalp.
 constexpr SurfaceFillOptions kHairlineFill{.stiffness = 1, .rest_weight = 0.3};
-
-/// The median of the known vertices, a channel; `otherwise` where none is known.
-Eigen::Vector3f MedianColour(const VertexValues& known, const Eigen::Vector3f& otherwise) {
-  Eigen::Vector3f median = otherwise;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<float> values;
-    for (Eigen::Index v = 0; v < known.weights.size(); ++v)
-      if (known.weights[v] > 0) values.push_back(known.values(v, k));
-    if (values.empty()) return otherwise;
-    const auto middle = values.begin() + ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    median[k] = *middle;
-  }
-  return median;
-}
 
 /// Completes one kind of colour after the other.
 class SurfaceCompletion {
@@ -58,9 +45,12 @@ class SurfaceCompletion {
 
   /// A colour a vertex.
   Eigen::MatrixXf Fill(const TexelColours& known, const Eigen::Vector3f& otherwise) const {
-    const VertexValues at_vertices = AtVertices(known);
+    VertexValues at_vertices = AtVertices(known);
+    const InlierMeasure measure(at_vertices);
+    for (Eigen::Index v = 0; v < at_vertices.weights.size(); ++v)
+      at_vertices.weights[v] *= measure(at_vertices.values.row(v).transpose());
     const Eigen::MatrixXf rest = MedianColour(at_vertices, otherwise).transpose().replicate(num_vertices_, 1);
-    return fill_ == TextureFill::kSmooth ? surface_.Solve(at_vertices, rest) : rest;
+    return fill_ == TextureFill::kSmooth ? surface_.Solve(at_vertices, rest, kColourFill) : rest;
   }
 
   /// The value of a texel of values at vertices.
@@ -91,6 +81,34 @@ void AddShare(const TexelColours& image, size_t i, float share, TexelColours& kn
 
 }  // namespace
 
+Eigen::Vector3f MedianColour(const VertexValues& known, const Eigen::Vector3f& otherwise) {
+  Eigen::Vector3f median = otherwise;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<float> values;
+    for (Eigen::Index v = 0; v < known.weights.size(); ++v)
+      if (known.weights[v] > 0) values.push_back(known.values(v, k));
+    if (values.empty()) return otherwise;
+    const auto middle = values.begin() + ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    median[k] = *middle;
+  }
+  return median;
+}
+
+InlierMeasure::InlierMeasure(const VertexValues& known) : median_(MedianColour(known, kPlainSkin)) {
+  constexpr float kLeastDeviation = 0.12F;
+  VertexValues distances = known;
+  distances.values.col(0) = (known.values.rowwise() - median_.transpose()).rowwise().norm();
+  if ((known.weights.array() > 0).any())
+    deviation_ = std::max(kLeastDeviation, 1.5F * MedianColour(distances, Eigen::Vector3f::Zero())[0]);
+}
+
+float InlierMeasure::operator()(const Eigen::Vector3f& colour) const {
+  if (deviation_ <= 0) return 1;
+  const float t = 1 + (colour - median_).squaredNorm() / (deviation_ * deviation_);
+  return 1 / (t * t);
+}
+
 SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelMap& texels,
                                const MirroredCorners& mirror, const TextureGuide& guide, const SurfaceFill& surface,
                                const TexelColours& seen_skin, const TexelColours* seen_hair, TextureFill fill) {
@@ -106,19 +124,21 @@ SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelM
   texture.colours.assign(num_texels, Eigen::Vector3f::Zero());
   for (size_t i = 0; i < num_texels; ++i) texture.seen[i] = skin.weights[i] + (seen_hair ? hair.weights[i] : 0.0F);
   if (fill != TextureFill::kNone) {
-    const auto add_image = [&](TexelColours& known) {
+    OnAllCores(seen_hair ? 2 : 1, [&](int64_t kind) {
+      TexelColours& known = kind == 0 ? skin : hair;
       const TexelColours image = completion.Image(known);
       for (size_t i = 0; i < num_texels; ++i) AddShare(image, i, 1 - texture.seen[i], known);
-    };
-    add_image(skin);
-    if (seen_hair) add_image(hair);
+    });
     for (size_t i = 0; i < num_texels; ++i)
       texture.mirrored[i] = skin.weights[i] + (seen_hair ? hair.weights[i] : 0.0F) - texture.seen[i];
   }
 
-  const Eigen::MatrixXf skin_fill = completion.Fill(skin, kPlainSkin);
-  Eigen::MatrixXf hair_fill, hair_share;
-  if (seen_hair) {
+  Eigen::MatrixXf skin_fill, hair_fill, hair_share;
+  OnAllCores(seen_hair ? 2 : 1, [&](int64_t kind) {
+    if (kind == 0) {
+      skin_fill = completion.Fill(skin, kPlainSkin);
+      return;
+    }
     hair_fill = completion.Fill(hair, kPlainSkin);
     TexelColours share = hair;
     for (size_t i = 0; i < num_texels; ++i) {
@@ -126,7 +146,7 @@ SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelM
       if (share.weights[i] > 0) share.colours[i].setConstant(hair.weights[i] / share.weights[i]);
     }
     hair_share = surface.Solve(completion.AtVertices(share), guide.scalp.replicate(1, 3), kHairlineFill);
-  }
+  });
   OnAllCores(int64_t(num_texels), [&](int64_t texel) {
     const auto i = size_t(texel);
     if (texels.triangles[i] < 0) return;

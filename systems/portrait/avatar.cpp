@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/num_cores.h"
+#include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "render/draw.h"
 
@@ -34,17 +35,21 @@ fitting::PictureCamera CameraOf(const PictureMap& crop_from_picture) {
 
 AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, const faces::FaceModel& model,
                          const AvatarOptions& options)
-    : predictor_(std::move(predictor)),
-      options_(options),
-      expression_shapes_(model.expression_shapes),
-      targets_(model),
-      rig_(model.face_template),
-      painter_(rig_.texture_space(), fitting::MakeTextureGuide(model.face_template, rig_), options.texture) {
+    : predictor_(std::move(predictor)), options_(options), expression_shapes_(model.expression_shapes) {
   const faces::MorphableModel& of_faces = predictor_->run().model;
   DAUMIER_CHECK(of_faces.face_template.source == model.face_template.source &&
                     of_faces.face_template.num_vertices() == model.face_template.num_vertices(),
                 "the portrait network is of the faces '{}', the expressions are of '{}': both have to be of one source",
                 of_faces.face_template.source, model.face_template.source);
+  if (options_.keep_expression) options_.texture.keep_gaze = true;
+  OnAllCores(2, [&](int64_t part) {
+    if (part == 0) {
+      targets_.emplace(model);
+    } else {
+      rig_.emplace(model.face_template);
+      painter_.emplace(rig_->texture_space(), fitting::MakeTextureGuide(model.face_template, *rig_), options_.texture);
+    }
+  });
 }
 
 Avatar AvatarMaker::Make(const render::Image& picture) const {
@@ -64,18 +69,18 @@ Avatar AvatarMaker::Make(const render::Image& picture) const {
     const Eigen::VectorXf offset = expression_shapes_.leftCols(count) * avatar.face.expression.head(count);
     neutral -= Flat(offset.data(), neutral.rows(), 3).cast<double>();
   }
-  const rig::MorphTargets targets = targets_.On(neutral, unsigned(NumCores()));
+  const rig::MorphTargets targets = targets_->On(neutral, unsigned(NumCores()));
   avatar.times.targets = MillisecondsOf(watch);
 
   watch = {};
-  avatar.head = rig_.On(neutral, targets);
+  avatar.head = rig_->On(neutral, targets);
   avatar.times.head = MillisecondsOf(watch);
 
   watch = {};
   const fitting::ShownHead shown =
-      fitting::ShownHeadOf(rig_, reading.face.vertices, PoseOfCoefficients(reading.coefficients), CameraOf(reading.map),
-                           LightOf(reading.coefficients));
-  avatar.painted = painter_.Paint(shown, render::ToRgb(picture), *reading.mask);
+      fitting::ShownHeadOf(*rig_, reading.face.vertices, PoseOfCoefficients(reading.coefficients),
+                           CameraOf(reading.map), LightOf(reading.coefficients));
+  avatar.painted = painter_->Paint(shown, render::ToRgb(picture), *reading.mask);
   avatar.texture = std::make_shared<const render::Image>(avatar.painted.picture);
   avatar.times.texture = MillisecondsOf(watch);
   return avatar;

@@ -8,6 +8,7 @@
 #include "systems/portrait/portrait_predictor.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct AvatarOptions {
   void Visit(V&& visit) {
     visit("texture", texture, Table{}, "How the head is painted from the picture.");
     visit("keep_expression", keep_expression, Flag{},
-          "The head rests with the expression of the picture; otherwise without it.");
+          "The head rests with the expression and the gaze of the picture; otherwise without them.");
   }
 };
 
@@ -53,15 +54,16 @@ class AvatarMaker {
   Avatar Make(const render::Image& picture) const;
 
   /// What the source cannot make, a line each.
-  const std::vector<std::string>& warnings() const { return targets_.warnings(); }
+  const std::vector<std::string>& warnings() const { return targets_->warnings(); }
 
  private:
   std::unique_ptr<const PortraitPredictor> predictor_;
   AvatarOptions options_;
   Eigen::MatrixXf expression_shapes_;  ///< 3V x E
-  rig::ExpressionTargets targets_;
-  rig::HeadRig rig_;
-  fitting::HeadPainter painter_;
+  // Prepared on two cores.
+  std::optional<rig::ExpressionTargets> targets_;
+  std::optional<rig::HeadRig> rig_;
+  std::optional<fitting::HeadPainter> painter_;
 };
 
 }  // namespace daumier::portrait

@@ -13,6 +13,10 @@
 namespace daumier::portrait {
 namespace {
 
+/// The larger crop of a head: as a multiple of the face's, by which share of its side it is higher, and the border of the
+/// face's crop where the larger one counts already.
+constexpr double kHeadCropSide = 1.45, kHeadCropRise = 0.1, kCropBorder = 0.03;
+
 std::vector<float> Mirrored(std::span<const float> crop, int size) {
   std::vector<float> mirrored(crop.size());
   for (size_t row = 0; row < crop.size() / size_t(size); ++row) {
@@ -211,12 +215,30 @@ DetectedFace LandmarkDetector::FindIn(const render::Image& picture, const Box& b
 }
 
 DetectedFace LandmarkDetector::FindGiven(const render::Image& picture, std::span<const float> landmarks) const {
-  const Box box = BoxOf(landmarks);
-  DetectedFace face = FindIn(picture, box);
+  DetectedFace face =
+      Parse(PicturePyramid(picture), FrameOfLandmarks(landmarks, network_options_.resolution), options_.mirror);
+  face.confidence = face.states[size_t(FaceState::kIsFace)];
   face.landmarks.assign(landmarks.begin(), landmarks.end());
   face.landmark_confidences.assign(size_t(kNumLandmarks), 1.0f);
-  face.box = box;
+  face.box = BoxOf(landmarks);
   return face;
+}
+
+render::Image LandmarkDetector::HeadMask(const render::Image& picture, const DetectedFace& face) const {
+  CropFrame frame = face.frame;
+  const double side = kHeadCropSide * frame.side;
+  frame.centre -= kHeadCropRise * side * Eigen::Vector2d(-std::sin(frame.turn), std::cos(frame.turn));
+  frame.side = side;
+  const DetectedFace around = Parse(PicturePyramid(picture), frame, options_.mirror);
+  const render::Image inner = face.Mask(picture.height, picture.width);
+  render::Image mask = around.Mask(picture.height, picture.width);
+  const double size = face.frame.size, border = kCropBorder * size;
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column) {
+      const Eigen::Vector2d at = face.frame.ToCrop({column + 0.5, row + 0.5});
+      if (at.minCoeff() >= border && at.maxCoeff() <= size - border) mask.at(row, column) = inner.at(row, column);
+    }
+  return mask;
 }
 
 }  // namespace daumier::portrait

@@ -71,8 +71,12 @@ class LandmarkDetector {
   /// The face in a box that is given; its confidence may be anything. unsnapped: if not null, the landmarks before SnapEyes.
   DetectedFace FindIn(const render::Image& picture, const Box& box, std::vector<float>* unsnapped = nullptr) const;
 
-  /// The face of landmarks that are given (68 x 2), of whatever confidence: they take the place of those that are found.
+  /// The face of landmarks that are given (68 x 2), of whatever confidence: states and classes are those of their frame.
   DetectedFace FindGiven(const render::Image& picture, std::span<const float> landmarks) const;
+
+  /// DetectedFace::Mask, and the classes of what is around its crop by a second, larger one: all of the head's hair, neck
+  /// and ears.
+  render::Image HeadMask(const render::Image& picture, const DetectedFace& face) const;
 
   const LandmarkDetectorOptions& options() const { return options_; }
 

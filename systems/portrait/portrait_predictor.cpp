@@ -30,8 +30,7 @@ Json Numbers(std::span<const float> coefficients, const faces::CoefficientSlot& 
 
 /// The run or weights that find landmarks; empty: none do.
 std::filesystem::path LandmarkFolder(const std::filesystem::path& directory, const PortraitPredictOptions& options) {
-  if (!options.landmark_run.empty() || !options.landmarks.empty() || !IsWeightsFolder(directory))
-    return options.landmark_run;
+  if (!options.landmark_run.empty() || !IsWeightsFolder(directory)) return options.landmark_run;
   const std::filesystem::path shipped = WeightsNextTo(directory, kLandmarkSystem);
   return IsWeightsFolder(shipped) ? shipped : std::filesystem::path();
 }
@@ -79,11 +78,14 @@ PortraitReading PortraitPredictor::Read(const render::Image& picture) const {
   PortraitReading reading;
   std::vector<float> confidences;
   reading.landmarks = given_landmarks_;
-  if (reading.landmarks.empty() && landmarks_ != nullptr) {
-    const std::vector<DetectedFace> faces = landmarks_->Faces(picture);
+  if (landmarks_ != nullptr) {
+    const LandmarkDetector& detector = landmarks_->detector();
+    const std::vector<DetectedFace> faces = given_landmarks_.empty()
+                                                ? landmarks_->Faces(picture)
+                                                : std::vector{detector.FindGiven(picture, given_landmarks_)};
     reading.landmarks = faces.front().landmarks;
     confidences = faces.front().landmark_confidences;
-    reading.mask = faces.front().Mask(picture.height, picture.width);
+    reading.mask = detector.HeadMask(picture, faces.front());
     reading.record["confidence"] = faces.front().confidence;
     if (faces.size() > 1)
       reading.warnings.push_back(

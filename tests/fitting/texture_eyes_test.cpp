@@ -1,11 +1,13 @@
 #include "fitting/texture_eyes.h"
 
 #include "faces/eyeball.h"
+#include "tests/fitting/drawn_eye.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace daumier::fitting {
@@ -23,60 +25,19 @@ rig::TextureSpace EyeSpace() {
   return space;
 }
 
+const Eigen::Vector3f kPaleSkin(0.8F, 0.7F, 0.6F);
+
 ShownEye EyeAt(const geometry::Vector3& centre) {
   return {centre, Eigen::Matrix3d::Identity(),
           faces::EyeballPoints({.centre = {0, 0, 0}, .radii = {1.2, 1.2, 1.2}, .iris_radius = 0.45, .bulge = 0})};
-}
-
-constexpr int kSide = 160;
-
-/// A picture of an eye: an almond of grey white with a dark iris of blue; what lies above `lid` is of another class.
-PictureLayer DrawnEye(const Eigen::Vector2d& middle, const IrisDisc& iris, double lid = 0) {
-  PictureLayer layer{kSide, kSide, std::vector<float>(3 * kSide * kSide, 0.5F), std::vector<float>(kSide * kSide, 0.0F),
-                     0};
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
-      const double x = column + 0.5, y = row + 0.5;
-      if (std::hypot((x - middle.x()) / 40, (y - middle.y()) / 24) > 1 || y < lid) continue;
-      const size_t pixel = size_t(row) * kSide + size_t(column);
-      const bool is_iris = std::hypot(x - iris.centre.x(), y - iris.centre.y()) < iris.radius;
-      const Eigen::Vector3f colour = is_iris ? Eigen::Vector3f(0.1F, 0.2F, 0.5F) : Eigen::Vector3f(0.8F, 0.8F, 0.8F);
-      std::copy_n(colour.data(), 3, layer.colours.begin() + ptrdiff_t(3 * pixel));
-      layer.confidence[pixel] = 1;
-      ++layer.num_known;
-    }
-  }
-  return layer;
 }
 
 /// 40 pixels a cm at the origin's depth, which is the picture's middle.
 PictureCamera EyeCamera() {
   PictureCamera camera;
   camera.linear *= 40 / 10.15;
-  camera.shift = Eigen::Vector2d::Constant(kSide / 2 - 112 * 40 / 10.15);
+  camera.shift = Eigen::Vector2d::Constant(kEyeSide / 2 - 112 * 40 / 10.15);
   return camera;
-}
-
-TEST(FindIris, FindsTheDarkDisc) {
-  const IrisDisc iris{{88, 76}, 14};
-  const auto found = FindIris(DrawnEye({80, 80}, iris), {80, 80}, 60);
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->centre.x(), 88, 2);
-  EXPECT_NEAR(found->centre.y(), 76, 2);
-  EXPECT_NEAR(found->radius, 14, 2.5);
-}
-
-TEST(FindIris, FindsItWhereALidHidesItsUpperPart) {
-  const auto found = FindIris(DrawnEye({80, 80}, {{74, 80}, 15}, 76), {80, 80}, 60);
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->centre.x(), 74, 2);
-  EXPECT_NEAR(found->centre.y(), 80, 4);
-}
-
-TEST(FindIris, FindsNoneInAClosedOrAnEvenEye) {
-  EXPECT_FALSE(FindIris(DrawnEye({80, 80}, {{80, 80}, 14}, 103), {80, 80}, 60)) << "closed but for a line";
-  EXPECT_FALSE(FindIris(DrawnEye({80, 80}, {{300, 300}, 1}), {80, 80}, 60)) << "white alone";
-  EXPECT_FALSE(FindIris(DrawnEye({80, 80}, {{80, 80}, 14}), {10, 10}, 20)) << "elsewhere";
 }
 
 TEST(TurnToIris, BringsThePoleToTheDisc) {
@@ -98,6 +59,11 @@ TEST(TurnToIris, IsAtMost35Degrees) {
 
 class PaintedEye : public ::testing::Test {
  protected:
+  std::vector<Eigen::Vector3f> Painted(const PictureLayer& layer, float shade, Gaze gaze = Gaze::kAhead) const {
+    const ShownEye eye = EyeAt({0, 0, 0});
+    return PaintEye(chart_, eye, EyeCamera(), layer, FindLooks(std::array{eye}, EyeCamera(), layer, kPaleSkin)[0],
+                    shade, gaze);
+  }
   /// The colour of the texel at a direction (x, y across the axis, in radii), in front.
   Eigen::Vector3f At(const std::vector<Eigen::Vector3f>& colours, double x, double y, bool is_front = true) const {
     const ShownEye eye = EyeAt({0, 0, 0});
@@ -121,7 +87,7 @@ class PaintedEye : public ::testing::Test {
 
 TEST_F(PaintedEye, HasTheIrisInFrontAndWhiteAround) {
   // The picture's eye looks to its right.
-  const auto colours = PaintEye(chart_, EyeAt({0, 0, 0}), EyeCamera(), DrawnEye({80, 80}, {{94, 80}, 14}), 1);
+  const auto colours = Painted(DrawnEye({80, 80}, {{94, 80}, 14}), 1);
   EXPECT_NEAR(At(colours, 0, 0)[2], 0.5, 0.05);
   EXPECT_NEAR(At(colours, 0.1, 0.1)[0], 0.1, 0.05);
   EXPECT_NEAR(At(colours, -0.6, 0)[0], 0.8, 0.05) << "seen white";
@@ -129,13 +95,13 @@ TEST_F(PaintedEye, HasTheIrisInFrontAndWhiteAround) {
 }
 
 TEST_F(PaintedEye, CompletesAnIrisThatALidHides) {
-  const auto colours = PaintEye(chart_, EyeAt({0, 0, 0}), EyeCamera(), DrawnEye({80, 80}, {{80, 80}, 15}, 78), 1);
+  const auto colours = Painted(DrawnEye({80, 80}, {{80, 80}, 15}, 78), 1);
   EXPECT_NEAR(At(colours, 0, 0.18)[2], 0.5, 0.06);
   EXPECT_NEAR(At(colours, 0, 0.18)[0], 0.1, 0.06);
 }
 
 TEST_F(PaintedEye, IsPlainWhereThePictureShowsNone) {
-  const auto colours = PaintEye(chart_, EyeAt({0, 0, 0}), EyeCamera(), DrawnEye({80, 80}, {{80, 80}, 15}, 200), 1);
+  const auto colours = Painted(DrawnEye({80, 80}, {{80, 80}, 15}, 200), 1);
   EXPECT_LT(At(colours, 0, 0).maxCoeff(), 0.1) << "pupil";
   EXPECT_NEAR(At(colours, 0.25, 0)[0], 0.36, 0.03) << "iris";
   EXPECT_GT(At(colours, 0.7, 0).minCoeff(), 0.9) << "white";
@@ -143,15 +109,83 @@ TEST_F(PaintedEye, IsPlainWhereThePictureShowsNone) {
 
 TEST_F(PaintedEye, IsDividedByTheShade) {
   const PictureLayer layer = DrawnEye({80, 80}, {{80, 80}, 15});
-  const auto plain = PaintEye(chart_, EyeAt({0, 0, 0}), EyeCamera(), layer, 1);
-  const auto shaded = PaintEye(chart_, EyeAt({0, 0, 0}), EyeCamera(), layer, 0.8F);
+  const auto plain = Painted(layer, 1);
+  const auto shaded = Painted(layer, 0.8F);
   EXPECT_TRUE(At(shaded, 0, 0).isApprox(At(plain, 0, 0) / 0.8F, 1e-3F));
+}
+
+TEST_F(PaintedEye, LooksWhereThePictureShowsItIfTheGazeIsKept) {
+  const auto layer = DrawnEye({80, 80}, {{94, 80}, 14});
+  const auto colours = Painted(layer, 1, Gaze::kShown);
+  EXPECT_NEAR(At(colours, 14 / 48.0, 0)[0], 0.1, 0.05) << "the iris";
+  EXPECT_NEAR(At(colours, -0.2, 0)[0], 0.8, 0.05) << "white";
+}
+
+TEST_F(PaintedEye, HasLighterWhitesThanAShadowedPicture) {
+  PictureLayer layer = DrawnEye({80, 80}, {{80, 80}, 14});
+  for (float& value : layer.colours)
+    if (value > 0.7F) value = 0.4F;
+  const auto colours = Painted(layer, 1);
+  EXPECT_NEAR(At(colours, 0.5, 0)[0], 0.6, 0.05);
+}
+
+TEST_F(PaintedEye, LeavesOutTheShadowOfALid) {
+  PictureLayer layer = DrawnEye({80, 80}, {{80, 84}, 12});
+  for (int row = 0; row < 68; ++row)
+    for (int column = 0; column < kEyeSide; ++column)
+      for (size_t k = 0; k < 3; ++k) layer.colours[3 * (size_t(row) * kEyeSide + size_t(column)) + k] = 0.2F;
+  const auto colours = Painted(layer, 1);
+  EXPECT_GT(At(colours, -0.5, 0.3)[0], 0.7);
+}
+
+TEST(FindLooks, TakesNoLidForAnIris) {
+  const std::array shown = {EyeAt({0, 0, 0})};
+  PictureLayer layer = DrawnEye({80, 80}, {{84, 80}, 17});
+  EXPECT_FALSE(FindLooks(shown, EyeCamera(), layer, {0.11F, 0.2F, 0.5F})[0].disc)
+      << "as light as the skin, and of its hue";
+}
+
+TEST(FindLooks, GivesAnEyeThatIsNotShownTheOther) {
+  const PictureLayer layer = DrawnEye({80, 80}, {{84, 80}, 17});
+  const std::array shown = {EyeAt({0, 0, 0}), EyeAt({6, 0, 0})};
+  const std::vector<EyeLook> looks = FindLooks(shown, EyeCamera(), layer, kPaleSkin);
+  ASSERT_TRUE(looks[0].disc);
+  EXPECT_NEAR(looks[0].border, 17 / 48.0, 0.05);
+  EXPECT_FALSE(looks[1].disc);
+  EXPECT_EQ(looks[1].border, looks[0].border);
+  EXPECT_TRUE(looks[1].profile->At(0.5F).isApprox(Eigen::Vector3f(0.1F, 0.2F, 0.5F), 0.05F));
+}
+
+TEST(EyesWithin, KeepsEyesOfTheOpenings) {
+  render::Image mask(20, 20, 1, uint8_t(PictureClass::kSkin));
+  for (int row = 4; row < 16; ++row)
+    for (int column = 4; column < 16; ++column) mask.at(row, column) = uint8_t(PictureClass::kEyes);
+  PicturePoints opening(4, 2);
+  opening << 2, 10, 10, 8, 18, 10, 10, 12;  // A rhombus.
+  const render::Image eyes = EyesWithin(mask, std::array{opening});
+  EXPECT_EQ(eyes.at(10, 10), uint8_t(PictureClass::kEyes));
+  EXPECT_EQ(eyes.at(5, 10), uint8_t(PictureClass::kBackground)) << "above the lid";
+  EXPECT_EQ(eyes.at(10, 3), uint8_t(PictureClass::kBackground)) << "skin in the opening";
+}
+
+TEST(EyesWithin, TakesAllOfAnOpeningThatTheMaskMisses) {
+  render::Image mask(20, 20, 1, uint8_t(PictureClass::kSkin));
+  mask.at(10, 12) = uint8_t(PictureClass::kHair);
+  PicturePoints opening(4, 2);
+  opening << 2, 10, 10, 8, 18, 10, 10, 12;
+  const render::Image eyes = EyesWithin(mask, std::array{opening});
+  EXPECT_EQ(eyes.at(10, 10), uint8_t(PictureClass::kEyes));
+  EXPECT_EQ(eyes.at(10, 12), uint8_t(PictureClass::kBackground)) << "hair";
 }
 
 TEST_F(PaintedEye, RefusesAnEyeOfFewerPoints) {
   ShownEye eye = EyeAt({0, 0, 0});
   eye.points.conservativeResize(3, 3);
-  testing::ExpectError([&] { PaintEye(chart_, eye, EyeCamera(), DrawnEye({80, 80}, {{80, 80}, 15}), 1); }, "3 points");
+  testing::ExpectError(
+      [&] {
+        PaintEye(chart_, eye, EyeCamera(), DrawnEye({80, 80}, {{80, 80}, 15}), {}, 1);
+      },
+      "3 points");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class PaintedSheet : public ::testing::Test {
     guide_.mirror = sheet_.mirror;
     guide_.mirror.resize(size_t(head_.vertices.rows()), -1);
     guide_.scalp = Eigen::VectorXf::Zero(head_.vertices.rows());
-    guide_.hair_painted = guide_.scalp;
+    guide_.hair_painted = guide_.ears = guide_.scalp;
   }
 
   /// Red falls to the right and green downwards, of any size.
@@ -116,14 +116,18 @@ TEST_F(PaintedSheet, HasSkinWhereThePictureShowsAnEye) {
 }
 
 TEST_F(PaintedSheet, IsAlbedoWhereTheLightIsKnown) {
-  head_.light = PortraitLight{0.05F, 0, -0.15F, 0.1F};
+  head_.light = PortraitLight{0.05F, 0, -0.05F, 0.1F};
   head_.pose[1] = 0.3;
   float shade = 0;
   const Eigen::Vector3f normal = RotationOf(head_.pose).col(2).cast<float>();
   raster::Shade(*head_.light, 1, normal.data(), &shade);
   const render::Image picture(kPixels, kPixels, 3, uint8_t(std::lround(150 * shade)));
-  const HeadTexture texture = Paint(picture, Mask(PictureClass::kSkin), {.size = kHeadSize});
-  EXPECT_NEAR(At(texture.picture, 1, -2)[0], 150, 1.5);
+  const HeadTexture given = Paint(picture, Mask(PictureClass::kSkin),
+                                  {.size = kHeadSize, .fit_light = false, .light_share = 1}),
+                    fitted = Paint(picture, Mask(PictureClass::kSkin), {.size = kHeadSize, .light_share = 1});
+  EXPECT_NEAR(At(given.picture, 1, -2)[0], 150, 1.5);
+  EXPECT_EQ(given.light, head_.light);
+  EXPECT_NEAR(At(fitted.picture, 1, -2)[0], 150 * shade / 0.85, 2);
   head_.light.reset();
   testing::ExpectError([&] { Paint(picture, Mask(PictureClass::kSkin), {.size = kHeadSize}); }, "no light");
 }
@@ -140,6 +144,17 @@ TEST_F(PaintedSheet, TakesHairWhereItIsPaintedAlone) {
   EXPECT_NEAR(At(Paint(picture, mask, options).picture, 0, 4)[0], 200, 3) << "an occluder";
   guide_.hair_painted.setOnes();
   EXPECT_NEAR(At(Paint(picture, mask, options).picture, 0, 4)[0], 30, 3);
+}
+
+TEST_F(PaintedSheet, TakesNoBackgroundForAnEar) {
+  render::Image picture(kPixels, kPixels, 3, 120);
+  for (int row = 0; row < 100; ++row)
+    for (int column = 0; column < 80; ++column)
+      for (int k = 0; k < 3; ++k) picture.at(row, column, k) = 235;
+  const TextureOptions options = {.size = kHeadSize, .delight = false};
+  EXPECT_NEAR(At(Paint(picture, Mask(PictureClass::kSkin), options).picture, -5, 4)[0], 235, 6);
+  guide_.ears.setOnes();
+  EXPECT_LT(At(Paint(picture, Mask(PictureClass::kSkin), options).picture, -5, 4)[0], 150);
 }
 
 TEST_F(PaintedSheet, PaintsEyesAndGutters) {

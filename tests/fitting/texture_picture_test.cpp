@@ -100,5 +100,21 @@ TEST(ClassSet, HoldsItsClassesAndNoNumberBeyondThem) {
   EXPECT_FALSE(set.holds(200));
 }
 
+TEST(DoubtOverexposed, TrustsPixelsWithoutAHueLittle) {
+  render::Image picture(4, 4, 3, 200), mask(4, 4, 1, uint8_t(PictureClass::kSkin));
+  picture.at(1, 2, 0) = 252;
+  for (int k = 0; k < 3; ++k) picture.at(1, 3, k) = 241;
+  PictureLayer layer = LayerOf(picture, mask, {PictureClass::kSkin}, 0);
+  DoubtOverexposed(picture, layer);
+  EXPECT_EQ(layer.confidence[5], 1);
+  EXPECT_NEAR(layer.confidence[6], 0.1F, 1e-6);
+  EXPECT_EQ(layer.confidence[7], 0) << "white";
+  const render::Image white(4, 4, 3, 245);
+  PictureLayer pale = LayerOf(white, mask, {PictureClass::kSkin}, 0);
+  DoubtOverexposed(white, pale);
+  EXPECT_EQ(pale.confidence[7], 1) << "a face that is drawn white";
+  testing::ExpectError([&] { DoubtOverexposed(render::Image(2, 2, 3), layer); }, "2 x 2");
+}
+
 }  // namespace
 }  // namespace daumier::fitting

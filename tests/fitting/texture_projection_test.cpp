@@ -38,7 +38,7 @@ TEST(FindTexelSights, PutsATexelWhereItsPointIsProjected) {
   PictureCamera camera;
   camera.linear << 0, -2, 2, 0;  // A quarter turn, twice as large.
   camera.shift << 500, 10;
-  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, camera, std::nullopt);
+  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, camera);
   const int texel = sheet.TexelAt(texels, 3, -2);
   // The middle of that texel, on the sheet.
   const double x = ((texel % kProjectedSize + 0.5) / kProjectedSize - 0.5) / 0.4 * 6,
@@ -47,7 +47,6 @@ TEST(FindTexelSights, PutsATexelWhereItsPointIsProjected) {
   EXPECT_NEAR(sights[size_t(texel)].place.x(), 500 - 2 * in_view_y, 1e-3);
   EXPECT_NEAR(sights[size_t(texel)].place.y(), 10 + 2 * in_view_x, 1e-3);
   EXPECT_EQ(sights[size_t(texel)].sight, 1);
-  EXPECT_EQ(sights[size_t(texel)].shade, 1);
   EXPECT_EQ(sights[0].sight, 0) << "of no triangle";
 }
 
@@ -57,7 +56,7 @@ TEST(FindTexelSights, SeesNothingOfWhatTurnsAway) {
   const int middle = sheet.TexelAt(texels, 0.1, 0.1);
   const auto sight_at = [&](double degrees) {
     const auto posed = Turned(sheet.vertices, degrees * std::numbers::pi / 180);
-    return FindTexelSights(sheet.space, texels, posed, {}, std::nullopt)[size_t(middle)].sight;
+    return FindTexelSights(sheet.space, texels, posed, {})[size_t(middle)].sight;
   };
   EXPECT_EQ(sight_at(0), 1);
   EXPECT_GT(sight_at(70), 0.05F);
@@ -71,32 +70,25 @@ TEST(FindTexelSights, SeesNothingBehindAnotherSurface) {
   const Sheet sheet = Sheet::Make(32, 6, [](double x, double) { return 3 * std::exp(-x * x / 0.5); });
   const rig::TexelMap texels = sheet.space.Rasterise(128);
   const auto posed = Turned(sheet.vertices, 50 * std::numbers::pi / 180);  // The face's left side comes to the viewer.
-  const auto sights = FindTexelSights(sheet.space, texels, posed, {}, std::nullopt);
+  const auto sights = FindTexelSights(sheet.space, texels, posed, {});
   // z to x: the ridge leans to +x and hides what lies to its right.
   EXPECT_EQ(sights[size_t(sheet.TexelAt(texels, 1.9, 0))].sight, 0);
   EXPECT_GT(sights[size_t(sheet.TexelAt(texels, -3, 0))].sight, 0.9F);
   EXPECT_GT(sights[size_t(sheet.TexelAt(texels, 5, 0))].sight, 0.9F);
 }
 
-TEST(FindTexelSights, ShadesByTheLight) {
-  const Sheet sheet = Sheet::Make(4, 6);
-  const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
-  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {}, PortraitLight{0.1F});
-  EXPECT_NEAR(sights[size_t(sheet.TexelAt(texels, 1, 1))].shade, 0.9 * 0.886227, 1e-5);
-}
-
 TEST(FindTexelSights, RefusesAMeshOfFewerVertices) {
   const Sheet sheet = Sheet::Make(4, 6);
   testing::ExpectError(
-      [&] { FindTexelSights(sheet.space, sheet.space.Rasterise(kProjectedSize), sheet.vertices.topRows(5), {}, {}); },
+      [&] { FindTexelSights(sheet.space, sheet.space.Rasterise(kProjectedSize), sheet.vertices.topRows(5), {}); },
       "5 vertices");
 }
 
 TEST(SampleLayer, ReadsThePictureAtTheTexelsPlaces) {
   const Sheet sheet = Sheet::Make(4, 6);
   const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
-  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {}, std::nullopt);
-  const TexelColours colours = SampleLayer(Ramps(), sights, false);
+  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {});
+  const TexelColours colours = SampleLayer(Ramps(), sights);
   const auto texel = size_t(sheet.TexelAt(texels, 2, -3));
   EXPECT_NEAR(colours.colours[texel].x(), sights[texel].place.x() / 224, 1e-4);
   EXPECT_NEAR(colours.colours[texel].y(), sights[texel].place.y() / 224, 1e-4);
@@ -111,9 +103,9 @@ TEST(SampleLayer, AveragesOverTheAreaOfATexel) {
     for (size_t k = 0; k < 3; ++k) stripes.colours[3 * i + k] = float(i % 2);
   const Sheet sheet = Sheet::Make(4, 6);
   const rig::TexelMap texels = sheet.space.Rasterise(16);
-  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {}, std::nullopt);
+  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, {});
   EXPECT_NEAR(sights[size_t(sheet.TexelAt(texels, 0, 0))].level, std::log2(121.8 / (0.8 * 16)), 1e-3);
-  const TexelColours colours = SampleLayer(stripes, sights, false);
+  const TexelColours colours = SampleLayer(stripes, sights);
   EXPECT_NEAR(colours.colours[size_t(sheet.TexelAt(texels, 1, 1))].x(), 0.5, 1e-5);
 }
 
@@ -122,22 +114,13 @@ TEST(SampleLayer, KnowsNothingOutsideOfThePictureAndOfTheLayer) {
   const rig::TexelMap texels = sheet.space.Rasterise(kProjectedSize);
   PictureCamera camera;
   camera.shift << 112, 0;  // The right half of the sheet is outside.
-  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, camera, std::nullopt);
+  const auto sights = FindTexelSights(sheet.space, texels, sheet.vertices, camera);
   PictureLayer layer = Ramps();
   std::fill_n(layer.confidence.begin(), 112 * 224, 0.0F);  // The upper half is of another class.
-  const TexelColours colours = SampleLayer(layer, sights, false);
+  const TexelColours colours = SampleLayer(layer, sights);
   EXPECT_EQ(colours.weights[size_t(sheet.TexelAt(texels, 3, -3))], 0);
   EXPECT_EQ(colours.weights[size_t(sheet.TexelAt(texels, -3, 3))], 0);
   EXPECT_EQ(colours.weights[size_t(sheet.TexelAt(texels, -3, -3))], 1);
-}
-
-TEST(SampleLayer, DividesByTheShade) {
-  std::vector<TexelSight> sights(2);
-  sights[0] = {{112, 56}, 1, 0.5F, 0};
-  sights[1] = {{112, 56}, 1, -3, 0};
-  const TexelColours colours = SampleLayer(Ramps(), sights, true);
-  EXPECT_NEAR(colours.colours[0].x(), 1.0, 1e-4);
-  EXPECT_NEAR(colours.colours[1].y(), 0.25 / 0.2, 1e-4) << "a shade below 0.2 counts as 0.2";
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class CompletedSheet : public ::testing::Test {
   }
   TextureGuide Guide(float scalp) const {
     const Eigen::Index n = sheet_.vertices.rows();
-    return {sheet_.mirror, Eigen::VectorXf::Constant(n, scalp), Eigen::VectorXf::Ones(n)};
+    return {sheet_.mirror, Eigen::VectorXf::Constant(n, scalp), Eigen::VectorXf::Ones(n), Eigen::VectorXf::Zero(n)};
   }
   SurfaceTexture Complete(const TexelColours& skin, const TexelColours* hair, float scalp, TextureFill fill) const {
     const TextureGuide guide = Guide(scalp);
@@ -98,6 +98,24 @@ TEST_F(CompletedSheet, OfAScalpHasTheHairThatIsSeen) {
   EXPECT_NEAR(on_scalp.colours[At(0, 5)][0], 0.1, 0.02);
   EXPECT_NEAR(on_scalp.colours[At(0, -1)][0], 0.1, 0.01);
   EXPECT_GT(bald.colours[At(0, 5)][0], 0.5) << "skin where the picture shows no hair";
+}
+
+TEST(MedianColour, IsThatOfKnownVertices) {
+  VertexValues values{Eigen::MatrixXf::Zero(4, 3), Eigen::VectorXf::Ones(4)};
+  values.values.col(0) << 0.1F, 0.3F, 0.9F, 7;
+  values.weights[3] = 0;
+  EXPECT_EQ(MedianColour(values, Eigen::Vector3f::Ones()), Eigen::Vector3f(0.3F, 0, 0));
+  values.weights.setZero();
+  EXPECT_EQ(MedianColour(values, Eigen::Vector3f::Ones()), Eigen::Vector3f::Ones());
+}
+
+TEST(InlierMeasure, IsOneAtTheMedianAndSmallFarAway) {
+  VertexValues known{Eigen::MatrixXf::Constant(9, 3, 0.5F), Eigen::VectorXf::Ones(9)};
+  const InlierMeasure measure(known);
+  EXPECT_EQ(measure(Eigen::Vector3f::Constant(0.5F)), 1);
+  EXPECT_NEAR(measure({0.62F, 0.5F, 0.5F}), 0.25F, 1e-4) << "a deviation away";
+  known.weights.setZero();
+  EXPECT_EQ(InlierMeasure(known)(Eigen::Vector3f::Zero()), 1);
 }
 
 TEST_F(CompletedSheet, OfNothingSeenIsPlainSkin) {

@@ -1,12 +1,17 @@
 #include "systems/portrait/avatar.h"
 
+#include "core/files.h"
 #include "faces/face_model_file.h"
 #include "rig/arkit_names.h"
+#include "systems/portrait/landmark_files.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/paths.h"
+#include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace daumier::portrait {
@@ -55,6 +60,35 @@ TEST(AvatarMaker, RestsWithoutTheExpressionOfThePictureUnlessItIsKept) {
   const double shown = Flat(offset.data(), offset.size() / 3, 3).rowwise().norm().maxCoeff();
   const double moved = (kept.head.mesh.vertices - neutral.head.mesh.vertices).rowwise().norm().maxCoeff();
   EXPECT_NEAR(moved, shown, 0.3);
+}
+
+TEST(AvatarMaker, TakesGivenLandmarks) {
+  const PortraitReading found =
+      OpenPortraits(SourceRoot() / "weights/portrait", Device(), Json::object())->Read(Woman());
+  const testing::TempDir folder;
+  WriteFileAtomically(folder.path() / "woman.pts", LandmarksAsPts(found.landmarks));
+  const Avatar avatar = MakerWith(false, {.landmarks = (folder.path() / "woman.pts").string()}).Make(Woman());
+  EXPECT_GT(avatar.painted.seen, 0.1) << "the picture is parsed, too";
+  const auto centred = [](const geometry::Points& face) -> geometry::Points {
+    return face.rowwise() - face.colwise().mean();
+  };
+  EXPECT_LT((centred(avatar.face.vertices) - centred(found.face.vertices)).rowwise().norm().maxCoeff(), 1)
+      << "the same landmarks, but for their confidences";
+}
+
+TEST(PortraitReading, IsParsedBeyondTheCropOfTheFace) {
+  const render::Image picture = Woman();
+  const PortraitReading reading =
+      OpenPortraits(SourceRoot() / "weights/portrait", Device(), Json::object())->Read(picture);
+  ASSERT_TRUE(reading.mask);
+  double top = picture.height;
+  for (size_t i = 1; i < reading.landmarks.size(); i += 2) top = std::min(top, double(reading.landmarks[i]));
+  double bottom = 0;
+  for (size_t i = 1; i < reading.landmarks.size(); i += 2) bottom = std::max(bottom, double(reading.landmarks[i]));
+  // The crown, higher than a quarter of the landmarks' box, where the crop of the face ends.
+  const int row = int(top - 0.4 * (bottom - top)), column = int(reading.landmarks[2 * 27]);
+  ASSERT_GE(row, 0);
+  EXPECT_NE(reading.mask->at(row, column), uint8_t(PictureClass::kBackground));
 }
 
 TEST(AvatarMaker, RefusesAPictureWithoutAFace) {
