@@ -66,8 +66,8 @@ cv::Mat PixelsOfJpeg(std::string_view bytes, std::string_view name) {
   const JpegExtent extent = FirstJpeg(bytes);
   DAUMIER_CHECK(extent.has_scan, "{}: truncated JPEG", name);
   DecodedJpeg decoded = DecodeJpeg(extent.picture);
-  DAUMIER_CHECK(!decoded.pixels.empty(), "{}: not a readable JPEG: {}. Export it again", name, decoded.complaint);
   DAUMIER_CHECK(decoded.is_whole || extent.has_end, "{}: truncated JPEG: rows are missing at its end", name);
+  DAUMIER_CHECK(!decoded.pixels.empty(), "{}: not a readable JPEG: {}. Export it again", name, decoded.complaint);
   if (!decoded.is_whole) log::Warn("{}: parts of the JPEG are damaged or missing: {}", name, decoded.complaint);
   if (!extent.has_end) log::Warn("{}: the JPEG lacks its end marker; all of its pixels are there", name);
   return decoded.pixels;

@@ -101,7 +101,7 @@ TEST(DecodePng, WhatLibpngRefusesIsNamedWithItsReason) {
   const size_t palette = bytes.find("PLTE");
   const size_t length = 4 + 4 + 3 * 256 + 4;
   bytes.erase(palette - 4, length);
-  testing::ExpectError([&] { DecodePng(bytes, "a.png"); }, "a.png: a PNG that libpng cannot read: Missing PLTE");
+  testing::ExpectError([&] { DecodePng(bytes, "a.png"); }, "a.png: a PNG that libpng cannot read: IDAT: Missing PLTE");
 }
 
 }  // namespace
