@@ -72,6 +72,21 @@ void AddRepeated(const GraphNode& node, const Place& convolved, const Shape& sha
     AddUnary(node, {epilogue.activation, epilogue.alpha}, target, target, CheckedSize(sum, "its output"), plan);
 }
 
+/// The layouts that oneDNN chooses, but not channels last, which it prefers with AVX-512: parts of a concatenation
+/// would have to be copied, and narrow images are not safe in it. Blocks of 16 instead, or plain where it has no code
+/// of its own for them: odd groups.
+Primitive ConvolutionInBlocks(const Shape& image, const Shape& weights, const Layout& bias, const Shape& shape,
+                              const Window& window, const Epilogue& epilogue) {
+  const Layout any_weights = AnyLayout(weights);
+  Primitive chosen = MakeConvolution(AnyLayout(image), any_weights, bias, AnyLayout(shape), window, epilogue);
+  if (BlockOf(chosen.source, image) != 0 && BlockOf(chosen.target, shape) != 0) return chosen;
+  constexpr int kBlock = 16;
+  const Layout source = image[1] < kBlock ? AnyLayout(image) : BlockedLayout(image, kBlock);
+  Primitive blocked = MakeConvolution(source, any_weights, bias, BlockedLayout(shape, kBlock), window, epilogue);
+  if (blocked.kernel.starts_with("jit")) return blocked;
+  return MakeConvolution(PlainLayout(image), any_weights, bias, PlainLayout(shape), window, epilogue);
+}
+
 void PlanConvolution(const GraphNode& node, PlanBuilder& plan) {
   const auto [image, groups, kernel] = SizesOfConvolution(node, plan);
   const Shape& weights = plan.Weight(node, 1).shape;
@@ -89,8 +104,7 @@ void PlanConvolution(const GraphNode& node, PlanBuilder& plan) {
   Epilogue epilogue = has_addend && !is_sum ? Epilogue{} : ActivationOf(node);
   epilogue.sum = is_sum;
   const Layout bias = BiasLayout(node, weights[0], plan);
-  const Primitive primitive =
-      MakeConvolution(AnyLayout(image), AnyLayout(grouped), bias, AnyLayout(shape), window, epilogue);
+  const Primitive primitive = ConvolutionInBlocks(image, grouped, bias, shape, window, epilogue);
   const Place source = plan.In(node.inputs[0], primitive.source);
   const Place target =
       is_sum ? TargetWithAddend(node, primitive, shape, source, plan) : plan.NewOutput(node, shape, primitive.target);

@@ -34,7 +34,7 @@ TEST(RuntimeFunctions, EqualTheirDefinitions) {
 
 TEST(RuntimeFunctions, BehindAConvolutionArePartOfIt) {
   for (const char* name : {"Relu", "LeakyRelu", "Sigmoid", "Tanh"}) {
-    const FloatArray x = FixedArray({2, 3, 6, 6}), w = FixedArray({12, 3, 3, 3}, 7);
+    const FloatArray x = FixedArray({2, 3, 6, 6}), w = FixedArray({16, 3, 3, 3}, 7);
     GraphExample fused({-1, 3, 6, 6}), apart({-1, 3, 6, 6}, {"c", "y"});
     for (GraphExample* example : {&fused, &apart})
       example->Weight("w", w.shape, w.values).Node("Conv", {"x", "w"}, "c").Node(name, {"c"}, "y");

@@ -80,10 +80,10 @@ TEST(RuntimeShapes, ConcatJoinsParts) {
 }
 
 TEST(RuntimeShapes, ConcatOfConvolutionsCopiesNothingAtBatchOne) {
-  const FloatArray w = FixedArray({16, 8, 3, 3}, 3);
+  const FloatArray w = FixedArray({32, 8, 3, 3}, 3);
   GraphExample example({-1, 8, 6, 6});
   const std::map<std::string, GraphAttribute> pads = {{"pads", Ints{1, 1, 1, 1}}};
-  example.Weight("w", w.shape, w.values).Weight("v", {8, 16, 1, 1}, FixedNumbers(128, 5));
+  example.Weight("w", w.shape, w.values).Weight("v", {16, 32, 1, 1}, FixedNumbers(512, 5));
   example.Node("Conv", {"x", "w"}, "a", pads).Node("Conv", {"a", "v"}, "b");
   example.Node("Concat", {"a", "b"}, "y", {{"axis", int64_t{1}}});
   const auto steps_of = [&](int64_t batch) {
@@ -98,8 +98,8 @@ TEST(RuntimeShapes, ConcatOfConvolutionsCopiesNothingAtBatchOne) {
     const FloatArray y = example.Run(x);
     const NamedArrays expected = GraphRunner(parts.graph).Run({{"x", x}});
     for (int64_t n = 0; n < batch; ++n) {
-      EXPECT_TRUE(std::equal(expected.at("a").row(n), expected.at("a").row(n) + 16 * 36, y.row(n)));
-      EXPECT_TRUE(std::equal(expected.at("b").row(n), expected.at("b").row(n) + 8 * 36, y.row(n) + 16 * 36));
+      EXPECT_TRUE(std::equal(expected.at("a").row(n), expected.at("a").row(n) + 32 * 36, y.row(n)));
+      EXPECT_TRUE(std::equal(expected.at("b").row(n), expected.at("b").row(n) + 16 * 36, y.row(n) + 32 * 36));
     }
   }
 }
