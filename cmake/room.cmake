@@ -41,7 +41,7 @@ function(daumier_precompiled_header name)
   endif()
 endfunction()
 
-# Up to `most` files of a target as one unit, in batches of equal size; more would take more than 1.6 GB. Names in
+# Up to `most` files of a target as one unit, in batches of equal size; with g++ more would take more than 1.6 GB. Names in
 # anonymous namespaces are unique among the files of a target.
 function(daumier_batches target most)
   get_target_property(sources ${target} SOURCES)
@@ -60,7 +60,7 @@ function(daumier_room name)
   string(REPLACE "/" "_" target daumier_${name})
   list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$|/cli/training/library\\.cpp$|/core/blas_shim\\.cpp$|/core/preinit\\.cpp$")
   set(kind plain)
-  set(most 12)
+  set(most ${DAUMIER_UNITY_FILES})
   if(room_TORCH)
     set(kind torch)
     set(most 7)

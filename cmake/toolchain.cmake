@@ -13,6 +13,7 @@ if(DAUMIER_SANITIZE)
   set(DAUMIER_TRAINING OFF)  # LibTorch itself is not built for the sanitizers.
 endif()
 option(DAUMIER_UNITY "Compile several files of a room at once: a cold build takes less time, one changed file more" OFF)
+set(DAUMIER_UNITY_FILES 12 CACHE STRING "Most files of a room without LibTorch that are compiled at once")
 set(DAUMIER_DEBUG_INFO "" CACHE STRING "Debug information of release builds, for example -g1")
 
 add_compile_options(-Wall -Wextra -Wno-missing-field-initializers ${DAUMIER_DEBUG_INFO})
