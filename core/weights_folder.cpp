@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kRestore =
+constexpr const char* kRestoreWeights =
     "Restore the folder from the release that it comes from, or make it again (tools/make_weights.sh)";
 
 /// Absolute, without a slash at the end.
@@ -45,21 +45,21 @@ Manifest ReadWeights(const fs::path& directory, const std::string& system, const
                 "{}: weights_version is {}, this program reads {}. Use the weights of this version of daumier, or the "
                 "daumier that wrote them",
                 file, version.dump(), kWeightsVersion);
-  DAUMIER_CHECK(manifest.details.contains("system"), "{}: details.system is missing. {}", file, kRestore);
+  DAUMIER_CHECK(manifest.details.contains("system"), "{}: details.system is missing. {}", file, kRestoreWeights);
   const std::string found = SystemOf(manifest);
   DAUMIER_CHECK(system.empty() || found == system, "{}: these are weights of '{}' (expected of '{}'). Name others",
                 directory.string(), found, system);
   std::vector<std::string> required = files;
   required.emplace_back(kWeightsCard);
   for (const std::string& name : required)
-    DAUMIER_CHECK(manifest.checksums.contains(name), "{} does not list {}. {}", file, name, kRestore);
+    DAUMIER_CHECK(manifest.checksums.contains(name), "{} does not list {}. {}", file, name, kRestoreWeights);
   for (const auto& [name, checksum] : manifest.checksums) {
     const fs::path path = directory / name;
     DAUMIER_CHECK(fs::is_regular_file(path), "{} is missing though manifest.json lists it. {}", path.string(),
-                  kRestore);
+                  kRestoreWeights);
     const std::string actual = Sha256OfFile(path);
     DAUMIER_CHECK(actual == checksum, "{} has changed: its SHA-256 is {} (expected {} as in manifest.json). {}",
-                  path.string(), actual, checksum, kRestore);
+                  path.string(), actual, checksum, kRestoreWeights);
   }
   return manifest;
 }
@@ -67,7 +67,7 @@ Manifest ReadWeights(const fs::path& directory, const std::string& system, const
 fs::path NeededWeights(const fs::path& directory, const Manifest& manifest, const std::string& name) {
   const Json needs = manifest.details.value("needs", Json::object());
   DAUMIER_CHECK(needs.is_object() && needs.contains(name) && needs.at(name).is_string(),
-                "{} does not list '{}' in details.needs. {}", (directory / "manifest.json").string(), name, kRestore);
+                "{} does not list '{}' in details.needs. {}", (directory / "manifest.json").string(), name, kRestoreWeights);
   const fs::path needed = WeightsNextTo(directory, name);
   DAUMIER_CHECK(IsWeightsFolder(needed), "{} needs the weights {}, which are missing. Put them there from the release",
                 directory.string(), needed.string());

@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "render/inkml_trace.h"
+#include "render/svg_css.h"
 
 #include <Eigen/Geometry>
 #include <pugixml.hpp>
@@ -21,12 +22,6 @@ namespace {
 constexpr int kMostInkMlLevels = 200;
 /// Elements that one trace refers to, and these in turn.
 constexpr int kMostReferences = 1000;
-
-/// Without the prefix of a name space.
-std::string_view LocalName(const pugi::xml_node& node) {
-  const std::string_view name = node.name();
-  return name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
-}
 
 std::string InkMlId(const pugi::xml_node& node) {
   return node.attribute(node.attribute("xml:id") ? "xml:id" : "id").value();

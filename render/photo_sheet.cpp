@@ -1,6 +1,7 @@
 #include "render/photo_sheet.h"
 
 #include "core/statistics.h"
+#include "render/cross_product.h"
 #include "render/photo_grey.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ using Eigen::Vector2d;
 /// Longer sides of the pictures in which areas are sought and in which their sides are fitted.
 constexpr int kSearchSide = 400, kFitSide = 1600;
 /// Side of the closing's window that removes the drawing's lines, as a share of the longer side.
-constexpr double kLineWindow = 0.05;
+constexpr double kSheetLineWindow = 0.05;
 /// Levels of the threshold.
 constexpr int kFirstLevel = 20, kLastLevel = 240, kLevelStep = 8;
 /// Shares of the picture that a sheet covers, at least and at most.
@@ -49,10 +50,6 @@ constexpr double kMinDeskAmongSheets = 0.3, kDeskToAmongSheets = 4.0, kMinAreaAm
 /// Window of the opening that cuts bridges between sheets, in pixels of the picture in which areas are sought.
 constexpr int kBridgeWindow = 7;
 using Quad = std::array<Vector2d, 4>;
-
-double CrossProduct(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 double AreaOf(const Quad& quad) {
   double area = 0.0;
@@ -117,7 +114,7 @@ enum class Ground { kDesk, kOtherSheets };
 
 /// The picture without the drawing's lines. `grey` is small.
 cv::Mat WithoutLines(const cv::Mat& grey) {
-  const int window = 2 * static_cast<int>(0.5 * kLineWindow * std::max(grey.rows, grey.cols)) + 1;
+  const int window = 2 * static_cast<int>(0.5 * kSheetLineWindow * std::max(grey.rows, grey.cols)) + 1;
   // Beyond the picture is desk, so that a narrow strip of desk along the border is not closed.
   cv::Mat closed;
   cv::copyMakeBorder(grey, closed, window, window, window, window, cv::BORDER_CONSTANT, cv::Scalar(0));

@@ -12,7 +12,7 @@ namespace daumier::render {
 namespace {
 
 using Eigen::Vector2d;
-using Points = std::vector<Vector2d>;
+using PixelPath = std::vector<Vector2d>;
 
 constexpr double kMaxTurn = 50.0 * std::numbers::pi / 180.0;
 /// Pixels along a line, beyond the blot of the junction, over which its direction is taken.
@@ -27,15 +27,15 @@ struct End {
 };
 
 /// The points of an edge from one of its ends to the other.
-Points PointsFrom(const SkeletonGraph& graph, const End& end) {
-  Points points = graph.edges[end.edge].points;
+PixelPath PointsFrom(const SkeletonGraph& graph, const End& end) {
+  PixelPath points = graph.edges[end.edge].points;
   if (end.side == 1) std::reverse(points.begin(), points.end());
   return points;
 }
 
 /// The direction in which an edge leaves its node, taken outside the node's radius where the edge is long enough.
 Vector2d DirectionAt(const SkeletonGraph& graph, const End& end) {
-  const Points points = PointsFrom(graph, end);
+  const PixelPath points = PointsFrom(graph, end);
   const double radius = graph.nodes[graph.edges[end.edge].nodes[end.side]].radius;
   const auto at_distance = [&](double distance) {
     size_t i = 0;
@@ -62,7 +62,7 @@ class Tracer {
   }
 
   struct Line {
-    Points points;
+    PixelPath points;
     bool closed;
   };
 
@@ -119,8 +119,8 @@ class Tracer {
   }
 
   /// Where a line continues through a junction, the pixels in its blot are skipped: thinning bends them.
-  void Append(const End& start, const End& last, Points& line) {
-    const Points points = PointsFrom(graph_, start);
+  void Append(const End& start, const End& last, PixelPath& line) {
+    const PixelPath points = PointsFrom(graph_, start);
     const auto is_in_blot = [&](const Vector2d& point, const End& end) {
       const int node = graph_.edges[end.edge].nodes[end.side];
       return is_junction_[node] && PartnerOf(end) &&
@@ -139,11 +139,11 @@ class Tracer {
 };
 
 /// The same line with points about a pixel apart, its ends among them.
-Points Resampled(const Points& line) {
+PixelPath Resampled(const PixelPath& line) {
   std::vector<double> lengths = {0.0};
   for (size_t i = 1; i < line.size(); ++i) lengths.push_back(lengths.back() + (line[i] - line[i - 1]).norm());
   const int num_steps = std::max(1, static_cast<int>(std::lround(lengths.back())));
-  Points resampled;
+  PixelPath resampled;
   size_t segment = 1;
   for (int step = 0; step <= num_steps; ++step) {
     const double length = lengths.back() * step / num_steps;
@@ -156,7 +156,7 @@ Points Resampled(const Points& line) {
 }
 
 /// A Gaussian along the line. Beyond its ends an open line is reflected in them, so that they stay.
-Points Smoothed(const Points& line, bool closed) {
+PixelPath Smoothed(const PixelPath& line, bool closed) {
   const auto count = std::ssize(line);
   const int64_t reach = std::min<int64_t>(static_cast<int64_t>(std::ceil(3.0 * kSmoothing)), count - 1);
   const auto point_at = [&](int64_t i) -> Vector2d {
@@ -166,7 +166,7 @@ Points Smoothed(const Points& line, bool closed) {
     if (i >= count) return 2.0 * line.back() - line[2 * (count - 1) - i];
     return line[i];
   };
-  Points smoothed;
+  PixelPath smoothed;
   for (int64_t i = 0; i < count; ++i) {
     Vector2d sum = Vector2d::Zero();
     double total = 0.0;
@@ -181,8 +181,8 @@ Points Smoothed(const Points& line, bool closed) {
   return smoothed;
 }
 
-Points Simplified(const Points& line) {
-  Points simplified;
+PixelPath Simplified(const PixelPath& line) {
+  PixelPath simplified;
   for (const int i : ReducedLine(line, kSimplification)) simplified.push_back(line[size_t(i)]);
   return simplified;
 }
@@ -192,7 +192,7 @@ Points Simplified(const Points& line) {
 std::vector<Stroke> TraceSkeleton(const SkeletonGraph& graph) {
   std::vector<Stroke> strokes;
   for (const auto& [points, closed] : Tracer(graph).Trace()) {
-    const Points line = points.size() < 2 ? points : Simplified(Smoothed(Resampled(points), closed));
+    const PixelPath line = points.size() < 2 ? points : Simplified(Smoothed(Resampled(points), closed));
     Stroke stroke;
     for (const auto& point : line) {
       stroke.points.push_back({static_cast<float>(point.x()), static_cast<float>(point.y())});

@@ -1,6 +1,7 @@
 #include "render/svg_clip.h"
 
 #include "core/error.h"
+#include "render/cross_product.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ using Eigen::Vector2d;
 constexpr int kNumBands = 256;
 /// What one edge that is compared costs in units of SvgWork.
 constexpr int64_t kWorkOfEdge = 6;
-
-double CrossProduct(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 }  // namespace
 

@@ -23,7 +23,7 @@ constexpr double kFarOff = 0.5, kFarAbove = 2.5;
 constexpr size_t kMostOutliers = 4, kInliersOfOutlier = 6;
 
 /// `first` .. `last` with `sum` less the landmark as the source.
-GroupOrder Reversed(std::string fault, int first, int last, int sum) {
+GroupOrder ReversedGroup(std::string fault, int first, int last, int sum) {
   GroupOrder order{std::move(fault), {}, {}};
   for (int l = first; l <= last; ++l) {
     if (sum - l == l) continue;
@@ -63,10 +63,10 @@ std::vector<GroupOrder> MakeGroupOrders() {
           Mirrored("left and right of the outer lips are exchanged (48 with 54 and so on)", 48, 59),
           Mirrored("left and right of the inner lips are exchanged (60 with 64 and so on)", 60, 67),
           Mirrored("the base of the nose is reversed (31 to 35)", 31, 35),
-          Reversed("the ridge of the nose is reversed (27 to 30)", 27, 30, 57),
-          Reversed("the right brow is reversed (17 to 21)", 17, 21, 38),
-          Reversed("the left brow is reversed (22 to 26)", 22, 26, 48),
-          Reversed("the outer lips run the wrong way (49 to 59)", 49, 59, 108)};
+          ReversedGroup("the ridge of the nose is reversed (27 to 30)", 27, 30, 57),
+          ReversedGroup("the right brow is reversed (17 to 21)", 17, 21, 38),
+          ReversedGroup("the left brow is reversed (22 to 26)", 22, 26, 48),
+          ReversedGroup("the outer lips run the wrong way (49 to 59)", 49, 59, 108)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace daumier::datasets {
 namespace {
 
 /// Cloth is cloth, on the head or below it.
-PicturePart DrawnPart(PicturePart part) {
+PicturePart ShownPart(PicturePart part) {
   return part == PicturePart::kClothes ? PicturePart::kHat : part;
 }
 
@@ -148,7 +148,7 @@ render::PictureBuffers DrawBuffers(const faces::PortraitHead& head, const render
     buffers.shade[pixel] = std::max(0.0f, is_back ? mix(l0.back, l1.back, l2.back) : mix(l0.front, l1.front, l2.front));
     buffers.depth[pixel] = -1 / raster.depth[pixel];
     buffers.classes[pixel] = head.classes[size_t(triangle)];
-    buffers.parts[pixel] = static_cast<uint8_t>(DrawnPart(PicturePart(head.parts[size_t(triangle)])));
+    buffers.parts[pixel] = static_cast<uint8_t>(ShownPart(PicturePart(head.parts[size_t(triangle)])));
   }
   return buffers;
 }
