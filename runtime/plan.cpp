@@ -61,7 +61,7 @@ std::unique_ptr<Plan::Context> Plan::Borrow() const {
       return context;
     }
   }
-  auto context = std::make_unique<Context>(Arena(offsets_, arena_size_));
+  auto context = std::make_unique<Context>(Context{Arena(offsets_, arena_size_), {}});
   for (const PlanStep& step : steps_) {
     auto& arguments = context->arguments.emplace_back();
     for (const PlanArgument& argument : step.arguments)

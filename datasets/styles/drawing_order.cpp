@@ -6,16 +6,17 @@
 namespace daumier::datasets {
 namespace {
 
-using enum DrawnPart;
-
-constexpr std::array<std::array<DrawnPart, kNumDrawnParts>, 6> kOrders = {{
-    {kOutline, kEyeRight, kEyeLeft, kNose, kMouth, kBrows, kEars, kHair, kHat, kGlasses, kSkin, kBust, kPage},
-    {kOutline, kEars, kHair, kBrows, kEyeRight, kEyeLeft, kGlasses, kNose, kMouth, kSkin, kHat, kBust, kPage},
-    {kEyeRight, kEyeLeft, kBrows, kNose, kMouth, kOutline, kEars, kHair, kHat, kGlasses, kSkin, kBust, kPage},
-    {kHair, kHat, kOutline, kEars, kBust, kBrows, kEyeRight, kEyeLeft, kNose, kMouth, kSkin, kGlasses, kPage},
-    {kEyeLeft, kEyeRight, kNose, kMouth, kOutline, kHair, kEars, kBrows, kBust, kHat, kGlasses, kSkin, kPage},
-    {kPage, kOutline, kNose, kEyeRight, kBrows, kEyeLeft, kMouth, kEars, kHair, kBust, kSkin, kHat, kGlasses},
-}};
+constexpr auto kOrders = [] {
+  using enum DrawnPart;
+  return std::array<std::array<DrawnPart, kNumDrawnParts>, 6>{{
+      {kOutline, kEyeRight, kEyeLeft, kNose, kMouth, kBrows, kEars, kHair, kHat, kGlasses, kSkin, kBust, kPage},
+      {kOutline, kEars, kHair, kBrows, kEyeRight, kEyeLeft, kGlasses, kNose, kMouth, kSkin, kHat, kBust, kPage},
+      {kEyeRight, kEyeLeft, kBrows, kNose, kMouth, kOutline, kEars, kHair, kHat, kGlasses, kSkin, kBust, kPage},
+      {kHair, kHat, kOutline, kEars, kBust, kBrows, kEyeRight, kEyeLeft, kNose, kMouth, kSkin, kGlasses, kPage},
+      {kEyeLeft, kEyeRight, kNose, kMouth, kOutline, kHair, kEars, kBrows, kBust, kHat, kGlasses, kSkin, kPage},
+      {kPage, kOutline, kNose, kEyeRight, kBrows, kEyeLeft, kMouth, kEars, kHair, kBust, kSkin, kHat, kGlasses},
+  }};
+}();
 
 }  // namespace
 
