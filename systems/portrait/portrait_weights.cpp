@@ -58,7 +58,7 @@ Differences CompareModels(const faces::MorphableModel& a, const faces::Morphable
   const geometry::Vector3 shift = a.centre - b.centre;
   Differences largest;
   for (int i = 0; i < kNumFaces; ++i) {
-    std::vector<float> x(size_t(faces::kNumCoefficients));
+    std::vector<float> x(faces::kNumCoefficients, 0.0f);
     for (Eigen::Index k = 0; k < a.identity.cols(); ++k)
       x[size_t(faces::kIdentitySlot.first + k)] = float(rng.Normal());
     for (Eigen::Index k = 0; k < a.expression.cols(); ++k)
