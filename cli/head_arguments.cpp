@@ -5,6 +5,7 @@
 #include "rig/clip_files.h"
 #include "rig/demo_clip.h"
 #include "rig/visemes.h"
+#include "rig/weight_limits.h"
 
 #include <algorithm>
 #include <utility>
@@ -86,7 +87,9 @@ std::optional<rig::WeightsClip> ReadHeadClip(const HeadArguments& arguments) {
   if (arguments.clip.empty()) return std::nullopt;
   const rig::Recording recording = rig::ReadClip(arguments.clip);
   for (const std::string& warning : recording.warnings) log::Warn("{}: {}", arguments.clip.string(), warning);
-  return rig::Resample(recording, kFramesPerSecond);
+  rig::WeightsClip clip = rig::Resample(recording, kFramesPerSecond);
+  rig::LimitWeights(clip);
+  return clip;
 }
 
 Json WriteHeadFiles(const HeadArguments& arguments, const RigFiles& files, const std::optional<rig::WeightsClip>& clip,

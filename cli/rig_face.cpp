@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kLeastShareOfEdges = 0.9;  // Of a mesh, that its topology has, too.
+
 constexpr const char* kExpected =
     "expected a mesh (.obj, .ply), an entry of a folder that `daumier predict` wrote (predicted/drawing), or a face of "
     "a "
@@ -62,6 +64,13 @@ double ShareOfEdges(const geometry::PolygonMesh& mesh, const faces::FaceTemplate
     }
   }
   return num_edges == 0 ? 1.0 : double(num_found) / double(num_edges);
+}
+
+/// Whether a mesh begins with the vertices of a topology and ends with those of other parts. Another neutral face than the
+/// topology's has another cut of the neck, and so another number of them.
+bool IsHeadOf(const GivenFace& given, const faces::FaceTemplate& face_template) {
+  return given.is_mesh && given.mesh.num_polygons() > 0 && given.mesh.vertices.rows() > face_template.num_vertices() &&
+         ShareOfEdges(given.mesh, face_template) >= kLeastShareOfEdges;
 }
 
 double HeightOf(const geometry::Points& points) {
@@ -150,9 +159,8 @@ geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTempla
   const std::string file = given.file.string();
   DAUMIER_CHECK(given.mesh.vertices.allFinite(), "{} has a vertex that is no finite number", file);
   const geometry::Points vertices = given.mesh.vertices.topRows(face_template.num_vertices());
-  constexpr double kLeastShare = 0.9;
   if (given.is_mesh)
-    DAUMIER_CHECK(ShareOfEdges(given.mesh, face_template) >= kLeastShare,
+    DAUMIER_CHECK(ShareOfEdges(given.mesh, face_template) >= kLeastShareOfEdges,
                   "{} has as many vertices as faces of '{}', but other polygons: another program has sorted its "
                   "vertices, or it is of another topology. Export it with the order of vertices kept",
                   file, face_template.source);
@@ -173,7 +181,8 @@ FaceToRig ReadFaceToRig(const fs::path& face, const std::optional<faces::SourceO
     if (num_vertices != model->face_template.num_vertices()) {
       const int num_head_vertices = NumHeadVertices(model->face_template);
       models.AddTried(model->face_template, num_head_vertices);
-      if (!given.is_mesh || num_vertices != num_head_vertices) continue;
+      const bool is_head = num_vertices == num_head_vertices || IsHeadOf(given, model->face_template);
+      if (!given.is_mesh || !is_head) continue;
     }
     FaceToRig result{std::move(*model), {}, given.file.stem().string(), {}};
     result.neutral = CheckedVertices(given, result.model.face_template);

@@ -2,8 +2,11 @@
 
 #include "geometry/normals.h"
 #include "gltf/head_document.h"
+#include "rig/arkit_names.h"
 #include "rig/material_colours.h"
+#include "rig/weight_limits.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -66,6 +69,23 @@ Json Primitive(GlbBuilder& builder, const SplitMesh& split, const FloatRows& pos
           {"material", material}};
 }
 
+/// rig::WeightLimits as {TARGET: {"base": number, TARGET: factor, ...}} in the file's names, without those that it lacks.
+Json LimitsAmong(const std::vector<std::string>& names) {
+  const auto spelled = [&](std::string_view target) {
+    const auto is_it = [&](const auto& name) { return rig::FindArkitName(name) == rig::FindArkitName(target); };
+    return std::find_if(names.begin(), names.end(), is_it);
+  };
+  Json limits = Json::object();
+  for (const rig::WeightLimit& limit : rig::WeightLimits()) {
+    const auto target = spelled(limit.target);
+    if (target == names.end()) continue;
+    limits[*target]["base"] = limit.base;
+    for (const auto& [of, factor] : limit.terms)
+      if (const auto other = spelled(of); other != names.end()) limits[*target][*other] = factor;
+  }
+  return limits;
+}
+
 }  // namespace
 
 FloatRows PositionsFrom(const geometry::Vector3& pivot, const geometry::Points& vertices, const SplitMesh& split) {
@@ -105,7 +125,8 @@ int AddMesh(GlbBuilder& builder, const char* name, const geometry::TriangleMesh&
   }
   Json item = {{"name", name}};
   if (targets.num_targets() > 0) {
-    const Json extras = {{"targetNames", targets.names}};
+    Json extras = {{"targetNames", targets.names}};
+    if (Json limits = LimitsAmong(targets.names); !limits.empty()) extras["weightLimits"] = std::move(limits);
     primitive["extras"] = extras;
     item["weights"] = std::vector<int>(targets.names.size(), 0);
     item["extras"] = extras;

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/camera.h"
 #include "render/sheet.h"
 #include "reports/face_surface.h"
 #include "rig/texture_space.h"
@@ -58,9 +57,14 @@ RiggedHeadPictures::RiggedHeadPictures(const rig::RiggedHead& head, std::shared_
 
 render::Image RiggedHeadPictures::Draw(const rig::HeadPose& pose, int size, double yaw_degrees,
                                        const render::ShadingStyle& style) const {
+  return Draw(pose, render::TurnedCamera(frame_.centre, frame_.half_height, size, yaw_degrees), style);
+}
+
+render::Image RiggedHeadPictures::Draw(const rig::HeadPose& pose, const render::Camera& camera,
+                                       const render::ShadingStyle& style) const {
   render::RenderInput input = input_;
   input.surface.vertices = head_.Vertices(pose);
-  return RenderMesh(input, render::TurnedCamera(frame_.centre, frame_.half_height, size, yaw_degrees), style);
+  return RenderMesh(input, camera, style);
 }
 
 render::Image RiggedHeadSheet(const rig::RiggedHead& head, std::shared_ptr<const render::Image> texture) {

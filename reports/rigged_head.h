@@ -1,4 +1,5 @@
 #pragma once
+#include "render/camera.h"
 #include "render/image.h"
 #include "render/shading.h"
 #include "rig/head_pose.h"
@@ -19,6 +20,9 @@ class RiggedHeadPictures {
   /// The head from the front, size x size, moved by yaw_degrees to its own left; a frame for every pose of the head.
   /// @throws Error as rig::PosableHead::Vertices.
   render::Image Draw(const rig::HeadPose& pose, int size, double yaw_degrees = 0,
+                     const render::ShadingStyle& style = {}) const;
+  /// The same as any camera sees it.
+  render::Image Draw(const rig::HeadPose& pose, const render::Camera& camera,
                      const render::ShadingStyle& style = {}) const;
 
  private:

@@ -12,16 +12,48 @@
 namespace daumier::rig {
 namespace {
 
-constexpr double kReach = 1.2;         // Of the opening's width.
-constexpr double kSpareCm = 0.003;     // Kept free between skin and ball.
-constexpr double kSurelyFreeCm = 0.2;  // Triangles whose corners are as far outside are not looked into.
+constexpr double kReach = 1.2;          // Of the opening's width.
+constexpr double kSpareCm = 0.003;      // Kept free between skin and ball.
+constexpr double kSurelyFreeCm = 0.08;  // Triangles whose corners are as far outside bend around the ball.
+constexpr double kLeastMoveCm2 = 1e-8;  // Squared: skin that moves less stays where it is at rest.
 constexpr int kSpreadSweeps = 8;
+constexpr double kSetBackCm = 0.05, kBulgeKept = 0.35;
 
 /// Corners, middles of edges and the middle of a triangle, as weights of its corners.
 constexpr std::array<std::array<double, 3>, 4> kInner = {
     {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1.0 / 3, 1.0 / 3, 1.0 / 3}}};
 
+/// V: what is connected to the loop of the hole but for the edges.
+std::vector<bool> Behind(const geometry::TriangleMesh& neutral, const std::vector<int>& hole, const SeamEdges& edges) {
+  const int num_vertices = static_cast<int>(neutral.vertices.rows());
+  const geometry::Adjacency neighbours = geometry::VertexNeighbours(neutral.triangles, num_vertices);
+  std::vector<bool> is_edge(size_t(num_vertices), false), is_behind = is_edge;
+  for (const auto* edge : {&edges.upper, &edges.lower})
+    for (const int v : *edge) is_edge[size_t(v)] = true;
+  std::vector<int> next;
+  const auto add = [&](int v) {
+    if (is_edge[size_t(v)] || is_behind[size_t(v)]) return;
+    is_behind[size_t(v)] = true;
+    next.push_back(v);
+  };
+  for (const int v : hole) add(v);
+  while (!next.empty()) {
+    const int v = next.back();
+    next.pop_back();
+    for (const int other : neighbours[v]) add(other);
+  }
+  return is_behind;
+}
+
 }  // namespace
+
+faces::Eyeball SetBack(const faces::Eyeball& fitted) {
+  faces::Eyeball shipped = fitted;
+  shipped.radii.setConstant(fitted.radii.x());
+  shipped.bulge *= kBulgeKept;
+  shipped.centre.z() -= kSetBackCm;
+  return shipped;
+}
 
 double EyeClearance(const faces::Eyeball& eyeball, const Eigen::Vector3d& gaze, const Eigen::Vector3d& point) {
   const Eigen::Vector3d from_centre = point - eyeball.centre;
@@ -45,7 +77,7 @@ Eigen::Vector3d GazeOf(double left_degrees, double down_degrees) {
   return {std::sin(left) * std::cos(down), -std::sin(down), std::cos(left) * std::cos(down)};
 }
 
-EyeSkin::EyeSkin(const geometry::TriangleMesh& neutral, const std::vector<int>& lids) {
+EyeSkin::EyeSkin(const geometry::TriangleMesh& neutral, const std::vector<int>& lids, const SeamEdges& edges) {
   DAUMIER_CHECK(!lids.empty(), "an eye without lids");
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   double least = neutral.vertices(lids[0], 0), greatest = least;
@@ -54,9 +86,11 @@ EyeSkin::EyeSkin(const geometry::TriangleMesh& neutral, const std::vector<int>& 
     least = std::min(least, neutral.vertices(v, 0));
     greatest = std::max(greatest, neutral.vertices(v, 0));
   }
+  const std::vector<bool> is_behind = Behind(neutral, lids, edges);
   std::vector<int> place_of(size_t(neutral.vertices.rows()), -1);
   for (int v = 0; v < neutral.vertices.rows(); ++v) {
-    if ((neutral.vertices.row(v).transpose() - middle).norm() > kReach * (greatest - least)) continue;
+    if (is_behind[size_t(v)] || (neutral.vertices.row(v).transpose() - middle).norm() > kReach * (greatest - least))
+      continue;
     place_of[size_t(v)] = static_cast<int>(vertices_.size());
     vertices_.push_back(v);
   }
@@ -68,6 +102,12 @@ EyeSkin::EyeSkin(const geometry::TriangleMesh& neutral, const std::vector<int>& 
   geometry::Triangles triangles(Eigen::Index(triangles_.size()), 3);
   for (size_t t = 0; t < triangles_.size(); ++t) triangles.row(Eigen::Index(t)) = triangles_[t].transpose();
   neighbours_ = geometry::VertexNeighbours(triangles, static_cast<int>(vertices_.size()));
+}
+
+double EyeSkin::GreatestMove(const Eigen::VectorXf& offset) const {
+  float greatest = 0;
+  for (const int v : vertices_) greatest = std::max(greatest, offset.segment<3>(3 * v).norm());
+  return double(greatest);
 }
 
 double EyeSkin::LeastClearance(const faces::Eyeball& eyeball, const Eigen::Vector3d& gaze,
@@ -86,20 +126,27 @@ double EyeSkin::LeastClearance(const faces::Eyeball& eyeball, const Eigen::Vecto
 void EyeSkin::KeepOutside(const faces::Eyeball& eyeball, const GazeTurn& turn, const geometry::Points& rest,
                           geometry::Points& pose) const {
   constexpr std::array<double, 5> kTimes = {0.15, 0.3, 0.5, 0.75, 1};
-  std::vector<double> needed(vertices_.size(), 0);
-  geometry::Points points(Eigen::Index(vertices_.size()), 3);
-  std::vector<double> clearance(vertices_.size());
+  const size_t num_vertices = vertices_.size();
+  const double sphere = eyeball.radii.maxCoeff() + eyeball.bulge;
+  std::vector<double> needed(num_vertices, 0), clearance(num_vertices);
+  std::vector<bool> moves(num_vertices);
+  for (size_t i = 0; i < num_vertices; ++i)
+    moves[i] = (pose.row(vertices_[i]) - rest.row(vertices_[i])).squaredNorm() > kLeastMoveCm2;
+  geometry::Points points(Eigen::Index(num_vertices), 3);
   double most = 0;
   for (const double time : kTimes) {
     const Eigen::Vector3d gaze = GazeOf(time * turn.left_degrees, time * turn.down_degrees);
-    for (size_t i = 0; i < vertices_.size(); ++i) {
-      points.row(Eigen::Index(i)) = (1 - time) * rest.row(vertices_[i]) + time * pose.row(vertices_[i]);
-      clearance[i] = EyeClearance(eyeball, gaze, points.row(Eigen::Index(i)).transpose());
-      needed[i] = std::max(needed[i], (kSpareCm - clearance[i]) / time);
+    for (size_t i = 0; i < num_vertices; ++i) {
+      const Eigen::Vector3d point = ((1 - time) * rest.row(vertices_[i]) + time * pose.row(vertices_[i])).transpose();
+      points.row(Eigen::Index(i)) = point.transpose();
+      clearance[i] = (point - eyeball.centre).norm() - sphere;  // Not more than the true one.
+      if (clearance[i] < kSurelyFreeCm) clearance[i] = EyeClearance(eyeball, gaze, point);
+      if (moves[i]) needed[i] = std::max(needed[i], (kSpareCm - clearance[i]) / time);
       most = std::max(most, needed[i]);
     }
     for (const Eigen::Vector3i& t : triangles_) {
-      if (std::min({clearance[size_t(t[0])], clearance[size_t(t[1])], clearance[size_t(t[2])]}) > kSurelyFreeCm)
+      const auto [a, b, c] = std::array{size_t(t[0]), size_t(t[1]), size_t(t[2])};
+      if (!(moves[a] || moves[b] || moves[c]) || std::min({clearance[a], clearance[b], clearance[c]}) > kSurelyFreeCm)
         continue;
       for (const auto& w : kInner) {
         const Eigen::Vector3d p =
@@ -107,7 +154,7 @@ void EyeSkin::KeepOutside(const faces::Eyeball& eyeball, const GazeTurn& turn, c
         const double push = (kSpareCm - EyeClearance(eyeball, gaze, p)) / time;
         if (push <= 0) continue;
         most = std::max(most, push);
-        for (const int corner : t) needed[size_t(corner)] = std::max(needed[size_t(corner)], push);
+        for (const size_t corner : {a, b, c}) needed[corner] = std::max(needed[corner], push);
       }
     }
   }

@@ -2,12 +2,17 @@
 
 #include "faces/eyeball.h"
 #include "geometry/topology.h"
+#include "rig/seam.h"
 
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace daumier::rig {
+
+/// The eyeball that a head is shipped with: a sphere, which turns within itself, 0.05 cm behind the fitted one and with
+/// 0.35 of its cornea's bulge, so that lids clear it when it turns.
+faces::Eyeball SetBack(const faces::Eyeball& fitted);
 
 /// Distance of a point from an eyeball that looks along `gaze` (of unit length), along the ray from its centre, cm:
 /// negative inside, and never nearer to 0 there than the true depth.
@@ -25,8 +30,12 @@ struct GazeTurn {
 class EyeSkin {
  public:
   /// The vertices and triangles within 1.2 w of the middle of the loop between the lids on the neutral face, w the
-  /// loop's extent along x.
-  EyeSkin(const geometry::TriangleMesh& neutral, const std::vector<int>& lids);
+  /// loop's extent along x; without what is behind the lids' edges, between these and the loop, where lids have a
+  /// thickness: it hardly shows, and rubs on the ball.
+  EyeSkin(const geometry::TriangleMesh& neutral, const std::vector<int>& lids, const SeamEdges& edges);
+
+  /// The greatest length of an offset of its vertices, cm. offset: 3V.
+  double GreatestMove(const Eigen::VectorXf& offset) const;
 
   /// Least clearance of vertices, of middles of edges and of triangles, cm: positive where all are outside the ball.
   double LeastClearance(const faces::Eyeball& eyeball, const Eigen::Vector3d& gaze, const geometry::Points& pose) const;

@@ -22,6 +22,7 @@ constexpr double kTeethChart = 0.5, kTongueChart = 0.3;                  // Char
 constexpr double kSkinReach = 0.9, kChinReach = 0.7, kJawReach = 0.3;    // In widths of the mouth.
 constexpr double kBehindLips = 0.04, kClearance = 0.02, kDeepest = 0.5;  // Likewise.
 constexpr double kHighest = 0.3, kLowest = -0.3;                         // Skin that teeth are behind, likewise.
+constexpr double kClosed = 0.04;  // Between the ends of lips that are closed, likewise.
 
 enum class Motion { kNone, kJaw, kTongue };
 
@@ -89,17 +90,19 @@ HeadInterior::Place HeadInterior::PlaceOf(const geometry::Points& face) const {
   across.z() = 0;
   across.normalize();
   const geometry::Vector3 up(-across.y(), across.x(), 0);
-  Place place{0.5 * (left + right), {}, 0};
+  Place place{0.5 * (left + right), {}, 0, 0};
   place.axes << across, up, geometry::Vector3::UnitZ();
   place.axes *= width;
   const geometry::Points upper = face(upper_lip_, Eigen::all), lower = face(lower_lip_, Eigen::all);
-  place.origin += up * ((upper * up).minCoeff() - up.dot(place.origin));
+  const double upper_end = (upper * up).minCoeff(), lower_end = (lower * up).maxCoeff();
+  place.origin += up * (upper_end - up.dot(place.origin));
+  place.open = std::max(0.0, (upper_end - lower_end) / width - kClosed);
   place.origin.z() = std::min(upper(upper.rows() - 1, 2), lower(lower.rows() - 1, 2)) - kBehindLips * width;
   // Behind all skin before the front of the upper teeth, which are in front of the lower ones.
   double push = 0;
   for (const int v : skin_) {
     const geometry::Vector3 p = place.axes.transpose() * (face.row(v).transpose() - place.origin) / (width * width);
-    if (p.y() > kHighest || p.y() < kLowest || !IsInArch(Jaw::kUpper, p.x())) continue;
+    if (p.y() > kHighest || p.y() < kLowest - place.open || !IsInArch(Jaw::kUpper, p.x())) continue;
     push = std::max(push, ArchDepth(Jaw::kUpper, p.x()) + kClearance - p.z());
   }
   place.origin.z() -= std::min(push, kDeepest) * width;
@@ -109,7 +112,9 @@ HeadInterior::Place HeadInterior::PlaceOf(const geometry::Points& face) const {
 
 geometry::Points HeadInterior::Vertices(const geometry::Points& face) const {
   const Place place = PlaceOf(face);
-  return (at_rest_ * place.axes.transpose()).rowwise() + place.origin.transpose();
+  geometry::Points vertices = at_rest_;
+  vertices.bottomRows(NumVertices() - kTeethTube.num_vertices()).col(1).array() -= place.open;
+  return (vertices * place.axes.transpose()).rowwise() + place.origin.transpose();
 }
 
 Eigen::Isometry3d HeadInterior::JawMotion(const geometry::Points& from, const geometry::Points& to) const {
@@ -126,19 +131,20 @@ Eigen::MatrixXf HeadInterior::Offsets(const geometry::Points& face, const MorphT
   const Eigen::Index num_upper = kTeethTube.num_vertices();
   Eigen::MatrixXf offsets = Eigen::MatrixXf::Zero(3 * NumVertices(), targets.num_targets());
   for (Eigen::Index t = 0; t < targets.num_targets(); ++t) {
-    geometry::Points moves = geometry::Points::Zero(NumVertices(), 3);
     const Motion motion = MotionOf(targets.names[size_t(t)]);
     if (motion == Motion::kNone) continue;
-    if (motion == Motion::kJaw) {
-      if (targets.offsets.col(t).isZero(0)) continue;
+    geometry::Points moved = vertices;
+    if (motion == Motion::kTongue) {
+      const Place place = PlaceOf(face);
+      moved.bottomRows(kTongueTube.num_vertices()) += (TongueOut(place.lip) - TongueAtRest()) * place.axes.transpose();
+    }
+    if (!targets.offsets.col(t).isZero(0)) {
       const Eigen::Isometry3d jaw =
           JawMotion(face, face + Flat(targets.offsets.col(t).data(), face.rows(), 3).cast<double>());
       for (Eigen::Index v = num_upper; v < vertices.rows(); ++v)
-        moves.row(v) = (jaw * vertices.row(v).transpose()).transpose() - vertices.row(v);
-    } else {
-      const Place place = PlaceOf(face);
-      moves.bottomRows(kTongueTube.num_vertices()) = (TongueOut(place.lip) - TongueAtRest()) * place.axes.transpose();
+        moved.row(v) = (jaw * moved.row(v).transpose()).transpose();
     }
+    const geometry::Points moves = moved - vertices;
     offsets.col(t) = Eigen::Map<const Eigen::VectorXd>(moves.data(), moves.size()).cast<float>();
   }
   return offsets;

@@ -16,7 +16,8 @@ namespace daumier::rig {
 ///
 /// They are as large as the mouth is wide (landmarks 60 and 64), along the line of its corners, at the height of the
 /// lower end of the upper lip, and as far in front as the inner lips and the skin around them allow: the skin before the
-/// teeth stays there by 0.02 of the width or more.
+/// teeth stays there by 0.02 of the width or more. Lower teeth and tongue of a mouth that is open at rest are lower by how
+/// much it is open, but for 0.04 of its width.
 class HeadInterior {
  public:
   /// @throws Error if a landmark is not annotated.
@@ -31,9 +32,8 @@ class HeadInterior {
   geometry::Points Vertices(const geometry::Points& face) const;
 
   /// 3 NumVertices() x T, as MorphTargets::offsets: how they follow targets of a face. Lower teeth and
-  /// tongue follow jawOpen, jawForward, jawLeft and jawRight as a rigid body, by JawMotion;
-  /// tongueOut moves the tongue out between the lips of a mouth that is a third open, or through closed ones; nothing
-  /// else moves, whatever the target.
+  /// tongue follow jawOpen, jawForward, jawLeft, jawRight and tongueOut as a rigid body, by JawMotion; tongueOut moves the
+  /// tongue out over the lower lip as well; nothing else moves, whatever the target.
   Eigen::MatrixXf Offsets(const geometry::Points& face, const MorphTargets& targets) const;
 
   /// The rigid motion of a jaw from a face to another one: turned as the line of the jaw is (least squares), moved as the
@@ -44,6 +44,7 @@ class HeadInterior {
   struct Place {
     geometry::Vector3 origin;
     Eigen::Matrix3d axes;  ///< Columns: to the left, up and to the front, as long as the mouth is wide.
+    double open;           ///< By which lower teeth and tongue are lower, in widths of the mouth.
     double lip;            ///< How far the lower lip is in front of the teeth, in widths of the mouth.
   };
   Place PlaceOf(const geometry::Points& face) const;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "faces/mouth_bag.h"
 #include "rig/arkit_names.h"
+#include "rig/eye_clearance.h"
 #include "rig/head_charts.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace {
 constexpr double kCapSize = 0.14, kRimSize = 0.08, kBagSize = 0.24;  // ChartPiece::size
 constexpr double kSmallestMove = 1e-7;                               // cm; less is rounding.
 constexpr double kLeastTurn = 5 * std::numbers::pi / 180;            // Of a jaw that opens by turning.
-constexpr double kSetBack = 0.05, kBulgeKept = 0.35;  // Of an eyeball, cm, and its share of the cornea's bulge.
 
 /// The face with a target at weight 1.
 geometry::Points Moved(const geometry::Points& face, const MorphTargets& targets, Eigen::Index target) {
@@ -88,11 +88,7 @@ HeadRig::HeadRig(const faces::FaceTemplate& face_template)
 
 std::vector<faces::Eyeball> HeadRig::Eyeballs(const geometry::Points& neutral) const {
   std::vector<faces::Eyeball> eyeballs = finished_.Eyeballs(neutral);
-  for (faces::Eyeball& eyeball : eyeballs) {
-    eyeball.radii.setConstant(eyeball.radii.x());
-    eyeball.bulge *= kBulgeKept;
-    eyeball.centre.z() -= kSetBack;
-  }
+  for (faces::Eyeball& eyeball : eyeballs) eyeball = SetBack(eyeball);
   return eyeballs;
 }
 

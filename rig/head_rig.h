@@ -34,8 +34,7 @@ class HeadRig {
   /// Pivots: the head's between the ears, the jaw's where JawMotion turns jawOpen about, or as the head's if it does not.
   RiggedHead On(const geometry::Points& neutral, const MorphTargets& targets) const;
 
-  /// The eyeballs that On() places, from the right to the left: those of faces::EyeballFit as spheres, which turn within
-  /// themselves, 0.05 cm farther back and with a third of the cornea's bulge, so that lids clear them when they turn.
+  /// The eyeballs that On() places, from the right to the left: those of faces::EyeballFit, SetBack.
   std::vector<faces::Eyeball> Eyeballs(const geometry::Points& neutral) const;
 
  private:

@@ -6,7 +6,7 @@ namespace daumier::rig {
 
 /// ARKit's expressions from MakeHuman's expression units, which are fewer: most of the mouth move both sides and both
 /// lips at once, and none moves a jaw sideways or forward or puffs a cheek.
-/// A unit is taken whole, or its left or right part (a smooth step over x, as wide as 0.6 mouths), or the part of the
+/// A unit is taken whole, or its left or right part (a smooth step over x, as wide as 1.2 mouths), or the part of the
 /// upper or the lower lip and its surroundings (a harmonic function between the contours of the lips, made steeper);
 /// such parts add up to the unit. Or its vertices move along one direction, by their share of the unit's largest
 /// displacement: so a jaw that opens also moves sideways.

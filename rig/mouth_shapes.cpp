@@ -17,7 +17,7 @@ struct Arch {
   double height;  ///< Of its teeth.
 };
 constexpr double kLastAngle = 80 * std::numbers::pi / 180;
-constexpr Arch kUpperArch{0.43, 0.56, 0.0, -0.065, 0.19}, kLowerArch{0.38, 0.51, -0.045, -0.045, 0.16};
+constexpr Arch kUpperArch{0.43, 0.56, 0.0, -0.065, 0.19}, kLowerArch{0.38, 0.51, -0.055, -0.045, 0.16};
 constexpr double kGumHeight = 0.10, kEdgeRise = 0.03;
 /// Widths of the teeth of a side from the middle on.
 constexpr std::array<double, kNumTeeth / 2> kUpperWidths = {1.0, 0.8, 0.9, 0.85, 0.85, 1.15},
@@ -55,7 +55,7 @@ struct SectionPoint {
   double of_tooth, of_gum;
   double gap_out, gap_height;  ///< Added in gaps, along `out` and from the edge on.
 };
-constexpr std::array<SectionPoint, 8> kSection = {{{0.000, 1.0, 1.0, 0.000, 0.00},
+constexpr std::array<SectionPoint, 8> kSection = {{{-0.055, 1.0, 1.0, 0.000, 0.00},
                                                    {0.012, 1.0, 0.08, 0.000, -0.04},
                                                    {-0.002, 1.0, 0.0, -0.006, -0.045},
                                                    {0.008, 0.5, 0.0, -0.018, 0.00},

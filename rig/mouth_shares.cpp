@@ -38,7 +38,7 @@ Eigen::VectorXf ShareOfLeftSide(const faces::FaceTemplate& face_template) {
   constexpr int kRightCorner = 48, kLeftCorner = 54;
   const auto& landmarks = face_template.annotation.landmarks;
   const geometry::Points& neutral = face_template.neutral;
-  const double width = 0.6 * (neutral(landmarks[kLeftCorner], 0) - neutral(landmarks[kRightCorner], 0));
+  const double width = 1.2 * (neutral(landmarks[kLeftCorner], 0) - neutral(landmarks[kRightCorner], 0));
   return neutral.col(0).unaryExpr([&](double x) { return SmoothStep(x / width + 0.5); }).cast<float>();
 }
 

@@ -4,7 +4,7 @@
 
 namespace daumier::rig {
 
-/// V: the share of the left side (+x) in what both sides do: a smooth step over x, as wide as 0.6 mouths (landmarks 48
+/// V: the share of the left side (+x) in what both sides do: a smooth step over x, as wide as 1.2 mouths (landmarks 48
 /// to 54). 1/2 in the middle; that of the right side is the rest.
 Eigen::VectorXf ShareOfLeftSide(const faces::FaceTemplate& face_template);
 

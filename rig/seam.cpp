@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -20,6 +21,37 @@ std::vector<double> SharesOfLength(const geometry::Points& points, const std::ve
   DAUMIER_CHECK(shares.back() > 0, "the edge of a seam has no length");
   const double length = shares.back();
   for (double& share : shares) share /= length;
+  return shares;
+}
+
+/// For each inner share of `coarse` the place of the share of `fine` that it is matched to: ascending, least squares.
+/// By dynamic programming over cost(i, j) of the first i matched to the first j.
+std::vector<size_t> Matches(const std::vector<double>& coarse, const std::vector<double>& fine) {
+  const size_t num_coarse = coarse.size() - 2, num_fine = fine.size() - 2;
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<double>> cost(num_coarse + 1, std::vector<double>(num_fine + 1, kNever));
+  cost[0].assign(num_fine + 1, 0);
+  const auto with = [&](size_t i, size_t j) { return cost[i - 1][j - 1] + std::pow(coarse[i] - fine[j], 2); };
+  for (size_t i = 1; i <= num_coarse; ++i)
+    for (size_t j = i; j <= num_fine; ++j) cost[i][j] = std::min(cost[i][j - 1], with(i, j));
+  std::vector<size_t> matches(num_coarse);
+  for (size_t i = num_coarse, j = num_fine; i > 0; --j)
+    if (cost[i][j] == with(i, j)) matches[--i] = j;
+  return matches;
+}
+
+/// Shares of the finer edge that are those of the coarser one where they match, and between divide its length.
+std::vector<double> MatchedShares(const std::vector<double>& coarse, const std::vector<double>& fine) {
+  std::vector<double> shares(fine.size());
+  const std::vector<size_t> matches = Matches(coarse, fine);
+  size_t from = 0;
+  for (size_t i = 0; i + 1 < coarse.size(); ++i) {
+    const size_t to = i < matches.size() ? matches[i] : fine.size() - 1;
+    for (size_t j = from; j <= to; ++j)
+      shares[j] =
+          coarse[i] + (coarse[i + 1] - coarse[i]) * (fine[j] - fine[from]) / std::max(fine[to] - fine[from], 1e-12);
+    from = to;
+  }
   return shares;
 }
 
@@ -53,6 +85,11 @@ Seam::Seam(const geometry::TriangleMesh& neutral, SeamEdges edges, int num_rings
                 upper.back(), lower.front(), lower.back());
   upper_shares_ = SharesOfLength(neutral.vertices, upper);
   lower_shares_ = SharesOfLength(neutral.vertices, lower);
+  if (upper.size() >= lower.size()) {
+    upper_shares_ = MatchedShares(lower_shares_, upper_shares_);
+  } else {
+    lower_shares_ = MatchedShares(upper_shares_, lower_shares_);
+  }
   std::map<int, int> place_of;
   const auto add = [&](const Follower& follower) {
     if (!place_of.emplace(follower.vertex, int(followers_.size())).second) return;
@@ -135,7 +172,7 @@ void Seam::Clamp(const SeamFrame& frame, geometry::Points& pose) const {
   }
 }
 
-void Seam::Meet(const SeamFrame& frame, double upper_share, geometry::Points& pose) const {
+void Seam::Join(const SeamFrame& frame, double upper_share, SeamDepth depth, geometry::Points& pose) const {
   std::vector<Eigen::Vector3d> moves(size_t(num_edge_vertices_), Eigen::Vector3d::Zero());
   for (size_t i = 0; i < moves.size(); ++i) {
     const Follower& follower = followers_[i];
@@ -143,7 +180,8 @@ void Seam::Meet(const SeamFrame& frame, double upper_share, geometry::Points& po
     const Eigen::Vector3d upper = PointAt(pose, Side::kUpper, follower.share),
                           lower = PointAt(pose, Side::kLower, follower.share);
     Eigen::Vector3d meeting = upper + upper_share * (lower - upper);
-    meeting += (std::max(frame.out.dot(upper), frame.out.dot(lower)) - frame.out.dot(meeting)) * frame.out;
+    if (depth == SeamDepth::kFarther)
+      meeting += (std::max(frame.out.dot(upper), frame.out.dot(lower)) - frame.out.dot(meeting)) * frame.out;
     moves[i] = meeting - pose.row(follower.vertex).transpose();
   }
   Follow(moves, pose);
@@ -156,6 +194,10 @@ void Seam::Meet(const SeamFrame& frame, double upper_share, geometry::Points& po
       pose.row(follower.vertex) =
           PointAt(followed, finer == Side::kUpper ? Side::kLower : Side::kUpper, follower.share).transpose();
   }
+}
+
+void Seam::Meet(const SeamFrame& frame, double upper_share, SeamDepth depth, geometry::Points& pose) const {
+  Join(frame, upper_share, depth, pose);
   Clamp(frame, pose);
 }
 
@@ -171,16 +213,22 @@ std::vector<double> Seam::HeightsOfEdges(const SeamFrame& frame, const geometry:
 
 void Seam::KeepApart(const SeamFrame& frame, const geometry::Points& rest, double kept_share,
                      geometry::Points& pose) const {
-  const std::vector<double> before = HeightsOfEdges(frame, rest), now = HeightsOfEdges(frame, pose);
-  std::vector<Eigen::Vector3d> moves(now.size(), Eigen::Vector3d::Zero());
-  bool moves_any = false;
-  for (size_t i = 0; i < moves.size(); ++i) {
-    const double excess = (before[i] > 0 ? kept_share * before[i] : before[i]) - now[i];
-    if (excess <= 0 || followers_[i].side == Side::kBoth) continue;
-    moves[i] = (followers_[i].side == Side::kUpper ? 0.5 : -0.5) * excess * Across(frame, pose, followers_[i].share);
-    moves_any = true;
+  constexpr int kMostTimes = 8;
+  constexpr double kToleranceCm = 0.002;
+  const std::vector<double> before = HeightsOfEdges(frame, rest);
+  for (int time = 0; time < kMostTimes; ++time) {  // Vertices face points between others, which move too.
+    const std::vector<double> now = HeightsOfEdges(frame, pose);
+    std::vector<Eigen::Vector3d> moves(now.size(), Eigen::Vector3d::Zero());
+    double most = 0;
+    for (size_t i = 0; i < moves.size(); ++i) {
+      const double excess = (before[i] > 0 ? kept_share * before[i] : before[i]) - now[i];
+      if (excess <= 0 || followers_[i].side == Side::kBoth) continue;
+      moves[i] = (followers_[i].side == Side::kUpper ? 0.5 : -0.5) * excess * Across(frame, pose, followers_[i].share);
+      most = std::max(most, excess);
+    }
+    if (most <= kToleranceCm) return;
+    Follow(moves, pose);
   }
-  if (moves_any) Follow(moves, pose);
 }
 
 std::vector<double> Seam::Heights(const SeamFrame& frame, const geometry::Points& pose) const {

@@ -94,6 +94,17 @@ TEST_F(RigCommand, PlaysARecordingInTheNamesOfAProgram) {
   EXPECT_NE(ReadFile(folder_ / "frames/frame_00001.png"), ReadFile(folder_ / "frames/frame_00003.png"));
 }
 
+/// Another neutral face than the model's decides on the cut, as that of a network for portraits does.
+TEST_F(RigCommand, RigsHeadsWhoseNeckIsCutElsewhere) {
+  const faces::FaceTemplate& face_template = Model().face_template;
+  faces::FaceTemplate other = face_template;
+  other.neutral.col(1) *= 1.3;
+  const faces::FinishedHead head(other);
+  if (head.num_vertices() == faces::FinishedHead(face_template).num_vertices()) GTEST_SKIP() << "the same cut";
+  reports::WriteHead(folder_ / "other.obj", head, face_template.neutral);
+  EXPECT_EQ(Rig("other.obj", "other.glb").exit_code, 0);
+}
+
 TEST_F(RigCommand, RigsFinishedHeadsAndRemovesTheExpressionThatAPredictionStates) {
   const faces::FaceModel& model = Model();
   Eigen::VectorXf weights = Eigen::VectorXf::Zero(model.expression_shapes.cols());

@@ -119,6 +119,16 @@ TEST(AddMesh, NamesTargetsAtMeshAndPrimitiveWithWeightsOfZero) {
   EXPECT_EQ(mesh["weights"], Json(std::vector<int>(52, 0)));
 }
 
+TEST(AddMesh, StatesTheLimitsOfWeightsInTheNamesOfTheFile) {
+  rig::RiggedHead head = testing::BallHead();
+  const auto limits = [&] { return FileOf(head, false, {}).json()["meshes"][0]["extras"]["weightLimits"]; };
+  EXPECT_EQ(limits()["mouthClose"], Json({{"base", 0.0}, {"jawOpen", 1.0}}));
+  EXPECT_EQ(limits()["eyeBlinkLeft"]["base"], 1.0);
+  EXPECT_LT(limits()["eyeBlinkLeft"]["eyeSquintLeft"], 0);
+  for (std::string& name : head.targets.names) name[0] = char(std::toupper(name[0]));
+  EXPECT_EQ(limits()["MouthClose"], Json({{"base", 0.0}, {"JawOpen", 1.0}}));
+}
+
 TEST(AddMesh, ColoursByMaterialWithoutBlendingAcrossTheirBorder) {
   const rig::RiggedHead head = testing::BallHead();  // Its first triangle is throat, the others skin.
   const testing::GlbReader file = FileOf(head, true, {});

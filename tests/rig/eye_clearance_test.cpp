@@ -29,12 +29,21 @@ geometry::TriangleMesh Sheet(double z) {
   return mesh;
 }
 const std::vector<int> kLids = {83, 85, 86, 84};  // Its middle row, x from -0.25 to 0.5.
+const SeamEdges kEdges = {{83, 84, 85, 86}, {83, 84, 85, 86}};
 
 TEST(EyeClearance, IsTheDistanceFromASphere) {
   const Eigen::Vector3d front = Eigen::Vector3d::UnitZ();
   EXPECT_NEAR(EyeClearance(kBall, front, {3, 0, 0}), 1, 1e-12);
   EXPECT_NEAR(EyeClearance(kBall, front, {0, 0.5, 0}), -1.5, 1e-12);
   EXPECT_NEAR(EyeClearance(kBall, GazeOf(20, 10), {3, 0, 0}), 1, 1e-12) << "a sphere looks alike everywhere";
+}
+
+TEST(SetBack, MakesASphereBehindWithALowerCornea) {
+  const faces::Eyeball shipped = SetBack({{1, 2, 3}, {2, 2.5, 2}, 0.8, 0.2});
+  EXPECT_EQ(shipped.centre, Eigen::Vector3d(1, 2, 2.95));
+  EXPECT_EQ(shipped.radii, Eigen::Vector3d(2, 2, 2));
+  EXPECT_NEAR(shipped.bulge, 0.07, 1e-12);
+  EXPECT_EQ(shipped.iris_radius, 0.8);
 }
 
 TEST(EyeClearance, CountsTheCorneaWhereTheEyeLooks) {
@@ -53,13 +62,13 @@ TEST(EyeClearance, GazeTurnsLeftAndDown) {
 
 TEST(EyeSkin, LeastClearanceIsThatOfTheMiddleOfAFlatSheet) {
   const geometry::TriangleMesh sheet = Sheet(2.5);
-  const EyeSkin skin(sheet, kLids);
+  const EyeSkin skin(sheet, kLids, kEdges);
   EXPECT_NEAR(skin.LeastClearance(kBall, Eigen::Vector3d::UnitZ(), sheet.vertices), 0.5, 1e-12);
 }
 
 TEST(EyeSkin, KeepOutsideHoldsOnTheWholeWay) {
   const geometry::TriangleMesh sheet = Sheet(2.1);
-  const EyeSkin skin(sheet, kLids);
+  const EyeSkin skin(sheet, kLids, kEdges);
   geometry::Points pose = sheet.vertices;
   pose.col(2).array() -= 0.5;  // Into the ball.
   skin.KeepOutside(kBall, {}, sheet.vertices, pose);
@@ -74,12 +83,30 @@ TEST(EyeSkin, KeepOutsideMovesNothingThatIsOutside) {
   geometry::Points pose = sheet.vertices;
   pose.col(1).array() += 0.1;
   const geometry::Points before = pose;
-  EyeSkin(sheet, kLids).KeepOutside(kBall, {30, 0}, sheet.vertices, pose);
+  EyeSkin(sheet, kLids, kEdges).KeepOutside(kBall, {30, 0}, sheet.vertices, pose);
   EXPECT_EQ(pose, before);
 }
 
+TEST(EyeSkin, LeavesOutWhatIsBehindTheEdges) {
+  const geometry::TriangleMesh sheet = Sheet(2.5);
+  geometry::Points pose = sheet.vertices;
+  pose(84, 2) = 0;  // In the middle of the ball.
+  const SeamEdges around = {{83, 96, 97, 98, 99, 86}, {83, 70, 71, 72, 73, 86}};
+  const Eigen::Vector3d front = Eigen::Vector3d::UnitZ();
+  EXPECT_GT(EyeSkin(sheet, {84, 85, 84, 85}, around).LeastClearance(kBall, front, pose), 0.4);
+  EXPECT_LT(EyeSkin(sheet, kLids, kEdges).LeastClearance(kBall, front, pose), -1);
+}
+
+TEST(EyeSkin, GreatestMoveIsOfItsVerticesAlone) {
+  const geometry::TriangleMesh sheet = Sheet(2);
+  Eigen::VectorXf offset = Eigen::VectorXf::Zero(3 * sheet.vertices.rows());
+  offset.segment<3>(0) << 0, 9, 0;  // A corner of the sheet, 2.1 from the lids of width 0.75.
+  offset.segment<3>(3 * kLids[0]) << 0.3f, 0, 0.4f;
+  EXPECT_FLOAT_EQ(float(EyeSkin(sheet, kLids, kEdges).GreatestMove(offset)), 0.5f);
+}
+
 TEST(EyeSkin, NeedsLids) {
-  testing::ExpectError([] { EyeSkin(Sheet(2), {}); }, "an eye without lids");
+  testing::ExpectError([] { EyeSkin(Sheet(2), {}, kEdges); }, "an eye without lids");
 }
 
 }  // namespace

@@ -92,6 +92,23 @@ TEST(HeadInterior, IsBehindClosedLipsOfScannedFaces) {
   ExpectHiddenAtRest(faces::ReadFaceModel(folder), 4, 2.5);
 }
 
+TEST(HeadInterior, LowerTeethOfAnOpenMouthAreAsMuchLower) {
+  const faces::FaceTemplate face = testing::SyntheticFace();
+  const HeadInterior interior(face);
+  const auto& landmarks = face.annotation.landmarks;
+  const double width = (face.neutral.row(landmarks[60]) - face.neutral.row(landmarks[64])).norm();
+  geometry::Points open = face.neutral;
+  const double lips = face.neutral(landmarks[66], 1);
+  for (Eigen::Index v = 0; v < open.rows(); ++v)
+    if (open(v, 1) <= lips + 1e-9 && std::abs(open(v, 0)) < 0.4 * width) open(v, 1) -= 0.5 * width;
+  const geometry::Points moves = interior.Vertices(open) - interior.Vertices(face.neutral);
+  const Eigen::Index num_upper = HeadInterior::Charts(0)[0].triangles.maxCoeff() + 1;
+  const double lowered = -Eigen::VectorXd(moves.bottomRows(moves.rows() - num_upper).col(1)).mean();
+  EXPECT_NEAR(Eigen::VectorXd(moves.topRows(num_upper).col(1)).cwiseAbs().maxCoeff(), 0, 1e-9);
+  EXPECT_GT(lowered, 0.35 * width);
+  EXPECT_LE(lowered, 0.5 * width + 1e-9);
+}
+
 TEST(HeadInterior, MovesAndGrowsWithTheFace) {
   const faces::FaceTemplate face = testing::SyntheticFace();
   const HeadInterior interior(face);
@@ -145,6 +162,18 @@ TEST(HeadInterior, OnlyTheTongueComesOut) {
   for (const int landmark : {57, 66})
     lips = std::max(lips, face.neutral(face.annotation.landmarks[size_t(landmark)], 2));
   EXPECT_GT(foremost, lips + 0.3);
+}
+
+TEST(HeadInterior, ATongueThatIsOutFollowsTheJawOfItsTarget) {
+  const faces::FaceTemplate face = testing::SyntheticFace();
+  const HeadInterior interior(face);
+  MorphTargets targets = TurnedTargets(face.neutral, Eigen::Isometry3d::Identity());
+  const Eigen::MatrixXf still = interior.Offsets(face.neutral, targets);
+  for (Eigen::Index v = 0; v < face.neutral.rows(); ++v) targets.offsets.col(2)[3 * v + 1] = -0.5f;
+  const Eigen::MatrixXf open = interior.Offsets(face.neutral, targets);
+  const Eigen::Index num_upper = HeadInterior::Charts(0)[0].triangles.maxCoeff() + 1;
+  for (Eigen::Index v = 0; v < open.rows() / 3; ++v)
+    EXPECT_NEAR(open(3 * v + 1, 2) - still(3 * v + 1, 2), v < num_upper ? 0 : -0.5, 1e-4);
 }
 
 }  // namespace

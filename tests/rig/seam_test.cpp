@@ -69,18 +69,34 @@ TEST(Seam, MeetBringsBothEdgesToOneCurve) {
   const Seam seam(slit.mesh, slit.edges, 2);
   geometry::Points pose = slit.mesh.vertices;
   EXPECT_NEAR(Greatest(seam.Heights(kFrame, pose)), 1, 1e-9) << "in the middle, by hand";
-  seam.Meet(kFrame, 0.75, pose);
+  seam.Meet(kFrame, 0.75, SeamDepth::kBetween, pose);
   EXPECT_LT(Greatest(seam.Gaps(pose)), 1e-3);
   const int middle = slit.edges.upper[3];
   EXPECT_NEAR(pose(middle, 1), 0.5 - 0.75 * 1, 1e-9);
-  EXPECT_NEAR(pose(middle, 2), 0, 1e-9) << "as far out as the upper edge, which is farther";
+  EXPECT_NEAR(pose(middle, 2), 0.75 * -0.1, 1e-9) << "the lower edge is 0.1 farther back";
   EXPECT_EQ(pose.row(slit.edges.upper.front()), slit.mesh.vertices.row(slit.edges.upper.front()));
+  pose = slit.mesh.vertices;
+  seam.Meet(kFrame, 0.75, SeamDepth::kFarther, pose);
+  EXPECT_NEAR(pose(middle, 2), 0, 1e-9) << "as far out as the upper edge";
+}
+
+/// An upper edge of seven vertices and a lower one of four.
+TEST(Seam, EdgesOfOtherNumbersOfVerticesMeetAlongTheirWholeLength) {
+  Slit slit(0.5);
+  SeamEdges edges = slit.edges;
+  edges.lower = {edges.lower[0], edges.lower[2], edges.lower[3], edges.lower[6]};
+  const Seam seam(slit.mesh, edges, 2);
+  geometry::Points pose = slit.mesh.vertices;
+  seam.Join(kFrame, 0.5, SeamDepth::kBetween, pose);
+  EXPECT_LT(Greatest(seam.Gaps(pose)), 1e-9);
+  EXPECT_TRUE(pose.row(edges.upper[2]).isApprox(pose.row(edges.lower[1]), 1e-12)) << "the nearest by length";
+  EXPECT_TRUE(pose.row(edges.upper[3]).isApprox(pose.row(edges.lower[2]), 1e-12));
 }
 
 TEST(Seam, SkinBeyondItsRingsStays) {
   const Slit slit(0.5);
   geometry::Points pose = slit.mesh.vertices;
-  Seam(slit.mesh, slit.edges, 2).Meet(kFrame, 0.5, pose);
+  Seam(slit.mesh, slit.edges, 2).Meet(kFrame, 0.5, SeamDepth::kBetween, pose);
   for (int v = 0; v < pose.rows(); ++v) {
     if (std::abs(slit.mesh.vertices(v, 1)) < 3) continue;
     EXPECT_EQ(pose.row(v), slit.mesh.vertices.row(v));
@@ -101,7 +117,7 @@ TEST(Seam, KeepApartLeavesAShareOfTheOpening) {
   const Slit slit(0.5);
   const Seam seam(slit.mesh, slit.edges, 2);
   geometry::Points closed = slit.mesh.vertices;
-  seam.Meet(kFrame, 1, closed);
+  seam.Meet(kFrame, 1, SeamDepth::kBetween, closed);
   seam.KeepApart(kFrame, slit.mesh.vertices, 0.25, closed);
   EXPECT_NEAR(Greatest(seam.Heights(kFrame, closed)), 0.25, 0.01) << "of 1 in the middle";
 
