@@ -66,12 +66,20 @@ struct GivenHead {
   Eigen::VectorXf albedo;  ///< Coefficients, 80.
 };
 
+/// V x 3.
+Eigen::MatrixXf AlbedoOf(const Workshop& workshop, const Eigen::VectorXf& coefficients) {
+  const Eigen::VectorXf modes = workshop.model.albedo_modes * coefficients.head(workshop.model.albedo_modes.cols());
+  return workshop.model.albedo_mean + modes.reshaped<Eigen::RowMajor>(workshop.model.albedo_mean.rows(), 3);
+}
+
 GivenHead TrueHead(const Workshop& workshop, const KnownHead& known, const KnownView& front) {
   fitting::PortraitPose pose;
   for (int k = 0; k < 6; ++k) pose[k] = known.pose[size_t(k)];
   fitting::PictureCamera camera;
   camera.linear *= kPortraitPixels / 224.0;
-  return {fitting::ShownHeadOf(workshop.rig, known.face, pose, camera, known.light), front.mask, known.looks.albedo};
+  return {
+      fitting::ShownHeadOf(workshop.rig, known.face, pose, camera, known.light, AlbedoOf(workshop, known.looks.albedo)),
+      front.mask, known.looks.albedo};
 }
 
 GivenHead PredictedHead(const Workshop& workshop, const fs::path& folder, int i) {
@@ -94,9 +102,9 @@ GivenHead PredictedHead(const Workshop& workshop, const fs::path& folder, int i)
   const fitting::PictureCamera camera{.linear = inverse.linear, .shift = inverse.shift};
   const auto light = coefficients.at("light").get<fitting::PortraitLight>();
   const auto albedo = coefficients.at("albedo").get<std::vector<float>>();
-  return {fitting::ShownHeadOf(workshop.rig, face, pose, camera, light),
-          render::ReadImage(folder / (NameOf(i) + "_mask.png")),
-          Eigen::Map<const Eigen::VectorXf>(albedo.data(), Eigen::Index(albedo.size()))};
+  const auto modes = Eigen::Map<const Eigen::VectorXf>(albedo.data(), Eigen::Index(albedo.size()));
+  return {fitting::ShownHeadOf(workshop.rig, face, pose, camera, light, AlbedoOf(workshop, modes)),
+          render::ReadImage(folder / (NameOf(i) + "_mask.png")), modes};
 }
 
 /// A texture of colours at the vertices of the face (V x 3), of other vertices their mean.
@@ -176,7 +184,6 @@ int Measure(const Workshop& workshop, int count, const std::optional<fs::path>& 
     const KnownHead known = MakeKnownHead(workshop.model, workshop.dresser, i);
     const KnownView front = ViewOf(known, known.pose);
     const GivenHead given = predicted ? PredictedHead(workshop, *predicted, i) : TrueHead(workshop, known, front);
-    const Eigen::MatrixXf modes = workshop.model.albedo_modes * given.albedo.head(workshop.model.albedo_modes.cols());
     std::vector<fitting::HeadTexture> textures;
     for (const Row& row : rows) {
       const Stopwatch stopwatch;
@@ -185,9 +192,7 @@ int Measure(const Workshop& workshop, int count, const std::optional<fs::path>& 
     }
     seen.push_back(textures.back().seen), mirrored.push_back(textures.back().mirrored);
     textures.push_back(TextureOfAlbedo(workshop, texels, workshop.model.albedo_mean));
-    textures.push_back(TextureOfAlbedo(
-        workshop, texels,
-        workshop.model.albedo_mean + modes.reshaped<Eigen::RowMajor>(workshop.model.albedo_mean.rows(), 3)));
+    textures.push_back(TextureOfAlbedo(workshop, texels, AlbedoOf(workshop, given.albedo)));
     for (const double yaw : kSideViews) {
       const KnownView truth = ViewOf(known, TurnedPose(known.pose, yaw));
       const fitting::PortraitPose pose = TurnedPose(given.shown.pose, yaw);

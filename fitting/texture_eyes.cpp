@@ -121,7 +121,8 @@ render::Image EyesWithin(const render::Image& mask, std::span<const PicturePoint
 std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCamera& camera, const PictureLayer& eyes,
                                const Eigen::Vector3f& skin) {
   constexpr float kLightest = 0.75F, kLeastDifference = 0.06F;
-  constexpr double kLeastOfBest = 0.3;
+  constexpr float kDarkest = 0.45F;
+  constexpr double kLeastOfBest = 0.5;
   const auto find = [&](const EyeInPicture& eye, const IrisSizes& sizes) {
     std::optional<IrisDisc> disc = FindIris(eyes, eye.middle, eye.radius, sizes);
     if (!disc) return disc;
@@ -146,6 +147,9 @@ std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCam
     EyeLook& look = looks[i];
     if (best == nullptr) {
       look.border = kPlainIris;
+      const EyeInPicture eye = PlaceOf(shown[i], camera);
+      look.cover = MedianOfEye(eyes, eye.middle, eye.radius);
+      if (look.cover && look.cover->dot(kLightnessOf) > kDarkest * skin.dot(kLightnessOf)) look.cover.reset();
       continue;
     }
     if (&look != best) {
@@ -167,6 +171,7 @@ std::vector<Eigen::Vector3f> PaintEye(const EyeChart& chart, const ShownEye& eye
   const int num_vertices = int(eye.points.rows());
   DAUMIER_CHECK(chart.corners.size() > 0 && chart.corners.maxCoeff() < num_vertices,
                 "an eye of {} points with a chart of {} triangles", num_vertices, chart.corners.rows());
+  if (look.cover) return std::vector<Eigen::Vector3f>(chart.texels.size(), *look.cover / shade);
   const std::optional<IrisDisc>& iris = look.disc;
   const Eigen::Matrix3d turn = iris ? TurnToIris(eye, camera, *iris) : Eigen::Matrix3d::Identity();
   const float border = look.border;

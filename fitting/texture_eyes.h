@@ -42,14 +42,15 @@ enum class Gaze {
 
 /// The iris of an eye.
 struct EyeLook {
-  std::optional<IrisDisc> disc;        ///< Where the picture shows it.
-  std::optional<IrisProfile> profile;  ///< Its colours; absent: those of a plain brown one.
-  float border = 0;                    ///< Sine of the angle between its axis and its border.
+  std::optional<IrisDisc> disc;            ///< Where the picture shows it.
+  std::optional<IrisProfile> profile;      ///< Its colours; absent: those of a plain brown one.
+  std::optional<Eigen::Vector3f> cover{};  ///< The colour of dark glasses, or of an eye that is drawn without white.
+  float border = 0;                        ///< Sine of the angle between its axis and its border.
 };
 
 /// The irises of eyes of one head (FindIris). Those of a head have one size, that of the disc of the highest score; an eye
-/// whose iris is not shown, or whose score is below 0.3 of that, has the colours of another one. A disc that is not darker than three quarters of the skin and of its
-/// hue is none: it is a closed lid, or skin next to an eye that was found at a wrong place. skin: RGB, of the picture.
+/// whose iris is not shown, or whose score is below half of that, has the colours of another one. A disc that is not darker than three quarters of the skin and of its
+/// hue is none: it is a closed lid, or skin next to an eye that was found at a wrong place. Without any iris, an eye darker than 0.45 of the skin is covered. skin: RGB, of the picture.
 std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCamera& camera, const PictureLayer& eyes,
                                const Eigen::Vector3f& skin);
 
@@ -57,7 +58,8 @@ std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCam
 /// [Pan et al. 2024, section 3.2.3], on the ball turned to the iris. Within the iris, what lids hide: the median of what is
 /// seen at the same distance from its centre. Elsewhere white, into which the seen white of the eye passes smoothly, of half
 /// its saturation; what is darker than 0.55 of the bright white counts as shadow. White that is darker than 0.6 is made
-/// lighter, by at most 1.8. Where the picture shows no iris: white alone around it.
+/// lighter, by at most 1.8. Where the picture shows no iris: white alone around it. A covered eye has
+/// the colour of its cover.
 /// @throws Error if the eye's points are fewer than the chart's.
 std::vector<Eigen::Vector3f> PaintEye(const EyeChart& chart, const ShownEye& eye, const PictureCamera& camera,
                                       const PictureLayer& eyes, const EyeLook& look, float shade,

@@ -26,6 +26,10 @@ constexpr int kGutterReach = 8;
 constexpr double kLargestPicture = 1.5;
 /// Least share of the head's pixels that hair must have to count.
 constexpr double kLeastHair = 0.01;
+/// Half the width of a chin, of the height of the forehead, and least share of hair there that makes a beard: other hair over
+/// cheeks hangs before them.
+constexpr double kChinShare = 0.5;
+constexpr float kLeastBeard = 0.15F;
 /// Rims of lids and inner lips are darker than the skin next to them.
 constexpr float kRimShade = 0.82F;
 constexpr float kLeastEyeShade = 0.4F;
@@ -82,10 +86,12 @@ TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const std::vector
   DAUMIER_CHECK(int(joined_from_face.size()) == face.num_vertices(), "numbers of {} vertices, expected {}",
                 joined_from_face.size(), face.num_vertices());
   TextureGuide guide{std::vector<int>(size_t(num_vertices), -1), Eigen::VectorXf::Zero(num_vertices),
-                     Eigen::VectorXf::Zero(num_vertices), Eigen::VectorXf::Zero(num_vertices)};
+                     Eigen::VectorXf::Zero(num_vertices),        Eigen::VectorXf::Zero(num_vertices),
+                     Eigen::VectorXf::Zero(num_vertices),        Eigen::VectorXf::Zero(num_vertices)};
   const Eigen::VectorXd scalp = faces::Scalp(face).weights(), beard = faces::SkinField(face, "beard");
   double brow = 0;
   for (int l = 17; l <= 26; ++l) brow += 0.1 * face.neutral(face.annotation.landmarks[size_t(l)], 1);
+  const double middle = face.neutral(face.annotation.landmarks[30], 0);  // The tip of the nose.
   const double forehead = face.neutral(face.annotation.hairline_vertex, 1) - brow;
   for (int v = 0; v < face.num_vertices(); ++v) {
     const int joined = joined_from_face[size_t(v)];
@@ -94,7 +100,9 @@ TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const std::vector
       guide.mirror[size_t(joined)] = joined_from_face[size_t(face.annotation.mirror[size_t(v)])];
     guide.scalp[joined] = float(scalp[v]);
     const double above = faces::SmoothBetween(0.2, 0.5, (face.neutral(v, 1) - brow) / forehead);
-    guide.hair_painted[joined] = float(std::max({scalp[v], beard[v], above}));
+    guide.hair_painted[joined] = float(std::max(scalp[v], above));
+    guide.beard[joined] = float(beard[v]);
+    if (std::abs(face.neutral(v, 0) - middle) < kChinShare * forehead) guide.chin[joined] = float(beard[v]);
   }
   if (const auto ears = face.annotation.regions.find("ears"); ears != face.annotation.regions.end())
     for (const int v : ears->second)
@@ -117,11 +125,20 @@ TextureGuide MakeTextureGuide(const faces::FaceTemplate& face, const rig::HeadRi
 }
 
 ShownHead ShownHeadOf(const rig::HeadRig& rig, const geometry::Points& face, const PortraitPose& pose,
-                      const PictureCamera& camera, const std::optional<PortraitLight>& light) {
+                      const PictureCamera& camera, const std::optional<PortraitLight>& light,
+                      const Eigen::MatrixXf& albedo) {
   const rig::RiggedHead head = rig.On(face, {{}, Eigen::MatrixXf(face.size(), 0)});
   ShownHead shown{rig::JoinedMesh(head).vertices, {}, pose, camera, light};
   for (size_t side = 0; side < std::min<size_t>(2, head.eyes.size()); ++side)
     shown.eye_centres[side] = head.eyes[side].centre;
+  if (albedo.size() == 0) return shown;
+  DAUMIER_CHECK(albedo.rows() == face.rows() && albedo.cols() == 3, "a face of {} vertices with an albedo of {} x {}",
+                face.rows(), albedo.rows(), albedo.cols());
+  const Eigen::RowVector3f mean = albedo.colwise().mean();
+  shown.albedo = mean.replicate(shown.vertices.rows(), 1);
+  for (size_t joined = 0; joined < rig.finished_vertices().size(); ++joined)
+    if (const int v = rig.finished_vertices()[joined]; v < albedo.rows())
+      shown.albedo.row(Eigen::Index(joined)) = albedo.row(v);
   return shown;
 }
 
@@ -129,7 +146,8 @@ HeadPainter::HeadPainter(rig::TextureSpace space, TextureGuide guide, const Text
     : space_(std::move(space)), guide_(std::move(guide)), options_(options), texels_(space_.Rasterise(options.size)) {
   const int num_vertices = int(guide_.mirror.size());
   DAUMIER_CHECK(space_.triangles.maxCoeff() < num_vertices && guide_.scalp.size() == num_vertices &&
-                    guide_.hair_painted.size() == num_vertices && guide_.ears.size() == num_vertices,
+                    guide_.hair_painted.size() == num_vertices && guide_.ears.size() == num_vertices &&
+                    guide_.beard.size() == num_vertices && guide_.chin.size() == num_vertices,
                 "a texture space of {} vertices with a guide of {}, {}, {} and {}", space_.triangles.maxCoeff() + 1,
                 num_vertices, guide_.scalp.size(), guide_.hair_painted.size(), guide_.ears.size());
   DAUMIER_CHECK(space_.materials.empty() || Eigen::Index(space_.materials.size()) == space_.triangles.rows(),
@@ -192,11 +210,15 @@ HeadTexture HeadPainter::Paint(const ShownHead& head, const render::Image& pictu
     const auto num_hair = std::ranges::count(cut.mask.pixels, uint8_t(kHair));
     if (double(num_hair) <= kLeastHair * double(cut.mask.pixels.size())) return;
     hair = see({kHair});
-    for (size_t i = 0; i < hair->weights.size(); ++i)
-      if (hair->weights[i] > 0) hair->weights[i] *= At(i, guide_.hair_painted);
-    DoubtOutliers(AtVertices(*hair), nullptr, *hair);
   });
   const VertexValues skin_of_picture = AtVertices(skin);
+  TextureGuide guide = guide_;
+  if (hair) {
+    guide = GuideFor(skin_of_picture, AtVertices(*hair));
+    for (size_t i = 0; i < hair->weights.size(); ++i)
+      if (hair->weights[i] > 0) hair->weights[i] *= At(i, guide.hair_painted);
+    DoubtOutliers(AtVertices(*hair), nullptr, *hair);
+  }
   DoubtOutliers(skin_of_picture, &guide_.ears, skin);
   std::optional<PortraitLight> light;
   if (options_.delight) {
@@ -207,13 +229,21 @@ HeadTexture HeadPainter::Paint(const ShownHead& head, const render::Image& pictu
     DivideByShades(space_, texels_, shades, skin);
     if (hair) DivideByShades(space_, texels_, shades, *hair);
   }
-  const SurfaceTexture surface =
-      CompleteSurface(space_, texels_, mirrored_, guide_, *surface_, skin, hair ? &*hair : nullptr, options_.fill);
+  const SurfaceTexture surface = CompleteSurface(space_, texels_, mirrored_, guide, *surface_, skin,
+                                                 hair ? &*hair : nullptr, head.albedo, options_.fill);
   std::vector<Eigen::Vector3f> colours = surface.colours;
   PaintEyes(head, posed, cut.camera, eyes, light, MedianColour(skin_of_picture, Eigen::Vector3f::Ones()), colours);
   HeadTexture texture = TextureOf(surface, colours);
   texture.light = light;
   return texture;
+}
+
+/// Hair is painted where beards grow, too, if the picture shows hair on the chin or the upper lip.
+TextureGuide HeadPainter::GuideFor(const VertexValues& skin, const VertexValues& hair) const {
+  TextureGuide guide = guide_;
+  const float of_hair = hair.weights.dot(guide.chin), of_skin = skin.weights.dot(guide.chin);
+  if (of_hair > kLeastBeard * (of_hair + of_skin)) guide.hair_painted = guide.hair_painted.cwiseMax(guide.beard);
+  return guide;
 }
 
 /// The mask's eyes within the openings of lids, if the guide has these.

@@ -28,11 +28,14 @@ struct ShownHead {
   PortraitPose pose = PortraitPose::Zero();
   PictureCamera camera;
   std::optional<PortraitLight> light;  ///< Needed to delight.
+  Eigen::MatrixXf albedo{};  ///< Of the vertices, RGB, as a model expects it where nothing is seen; may be empty.
 };
 
-/// A face (V x 3, cm, with expression) of the rig's topology as its picture shows it: the head on it, and its eyes.
+/// A face (V x 3, cm, with expression) of the rig's topology as its picture shows it: the head on it, and its eyes. albedo:
+/// V x 3 or empty; other vertices of the head have its mean. @throws Error if its size differs.
 ShownHead ShownHeadOf(const rig::HeadRig& rig, const geometry::Points& face, const PortraitPose& pose,
-                      const PictureCamera& camera, const std::optional<PortraitLight>& light);
+                      const PictureCamera& camera, const std::optional<PortraitLight>& light,
+                      const Eigen::MatrixXf& albedo = {});
 
 struct TextureOptions {
   int size = 1024;
@@ -93,6 +96,7 @@ class HeadPainter {
   render::Image EyesOf(const geometry::Points& posed, const PictureCamera& camera, const render::Image& mask) const;
   VertexValues AtVertices(const TexelColours& colours) const;
   void DoubtOutliers(const VertexValues& at_vertices, const Eigen::VectorXf* where, TexelColours& colours) const;
+  TextureGuide GuideFor(const VertexValues& skin, const VertexValues& hair) const;
   void PaintEyes(const ShownHead& head, const geometry::Points& posed, const PictureCamera& camera,
                  const PictureLayer& eyes, const std::optional<PortraitLight>& light, const Eigen::Vector3f& skin,
                  std::vector<Eigen::Vector3f>& colours) const;

@@ -7,6 +7,10 @@
 namespace daumier::fitting {
 namespace {
 
+constexpr size_t kLeastPixels = 20;
+/// Of an eye, radii of its ball.
+constexpr double kReach = 1.1;
+
 struct EyePixel {
   float x, y, lightness;
 };
@@ -41,10 +45,10 @@ float MedianOfRing(std::vector<float>& values) {
 
 std::optional<IrisDisc> FindIris(const PictureLayer& eyes, const Eigen::Vector2d& middle, double ball_radius,
                                  const IrisSizes& sizes) {
-  constexpr size_t kLeastPixels = 20, kMostPixels = 700;
+  constexpr size_t kMostPixels = 700;
   constexpr double kLeastContrast = 0.06, kSpread = 0.35;
   constexpr int kNumRadii = 12;
-  std::vector<EyePixel> pixels = PixelsOfEye(eyes, middle, 1.1 * ball_radius);
+  std::vector<EyePixel> pixels = PixelsOfEye(eyes, middle, kReach * ball_radius);
   if (pixels.size() < kLeastPixels) return std::nullopt;
   float left = pixels[0].x, right = left, top = pixels[0].y, bottom = top;
   for (const EyePixel& p : pixels) {
@@ -118,6 +122,17 @@ Eigen::Vector3f IrisProfile::At(float share) const {
   const auto first = std::min(size_t(place), kNumRings - 2);
   const float t = place - float(first);
   return (1 - t) * colours_[first] + t * colours_[first + 1];
+}
+
+std::optional<Eigen::Vector3f> MedianOfEye(const PictureLayer& eyes, const Eigen::Vector2d& middle,
+                                           double ball_radius) {
+  std::array<std::vector<float>, 3> values;
+  for (const EyePixel& pixel : PixelsOfEye(eyes, middle, kReach * ball_radius)) {
+    const size_t from = 3 * (size_t(pixel.y) * size_t(eyes.width) + size_t(pixel.x));
+    for (size_t k = 0; k < 3; ++k) values[k].push_back(eyes.colours[from + k]);
+  }
+  if (values[0].size() < kLeastPixels) return std::nullopt;
+  return Eigen::Vector3f(MedianOfRing(values[0]), MedianOfRing(values[1]), MedianOfRing(values[2]));
 }
 
 std::optional<float> WhiteLightness(const PictureLayer& eyes, const Eigen::Vector2d& middle, double reach,

@@ -40,6 +40,9 @@ class IrisProfile {
   std::array<Eigen::Vector3f, kNumRings> colours_;
 };
 
+/// The median colour of an eye's known pixels, a channel (the eye as of FindIris); absent if there are fewer than 20.
+std::optional<Eigen::Vector3f> MedianOfEye(const PictureLayer& eyes, const Eigen::Vector2d& middle, double ball_radius);
+
 /// The lightness (0.299 R + 0.587 G + 0.114 B) below which nine tenths of the known pixels within `reach` of `middle` lie that
 /// are not of the iris; absent if there are fewer than 10.
 std::optional<float> WhiteLightness(const PictureLayer& eyes, const Eigen::Vector2d& middle, double reach,

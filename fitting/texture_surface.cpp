@@ -14,6 +14,7 @@ const Eigen::Vector3f kPlainSkin(0.80F, 0.62F, 0.53F);
 constexpr SurfaceFillOptions kToneFill{.stiffness = 8, .rest_weight = 1e-3};
 /// Far from all that is seen, a colour drifts to the median within about ten edges: dark rims are not carried to the back.
 constexpr SurfaceFillOptions kColourFill{.stiffness = 1, .rest_weight = 0.01};
+constexpr float kMostScale = 3;
 /// Hair ends within a few edges of what is seen of it, but for the scalp.
 constexpr SurfaceFillOptions kHairlineFill{.stiffness = 1, .rest_weight = 0.3};
 
@@ -44,16 +45,30 @@ class SurfaceCompletion {
   }
 
   /// A colour a vertex.
-  Eigen::MatrixXf Fill(const TexelColours& known, const Eigen::Vector3f& otherwise) const {
+  Eigen::MatrixXf Fill(const TexelColours& known, const Eigen::Vector3f& otherwise,
+                       const Eigen::MatrixXf& albedo = {}) const {
     VertexValues at_vertices = AtVertices(known);
     const InlierMeasure measure(at_vertices);
     for (Eigen::Index v = 0; v < at_vertices.weights.size(); ++v)
       at_vertices.weights[v] *= measure(at_vertices.values.row(v).transpose());
-    const Eigen::MatrixXf rest = MedianColour(at_vertices, otherwise).transpose().replicate(num_vertices_, 1);
-    return fill_ == TextureFill::kSmooth ? surface_.Solve(at_vertices, rest, kColourFill) : rest;
+    const Eigen::Vector3f median = MedianColour(at_vertices, otherwise);
+    Eigen::MatrixXf rest = median.transpose().replicate(num_vertices_, 1);
+    if (fill_ != TextureFill::kSmooth) return rest;
+    if (albedo.size() > 0) {
+      const Eigen::Vector3f expected = MedianColour({albedo, at_vertices.weights}, otherwise);
+      const Eigen::Array3f scale = (median.array() / expected.array().max(1e-2F)).min(kMostScale).max(1 / kMostScale);
+      rest = (albedo.array().rowwise() * scale.transpose()).max(0.0F);
+    }
+    at_vertices.values -= rest;
+    return rest + surface_.Solve(at_vertices, Eigen::MatrixXf::Zero(num_vertices_, 3), kColourFill);
   }
 
   /// The value of a texel of values at vertices.
+  float At(size_t i, const Eigen::VectorXf& values) const {
+    const int* const corner = space_.triangles.data() + 3 * size_t(texels_.triangles[i]);
+    const Eigen::Vector3f& w = texels_.weights[i];
+    return w[0] * values[corner[0]] + w[1] * values[corner[1]] + w[2] * values[corner[2]];
+  }
   Eigen::Vector3f At(size_t i, const Eigen::MatrixXf& values) const {
     const int* const corner = space_.triangles.data() + 3 * size_t(texels_.triangles[i]);
     const Eigen::Vector3f& w = texels_.weights[i];
@@ -111,7 +126,8 @@ float InlierMeasure::operator()(const Eigen::Vector3f& colour) const {
 
 SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelMap& texels,
                                const MirroredCorners& mirror, const TextureGuide& guide, const SurfaceFill& surface,
-                               const TexelColours& seen_skin, const TexelColours* seen_hair, TextureFill fill) {
+                               const TexelColours& seen_skin, const TexelColours* seen_hair,
+                               const Eigen::MatrixXf& albedo, TextureFill fill) {
   const size_t num_texels = size_t(texels.num_texels());
   DAUMIER_CHECK(seen_skin.weights.size() == num_texels && (!seen_hair || seen_hair->weights.size() == num_texels),
                 "{} texels with {} weights", num_texels, seen_skin.weights.size());
@@ -136,7 +152,7 @@ SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelM
   Eigen::MatrixXf skin_fill, hair_fill, hair_share;
   OnAllCores(seen_hair ? 2 : 1, [&](int64_t kind) {
     if (kind == 0) {
-      skin_fill = completion.Fill(skin, kPlainSkin);
+      skin_fill = completion.Fill(skin, kPlainSkin, albedo);
       return;
     }
     hair_fill = completion.Fill(hair, kPlainSkin);
@@ -153,7 +169,8 @@ SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelM
     Eigen::Vector3f filled = completion.At(i, skin_fill), known = skin.weights[i] * skin.colours[i];
     float weight = skin.weights[i];
     if (seen_hair) {
-      filled += std::clamp(completion.At(i, hair_share)[0], 0.0F, 1.0F) * (completion.At(i, hair_fill) - filled);
+      filled += std::clamp(completion.At(i, hair_share)[0], 0.0F, completion.At(i, guide.hair_painted)) *
+                (completion.At(i, hair_fill) - filled);
       known += hair.weights[i] * hair.colours[i];
       weight += hair.weights[i];
     }

@@ -11,8 +11,10 @@ struct TextureGuide {
   std::vector<int> mirror;  ///< The vertex on the other side; -1: none.
   Eigen::VectorXf scalp;    ///< 1 where hair usually grows, 0 elsewhere, soft between.
   Eigen::VectorXf
-      hair_painted;      ///< 1 where hair of a picture is painted on the head, 0 where it counts as an occluder.
-  Eigen::VectorXf ears;  ///< 1 there: what is parsed as ears is often background.
+      hair_painted;       ///< 1 where hair of a picture is painted on the head, 0 where it counts as an occluder.
+  Eigen::VectorXf beard;  ///< 1 where beards grow: hair there is painted if the middle of a beard is seen.
+  Eigen::VectorXf chin;   ///< The same about the middle of the face alone.
+  Eigen::VectorXf ears;   ///< 1 there: what is parsed as ears is often background.
   std::vector<std::vector<int>> lids{};  ///< Vertices around the opening of each eye, right then left; may be empty.
 };
 
@@ -45,11 +47,14 @@ class InlierMeasure {
 
 /// Completes what a picture shows of skin and hair (weights of both sum to at most 1 at a texel) over `surface`, of the
 /// space's vertices. Mirror images are moved in tone by the difference between the sides where both are seen,
-/// continued smoothly. Skin and hair are filled each for itself, from colours that count as InlierMeasure says; what is unseen is hair as far as the guide's scalp says
-/// so, if the picture shows hair at all (`hair` is not null). @throws Error if a size disagrees.
+/// continued smoothly. Skin and hair are filled each for itself, from colours that count as InlierMeasure says.
+/// With `albedo` (N x 3, as a model expects it; may be empty) skin is filled by its shape: what is continued is the
+/// difference from the albedo, scaled to the seen colours, to which it falls off. What follows holds for hair: what is unseen is hair as far as the guide's scalp says
+/// so, if the picture shows hair at all (`hair` is not null), and
+/// nowhere more than hair_painted. @throws Error if a size disagrees.
 SurfaceTexture CompleteSurface(const rig::TextureSpace& space, const rig::TexelMap& texels,
                                const MirroredCorners& mirror, const TextureGuide& guide, const SurfaceFill& surface,
-                               const TexelColours& skin, const TexelColours* hair,
+                               const TexelColours& skin, const TexelColours* hair, const Eigen::MatrixXf& albedo = {},
                                TextureFill fill = TextureFill::kSmooth);
 
 }  // namespace daumier::fitting

@@ -79,7 +79,7 @@ Avatar AvatarMaker::Make(const render::Image& picture) const {
   watch = {};
   const fitting::ShownHead shown =
       fitting::ShownHeadOf(*rig_, reading.face.vertices, PoseOfCoefficients(reading.coefficients),
-                           CameraOf(reading.map), LightOf(reading.coefficients));
+                           CameraOf(reading.map), LightOf(reading.coefficients), reading.face.albedo);
   avatar.painted = painter_->Paint(shown, render::ToRgb(picture), *reading.mask);
   avatar.texture = std::make_shared<const render::Image>(avatar.painted.picture);
   avatar.times.texture = MillisecondsOf(watch);

@@ -145,6 +145,14 @@ TEST(FindLooks, TakesNoLidForAnIris) {
       << "as light as the skin, and of its hue";
 }
 
+TEST_F(PaintedEye, HasTheColourOfDarkGlasses) {
+  PictureLayer layer = DrawnEye({80, 80}, {{300, 300}, 1});
+  for (size_t i = 0; i < layer.colours.size(); ++i) layer.colours[i] = i % 3 == 0 ? 0.12F : 0.1F;
+  const auto colours = Painted(layer, 0.8F);
+  EXPECT_TRUE(At(colours, 0, 0).isApprox(Eigen::Vector3f(0.12F, 0.1F, 0.1F) / 0.8F, 1e-4F));
+  EXPECT_TRUE(At(colours, 0.6, 0).isApprox(At(colours, 0, 0)));
+}
+
 TEST(FindLooks, GivesAnEyeThatIsNotShownTheOther) {
   const PictureLayer layer = DrawnEye({80, 80}, {{84, 80}, 17});
   const std::array shown = {EyeAt({0, 0, 0}), EyeAt({6, 0, 0})};

@@ -46,7 +46,7 @@ class PaintedSheet : public ::testing::Test {
     guide_.mirror = sheet_.mirror;
     guide_.mirror.resize(size_t(head_.vertices.rows()), -1);
     guide_.scalp = Eigen::VectorXf::Zero(head_.vertices.rows());
-    guide_.hair_painted = guide_.ears = guide_.scalp;
+    guide_.hair_painted = guide_.beard = guide_.chin = guide_.ears = guide_.scalp;
   }
 
   /// Red falls to the right and green downwards, of any size.
@@ -144,6 +144,26 @@ TEST_F(PaintedSheet, TakesHairWhereItIsPaintedAlone) {
   EXPECT_NEAR(At(Paint(picture, mask, options).picture, 0, 4)[0], 200, 3) << "an occluder";
   guide_.hair_painted.setOnes();
   EXPECT_NEAR(At(Paint(picture, mask, options).picture, 0, 4)[0], 30, 3);
+}
+
+TEST_F(PaintedSheet, TakesHairOfACheekForABeardIfTheChinHasHairToo) {
+  render::Image picture(kPixels, kPixels, 3, 200), mask = Mask(PictureClass::kSkin);
+  const auto draw = [&](int left, int right) {
+    for (int row = 112; row < kPixels; ++row) {
+      for (int column = left; column < right; ++column) {
+        mask.at(row, column) = uint8_t(PictureClass::kHair);
+        for (int k = 0; k < 3; ++k) picture.at(row, column, k) = 30;
+      }
+    }
+  };
+  guide_.beard.setOnes();
+  for (Eigen::Index v = 0; v < sheet_.vertices.rows(); ++v)
+    if (std::abs(sheet_.vertices(v, 0)) < 1.5 && sheet_.vertices(v, 1) < 0) guide_.chin[v] = 1;
+  const TextureOptions options = {.size = kHeadSize, .delight = false};
+  draw(0, 70);
+  EXPECT_GT(At(Paint(picture, mask, options).picture, -5, -3)[0], 150) << "hair that hangs before a cheek";
+  draw(70, kPixels);
+  EXPECT_NEAR(At(Paint(picture, mask, options).picture, -5, -3)[0], 30, 3);
 }
 
 TEST_F(PaintedSheet, TakesNoBackgroundForAnEar) {

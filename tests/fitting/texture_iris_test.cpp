@@ -52,6 +52,12 @@ TEST(IrisProfile, HasTheMedianOfEachRing) {
     EXPECT_TRUE(profile.At(share).isApprox(Eigen::Vector3f(0.1F, 0.2F, 0.5F), 1e-5F)) << share;
 }
 
+TEST(MedianOfEye, IsThatOfKnownPixels) {
+  const PictureLayer layer = DrawnEye({80, 80}, {{80, 80}, 14});
+  EXPECT_TRUE(MedianOfEye(layer, {80, 80}, 48)->isApprox(Eigen::Vector3f::Constant(0.8F)));
+  EXPECT_FALSE(MedianOfEye(layer, {10, 10}, 5)) << "no eye";
+}
+
 TEST(WhiteLightness, IsThatOfBrightPixelsOutsideOfTheIris) {
   const IrisDisc iris{{80, 80}, 14};
   const PictureLayer layer = DrawnEye({80, 80}, iris);

@@ -29,12 +29,18 @@ class CompletedSheet : public ::testing::Test {
   }
   TextureGuide Guide(float scalp) const {
     const Eigen::Index n = sheet_.vertices.rows();
-    return {sheet_.mirror, Eigen::VectorXf::Constant(n, scalp), Eigen::VectorXf::Ones(n), Eigen::VectorXf::Zero(n)};
+    return {sheet_.mirror,
+            Eigen::VectorXf::Constant(n, scalp),
+            Eigen::VectorXf::Ones(n),
+            Eigen::VectorXf::Zero(n),
+            Eigen::VectorXf::Zero(n),
+            Eigen::VectorXf::Zero(n)};
   }
-  SurfaceTexture Complete(const TexelColours& skin, const TexelColours* hair, float scalp, TextureFill fill) const {
+  SurfaceTexture Complete(const TexelColours& skin, const TexelColours* hair, float scalp, TextureFill fill,
+                          const Eigen::MatrixXf& albedo = {}) const {
     const TextureGuide guide = Guide(scalp);
     return CompleteSurface(sheet_.space, texels_, FindMirroredCorners(sheet_.space, guide.mirror), guide,
-                           SurfaceFill(sheet_.space.triangles, int(sheet_.vertices.rows())), skin, hair, fill);
+                           SurfaceFill(sheet_.space.triangles, int(sheet_.vertices.rows())), skin, hair, albedo, fill);
   }
   size_t At(double x, double y) const { return size_t(sheet_.TexelAt(texels_, x, y)); }
 
@@ -98,6 +104,17 @@ TEST_F(CompletedSheet, OfAScalpHasTheHairThatIsSeen) {
   EXPECT_NEAR(on_scalp.colours[At(0, 5)][0], 0.1, 0.02);
   EXPECT_NEAR(on_scalp.colours[At(0, -1)][0], 0.1, 0.01);
   EXPECT_GT(bald.colours[At(0, 5)][0], 0.5) << "skin where the picture shows no hair";
+}
+
+TEST_F(CompletedSheet, HasTheShapeOfAnExpectedAlbedoWhereNothingIsSeen) {
+  const auto seen = Seen([](double, double y) { return y < -2 ? 1.0F : 0.0F; },
+                         [](double, double) { return Eigen::Vector3f(0.3F, 0.3F, 0.3F); });
+  Eigen::MatrixXf albedo = Eigen::MatrixXf::Constant(sheet_.vertices.rows(), 3, 0.6F);
+  for (Eigen::Index v = 0; v < albedo.rows(); ++v)
+    if (sheet_.vertices(v, 1) > 3) albedo(v, 0) = 0.8F;
+  const auto texture = Complete(seen, nullptr, 0, TextureFill::kSmooth, albedo);
+  EXPECT_NEAR(texture.colours[At(0, 5.5)][0], 0.4F, 0.02F) << "half as bright as expected, as what is seen";
+  EXPECT_NEAR(texture.colours[At(0, 5.5)][1], 0.3F, 0.02F);
 }
 
 TEST(MedianColour, IsThatOfKnownVertices) {
