@@ -34,7 +34,8 @@ struct EditArguments {
   std::optional<double> soft_cm, caricature;
   int random = 0, steps = 3;
   uint64_t seed = 1;
-  bool is_local = false, with_arap = false, writes_ply = false, lists_labels = false, as_json = false;
+  bool is_local = false, with_arap = false, moves_expression = false, writes_ply = false, lists_labels = false,
+       as_json = false;
 };
 
 /// NAME=AMOUNT.
@@ -66,17 +67,24 @@ class Labels {
           "topology (daumier dataset faces --config configs/faces/caricature.toml --out FOLDER)",
           opened.name));
     const faces::FaceDatabase database(folder);
-    faces_ = arguments.label_file.empty()
-                 ? deform::LabelledFaces(*opened.model, database, kMostFaces, TaskOfProcess())
-                 : deform::LabelledByFile(*opened.model, database, arguments.label_file, TaskOfProcess());
+    if (!arguments.label_file.empty()) {
+      faces_ = deform::LabelledByFile(opened, database, arguments.label_file, TaskOfProcess());
+      return;
+    }
+    deform::LabelledDatabase labelled = deform::LabelledFaces(opened, database, kMostFaces, TaskOfProcess());
+    faces_ = std::move(labelled.faces);
+    regular_mean_ = std::move(labelled.regular_mean);
   }
 
   const std::vector<std::string>& names() const { return faces_.names; }
   fitting::CodeDirection Of(const std::string& name) const { return fitting::DirectionOf(faces_, name); }
+  /// What faces are exaggerated from; empty with labels of a file.
+  const Eigen::VectorXd& regular_mean() const { return regular_mean_; }
 
  private:
   static constexpr int kMostFaces = 1200;
   fitting::LabelledCodes faces_;
+  Eigen::VectorXd regular_mean_;
 };
 
 /// Faces after the first one, one a step of each kind of edit.
@@ -122,6 +130,7 @@ class EditFaces {
       Rng rng = Stream(arguments_.seed, "edit samples", uint64_t(i));
       Eigen::VectorXd code(model_.num_numbers());
       for (double& number : code) number = rng.Normal();
+      for (const int number : opened_.expression) code[number] = 0;  // Neutral faces.
       Add(fmt::format("random_{}", i + 1), fmt::format("random {}", i + 1), code, Json::object());
     }
   }
@@ -167,12 +176,16 @@ class EditFaces {
   void AddCaricatures() {
     const double strength = *arguments_.caricature;
     constraints_["caricature"] = strength;
+    const bool has_labels = !arguments_.labelled_faces.empty() || !opened_.faces.empty();
+    Eigen::VectorXd deviation = start();
+    if (has_labels && AllLabels().regular_mean().size() > 0) deviation -= AllLabels().regular_mean();
+    for (const int number : opened_.expression) deviation[number] = 0;
     for (int i = 1; i <= arguments_.steps; ++i) {
       const double share = strength * ShareOf(i);
-      Add(fmt::format("exaggerated_{}", i), fmt::format("exaggerated {:.2g}", share), (1 + share) * start(),
+      Add(fmt::format("exaggerated_{}", i), fmt::format("exaggerated {:.2g}", share), start() + share * deviation,
           {{"strength", share}});
     }
-    if (arguments_.labelled_faces.empty() && opened_.faces.empty()) {
+    if (!has_labels) {
       log::Info(
           "Without labelled faces there is no direction of caricatures: the face is exaggerated from the mean alone");
       return;
@@ -192,6 +205,7 @@ class EditFaces {
     for (const std::string& word : arguments_.handles) list.push_back(deform::ParseHandle(face_template, word));
     const deform::EditHandles handles = deform::JoinHandles(list);
     fitting::HandleOptions options{.deviation_cm = arguments_.soft_cm};
+    if (!arguments_.moves_expression) options.fixed = opened_.expression;
     if (arguments_.is_local) options.outside = deform::OutsideOfPart(face_template, handles.vertices);
     constraints_["handles"] = {{"words", arguments_.handles},
                                {"vertices", handles.vertices},
@@ -310,23 +324,34 @@ Verb EditVerb() {
                            "A run of the task `deform`, or a folder of faces, of which principal components are "
                            "taken. Without it: the shipped face model with controls of caricature");
         AddStartArguments(command, arguments->start);
-        command.add_option("--random", arguments->random, "Add so many random faces of the model")
+        command
+            .add_option(
+                "--random", arguments->random,
+                "Add this number of random faces of the model; neutral ones where it has an expression of its own")
             ->check(CLI::Range(1, 1000));
         command.add_option("--seed", arguments->seed, "Of --random")->capture_default_str();
         command.add_option("--toward", arguments->toward, "Interpolate to this face, given as --face is");
-        command.add_option("--handle", arguments->handles,
-                           "Move a point by centimetres: 30=0,0,1 (a landmark), v1200=0,0.5,0 (a vertex), or a preset: "
-                           "nose=1, chin=1, cheeks=1, ears=1. May be repeated");
+        command
+            .add_option("--handle", arguments->handles,
+                        "Move a point by centimetres: 30=0,0,1 (a landmark), v1200=0,0.5,0 (a vertex), or a preset: "
+                        "nose=1, chin=1, cheeks=1, ears=1. May be repeated")
+            ->allow_extra_args(false);
         command.add_flag("--local", arguments->is_local, "Hold the parts of the face that have no handle");
         command
             .add_option("--soft", arguments->soft_cm,
                         "Deviation of handles from their targets, cm; without it they are held to 5 % of their move")
             ->check(CLI::PositiveNumber);
+        command.add_flag("--expression", arguments->moves_expression,
+                         "Handles may change the expression, where the model has one of its own");
         command.add_flag("--arap", arguments->with_arap,
                          "Add the same handles by as-rigid-as-possible deformation, without the model");
-        command.add_option("--label", arguments->labels,
-                           "Raise a label by deviations: nose_size=1.5. May be repeated. --list-labels prints them");
-        command.add_option("--keep", arguments->keep, "Labels that --label is not to change")->delimiter(',');
+        command
+            .add_option("--label", arguments->labels,
+                        "Raise a label by deviations: nose_size=1.5. May be repeated. --list-labels prints them")
+            ->allow_extra_args(false);
+        command.add_option("--keep", arguments->keep, "Labels that --label is not to change")
+            ->delimiter(',')
+            ->allow_extra_args(false);
         command.add_option(
             "--labelled", arguments->labelled_faces,
             "Folder of faces with labels: controls, expressions, caricature. Without it that of the model");

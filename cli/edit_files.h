@@ -19,13 +19,14 @@ struct EditContent {
   Manifest manifest;  ///< Without kind, counts and checksums.
 };
 
-/// Adds to each face's record `radius` (|code|), `usual` (whether it is within the model's usual radius), and, against
-/// the first face, `moved_mm` (mean move of the vertices), `new_flips` and `self_intersections` (of the first face as well).
+/// Adds to each face's record `radius` (|code|), `usual` (whether it is within the model's usual radius), and,
+/// against the first face, `moved_mm` (mean move of the vertices), `new_flips` and `self_intersections` (of the first
+/// face as well).
 void MeasureFaces(const fitting::CodeModel& model, std::vector<EditedFace>& faces);
 
-/// The folder `out`, whole or not at all: NAME.obj and, if asked, NAME.ply of each face; sheet.png, each from the front
-/// and from the side in one frame; edit.json {model, constraints, faces: [{name, code, latent, ...}]}; manifest.json.
-/// Returns what edit.json has, without the codes. @throws UsageError as CheckReplacedFolder.
+/// The folder `out`, whole or not at all: NAME.obj and, with writes_ply NAME.ply of each face; sheet.png, each from
+/// the front and from the side in one frame; edit.json {model, constraints, faces: [{name, code, latent, ...}]};
+/// manifest.json. Returns what edit.json has, without the codes. @throws UsageError as CheckReplacedFolder.
 Json WriteEdit(const std::filesystem::path& out, const fitting::CodeModel& model, const EditContent& content);
 
 }  // namespace daumier::cli

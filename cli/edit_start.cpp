@@ -80,6 +80,7 @@ EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::C
     throw Error(fmt::format("{}: {}", arguments.landmarks.string(), error.what()));
   }
   const Eigen::Vector3d view_axis = fit.view.rotation.row(2);
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = fit.view.rotation;
   EditStart start;
   start.face.name = arguments.landmarks.stem().string();
   start.face.caption = "from landmarks";
@@ -92,8 +93,7 @@ EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::C
                        {"rounds", fit.rounds},
                        {"view",
                         {{"scale", fit.view.scale},
-                         {"rotation", std::vector<double>(fit.view.rotation.reshaped<Eigen::RowMajor>().begin(),
-                                                          fit.view.rotation.reshaped<Eigen::RowMajor>().end())},
+                         {"rotation", std::vector<double>(rotation.data(), rotation.data() + 9)},
                          {"shift", {fit.view.shift.x(), fit.view.shift.y()}},
                          {"yaw_degrees", std::atan2(-view_axis.x(), view_axis.z()) * 180 / M_PI}}}};
   if (!arguments.picture.empty())

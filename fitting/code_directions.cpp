@@ -13,7 +13,7 @@ namespace daumier::fitting {
 namespace {
 
 constexpr int kFewestOfSide = 4;
-/// Every so many faces are held out to measure a direction.
+/// One face in this number is held out to measure a direction.
 constexpr int kHeldOut = 5;
 
 /// The faces of each side of a label: 0 low, 1 high, -1 neither.

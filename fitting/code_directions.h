@@ -27,8 +27,8 @@ struct CodeDirection {
 /// @throws Error if there is no such label, or fewer than four faces on a side.
 CodeDirection DirectionOf(const LabelledCodes& faces, const std::string& label);
 
-/// The part of a step that leaves other labels: its component orthogonal to their directions (conditional edits), made as
-/// long again along its own direction. steps: of the labels that are kept.
+/// The part of a step that leaves other labels: its component orthogonal to their directions (conditional edits),
+/// made as long again along its own direction. steps: of the labels that are kept.
 /// @throws Error if nothing is left of it.
 Eigen::VectorXd Keeping(const Eigen::VectorXd& step, const std::vector<Eigen::VectorXd>& steps);
 

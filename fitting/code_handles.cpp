@@ -11,12 +11,21 @@
 namespace daumier::fitting {
 namespace {
 
-/// Of `outside`, so many vertices resist.
+/// Most vertices of `outside` that resist.
 constexpr int kMostOutside = 300;
 /// Deviations as shares of the largest move: where they begin, and the least.
 constexpr double kFirstHandleShare = 0.2, kLeastHandleShare = 1e-4;
 constexpr double kFirstOutsideShare = 1.0, kLeastOutsideShare = 1e-3;
 constexpr double kFall = 0.5;
+/// A derivative serves codes that are nearer than this.
+constexpr double kSameDerivative = 0.33;
+
+/// The factor of a handle's deviation by which a residual becomes 0.8 kHeldShare: a handle misses its target by
+/// s^2 / (s^2 + a^2) of its move.
+double HoldingFactor(double residual_share) {
+  const double share = std::clamp(residual_share, 1e-6, 1 - 1e-6), wanted = 0.8 * kHeldShare;
+  return std::clamp(std::sqrt(wanted / (1 - wanted) * (1 - share) / share), 0.05, 0.8);
+}
 
 }  // namespace
 
@@ -45,11 +54,19 @@ HandleEditor::HandleEditor(const CodeModel& model, Eigen::VectorXd code, std::ve
   first_positions_ = model.Positions(first_code_, points_);
   const Eigen::Index count(handles_.size());
   places_ = Eigen::Map<const geometry::Points>(first_positions_.data(), count, 3);
-  if (model.is_linear()) linear_derivative_ = model.Derivative(first_code_, points_);
+  for (const int number : options_.fixed)
+    DAUMIER_CHECK(number >= 0 && number < model.num_numbers(), "the code has no number {} (it has {})", number,
+                  model.num_numbers());
 }
 
-Eigen::MatrixXd HandleEditor::Derivative(const Eigen::VectorXd& code) const {
-  return model_.is_linear() ? linear_derivative_ : model_.Derivative(code, points_);
+Eigen::MatrixXd HandleEditor::Derivative(const Eigen::VectorXd& code) {
+  const bool is_known =
+      derivative_.size() > 0 && (model_.is_linear() || (code - derivative_code_).norm() < kSameDerivative);
+  if (is_known) return derivative_;
+  derivative_ = model_.Derivative(code, points_);
+  derivative_code_ = code;
+  for (const int number : options_.fixed) derivative_.col(number).setZero();
+  return derivative_;
 }
 
 HandleEdit HandleEditor::Solve(const geometry::Points& targets, const Deviations& deviations) {
@@ -60,22 +77,16 @@ HandleEdit HandleEditor::Solve(const geometry::Points& targets, const Deviations
   weights.head(num_handle_rows).setConstant(1 / deviations.handle);
   const double num_outside = std::max(1.0, double(points_.size() - handles_.size()));
   weights.tail(num_rows - num_handle_rows).setConstant(1 / (deviations.outside * std::sqrt(num_outside)));
-  const Residuals residuals{.at =
-                                [&](const Eigen::VectorXd& code) {
-                                  Eigen::VectorXd r(num_rows + num_numbers);
-                                  r << weights.cwiseProduct(model_.Positions(code, points_) - wanted),
-                                      code - first_code_;
-                                  return r;
-                                },
-                            .derivative =
-                                [&](const Eigen::VectorXd& code) {
-                                  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(num_rows + num_numbers, num_numbers);
-                                  j.topRows(num_rows) = weights.asDiagonal() * Derivative(code);
-                                  j.bottomRows(num_numbers).setIdentity();
-                                  return j;
-                                },
-                            .is_linear = model_.is_linear()};
-  Minimum minimum = Minimise(residuals, code_, options_.steps);
+  const SquaredEnergy energy{.residuals = [&](const Eigen::VectorXd& code) -> Eigen::VectorXd {
+                               return weights.cwiseProduct(model_.Positions(code, points_) - wanted);
+                             },
+                             .derivative = [&](const Eigen::VectorXd& code) -> Eigen::MatrixXd {
+                               return weights.asDiagonal() * Derivative(code);
+                             },
+                             .prior_weights = Eigen::VectorXd::Ones(num_numbers),
+                             .prior_mean = first_code_,
+                             .is_linear = model_.is_linear()};
+  Minimum minimum = Minimise(energy, code_, options_.steps);
   HandleEdit edit;
   edit.code = std::move(minimum.x);
   edit.energies = std::move(minimum.energies);
@@ -112,7 +123,7 @@ HandleEdit HandleEditor::MoveTo(const geometry::Points& targets) {
     HandleEdit edit = Solve(targets, deviations);
     while (!is_held(edit) && deviations.handle > kLeastHandleShare * move) {
       code_ = edit.code;
-      deviations.handle *= kFall;
+      deviations.handle *= HoldingFactor(edit.residual_share);
       edit = Solve(targets, deviations);
     }
     return edit;

@@ -17,8 +17,8 @@ using Eigen::Index;
 
 constexpr int kFewestPoints = 6;
 /// Steps of code and view together in a round.
-constexpr int kStepsOfRound = 4;
-constexpr double kLeastRoundFall = 1e-4;
+constexpr int kStepsOfRound = 2;
+constexpr double kLeastRoundFall = 1e-3;
 /// Unknowns of a view: a rotation vector, the logarithm of the scale, the shift.
 constexpr Index kViewNumbers = 6;
 
@@ -52,6 +52,32 @@ Eigen::VectorXd AsNumbers(const PicturePoints& pixels) {
   return Eigen::Map<const Eigen::VectorXd>(pixels.data(), pixels.size());
 }
 
+/// The vertex of each point, on the silhouette where it slides.
+std::vector<int> OnSilhouette(const CodeModel& model, const ContourPaths& contour,
+                              const std::vector<PicturedPoint>& points, const Eigen::VectorXd& code,
+                              const ScaledView& view) {
+  std::vector<int> vertices, candidates;
+  for (const PicturedPoint& point : points) {
+    vertices.push_back(point.vertex);
+    if (point.jaw_landmark < 0) continue;
+    const std::vector<int>& path = contour.vertices(point.jaw_landmark);
+    candidates.insert(candidates.end(), path.begin(), path.end());
+  }
+  if (candidates.empty()) return vertices;
+  const PicturePoints pixels = view.Project(AsPoints(model.Positions(code, candidates)));
+  const double roll = std::atan2(view.rotation(1, 0), view.rotation(0, 0));
+  Index begin = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const int jaw = points[i].jaw_landmark;
+    if (jaw < 0) continue;
+    const std::vector<int>& path = contour.vertices(jaw);
+    const Index count = std::ssize(path);
+    vertices[i] = path[size_t(contour.Outermost(jaw, pixels.middleRows(begin, count), roll))];
+    begin += count;
+  }
+  return vertices;
+}
+
 /// The fit of one set of points, round by round.
 class LandmarkRounds {
  public:
@@ -74,7 +100,7 @@ class LandmarkRounds {
     fit_.view = FindScaledView(Positions(), pixels_, fit_.weights);
     double last = 0;
     for (fit_.rounds = 1; fit_.rounds <= options_.rounds; ++fit_.rounds) {
-      UpdateSilhouette();
+      fit_.vertices = OnSilhouette(model_, contour_, points_, fit_.code, fit_.view);
       fit_.view = FindScaledView(Positions(), pixels_, fit_.weights);
       UpdateWeights();
       const double energy = options_.adjusts_code ? AdjustAll() : Misses().cwiseAbs2().dot(fit_.weights);
@@ -93,27 +119,6 @@ class LandmarkRounds {
   geometry::Points Positions() const { return AsPoints(model_.Positions(fit_.code, fit_.vertices)); }
   double EyePixels() const { return eye_span_cm_ * fit_.view.scale; }
   Eigen::VectorXd Misses() const { return (fit_.view.Project(Positions()) - pixels_).rowwise().norm(); }
-
-  void UpdateSilhouette() {
-    std::vector<int> candidates;
-    for (const PicturedPoint& point : points_) {
-      if (point.jaw_landmark < 0) continue;
-      const std::vector<int>& path = contour_.vertices(point.jaw_landmark);
-      candidates.insert(candidates.end(), path.begin(), path.end());
-    }
-    if (candidates.empty()) return;
-    const PicturePoints pixels = fit_.view.Project(AsPoints(model_.Positions(fit_.code, candidates)));
-    const double roll = std::atan2(fit_.view.rotation(1, 0), fit_.view.rotation(0, 0));
-    Index begin = 0;
-    for (size_t i = 0; i < points_.size(); ++i) {
-      if (points_[i].jaw_landmark < 0) continue;
-      const std::vector<int>& path = contour_.vertices(points_[i].jaw_landmark);
-      const Index count = std::ssize(path);
-      const int place = contour_.Outermost(points_[i].jaw_landmark, pixels.middleRows(begin, count), roll);
-      fit_.vertices[i] = path[size_t(place)];
-      begin += count;
-    }
-  }
 
   void UpdateWeights() {
     const Eigen::VectorXd misses = Misses();
@@ -134,36 +139,35 @@ class LandmarkRounds {
       return AsNumbers(Moved(start, x.tail(kViewNumbers), eye_px)
                            .Project(AsPoints(model_.Positions(x.head(num_numbers), fit_.vertices))));
     };
-    const Residuals residuals{
-        .at =
-            [&](const Eigen::VectorXd& x) {
-              Eigen::VectorXd r(num_rows + num_numbers);
-              r << row_weights.cwiseProduct(pixels_at(x) - AsNumbers(pixels_)), x.head(num_numbers);
-              return r;
-            },
-        .derivative =
-            [&](const Eigen::VectorXd& x) {
-              Eigen::MatrixXd j = Eigen::MatrixXd::Zero(num_rows + num_numbers, num_numbers + kViewNumbers);
-              const ScaledView view = Moved(start, x.tail(kViewNumbers), eye_px);
-              j.topLeftCorner(num_rows, num_numbers) =
-                  row_weights.asDiagonal() * PixelRows(view, model_.Derivative(x.head(num_numbers), fit_.vertices));
-              const geometry::Points positions = AsPoints(model_.Positions(x.head(num_numbers), fit_.vertices));
-              constexpr double kDifference = 1e-5;
-              for (Index n = 0; n < kViewNumbers; ++n) {
-                Eigen::VectorXd ahead = x.tail(kViewNumbers), behind = ahead;
-                ahead[n] += kDifference;
-                behind[n] -= kDifference;
-                j.col(num_numbers + n).head(num_rows) =
-                    row_weights.cwiseProduct(AsNumbers(Moved(start, ahead, eye_px).Project(positions)) -
-                                             AsNumbers(Moved(start, behind, eye_px).Project(positions))) /
-                    (2 * kDifference);
-              }
-              j.block(num_rows, 0, num_numbers, num_numbers).setIdentity();
-              return j;
-            }};
+    Eigen::VectorXd prior_weights = Eigen::VectorXd::Ones(num_numbers + kViewNumbers);
+    prior_weights.tail(kViewNumbers).setZero();
+    const SquaredEnergy energy{
+        .residuals = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+          return row_weights.cwiseProduct(pixels_at(x) - AsNumbers(pixels_));
+        },
+        .derivative = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
+          Eigen::MatrixXd j(num_rows, num_numbers + kViewNumbers);
+          const ScaledView view = Moved(start, x.tail(kViewNumbers), eye_px);
+          j.leftCols(num_numbers) =
+              row_weights.asDiagonal() * PixelRows(view, model_.Derivative(x.head(num_numbers), fit_.vertices));
+          const geometry::Points positions = AsPoints(model_.Positions(x.head(num_numbers), fit_.vertices));
+          constexpr double kDifference = 1e-5;
+          for (Index n = 0; n < kViewNumbers; ++n) {
+            Eigen::VectorXd ahead = x.tail(kViewNumbers), behind = ahead;
+            ahead[n] += kDifference;
+            behind[n] -= kDifference;
+            j.col(num_numbers + n) =
+                row_weights.cwiseProduct(AsNumbers(Moved(start, ahead, eye_px).Project(positions)) -
+                                         AsNumbers(Moved(start, behind, eye_px).Project(positions))) /
+                (2 * kDifference);
+          }
+          return j;
+        },
+        .prior_weights = prior_weights,
+        .prior_mean = Eigen::VectorXd::Zero(num_numbers + kViewNumbers)};
     Eigen::VectorXd x = Eigen::VectorXd::Zero(num_numbers + kViewNumbers);
     x.head(num_numbers) = fit_.code;
-    const Minimum minimum = Minimise(residuals, x, kStepsOfRound);
+    const Minimum minimum = Minimise(energy, x, kStepsOfRound);
     fit_.code = minimum.x.head(num_numbers);
     fit_.view = Moved(start, minimum.x.tail(kViewNumbers), eye_px);
     return minimum.energies.back();
@@ -240,6 +244,12 @@ CodeLandmarkFit FitCodeToLandmarks(const CodeModel& model, const ContourPaths& c
     DAUMIER_CHECK(point.pixel.allFinite(), "a landmark of a picture is not finite");
   }
   return LandmarkRounds(model, contour, points, options).Run();
+}
+
+PicturePoints ShownLandmarks(const CodeModel& model, const ContourPaths& contour, const Eigen::VectorXd& code,
+                             const ScaledView& view) {
+  const std::vector<PicturedPoint> points = PicturedLandmarks(model.face_template(), PicturePoints::Zero(68, 2));
+  return view.Project(AsPoints(model.Positions(code, OnSilhouette(model, contour, points, code, view))));
 }
 
 }  // namespace daumier::fitting

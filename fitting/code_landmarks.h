@@ -29,13 +29,13 @@ struct ScaledView {
   PicturePoints Project(const geometry::Points& points) const;
 };
 
-/// The view of least weighted squares of points seen in a picture [Kemelmacher-Shlizerman and Seitz 2011, section 3]: an affine map,
-/// brought to a rotation and a scale. @throws Error if sizes differ, there are fewer than four points of weight above 0,
-/// or they lie in one place.
+/// The view of least weighted squares of points seen in a picture [Kemelmacher-Shlizerman and Seitz 2011, section 3]:
+/// an affine map, brought to a rotation and a scale. @throws Error if sizes differ, there are fewer than four points
+/// of weight above 0, or they lie in one place.
 ScaledView FindScaledView(const geometry::Points& points, const PicturePoints& pixels, const Eigen::VectorXd& weights);
 
 struct CodeLandmarkOptions {
-  double deviation = 0.02;   ///< Of points from the model, as a share of the distance of the outer corners of the eyes.
+  double deviation = 0.015;  ///< Of points from the model, as a share of the distance of the outer corners of the eyes.
   int rounds = 12;           ///< Of view, silhouette, weights and code, at most.
   bool adjusts_code = true;  ///< Otherwise the mean face in its best pose.
 };
@@ -54,13 +54,18 @@ struct CodeLandmarkFit {
 
 /// 2-D landmarks -> 3-D [Jung et al. 2022, eq. 3]: the code and the view of least
 ///   E(c, view) = sum_i w_i |view(D(c)_i) - q_i|^2 / s^2 + |c|^2,
-/// s = deviation times the distance of the outer eye corners in pixels, w_i = (1 + r_i^2 / t^2)^-2 of Geman and McClure, r_i the
-/// distance of the point and t three times the greater of s and 1.48 times the median of r. In rounds: the view alone,
-/// the silhouette (ContourPaths), the weights, then code and view together (Minimise), until E falls by less than 1e-4
-/// of itself. Only the points are decoded. Promises: points of the model's own face in a view give them back, up to the
-/// prior; scaling, shifting and rotating the picture gives the same code.
-/// @throws Error if there are fewer than six points, a vertex is out of range, a pixel is not finite, or as FindScaledView.
+/// s = deviation times the distance of the outer eye corners in pixels, w_i = (1 + r_i^2 / t^2)^-2 of Geman and
+/// McClure, r_i the distance of the point and t three times the greater of s and 1.48 times the median of r. In
+/// rounds: the view alone, the silhouette (ContourPaths), the weights, then code and view together (Minimise), until
+/// E falls by less than 1e-3 of itself. Only the points are decoded. Promises: points of the model's own face in a
+/// view give them back, up to the prior; scaling, shifting and rotating the picture gives the same code.
+/// @throws Error if there are fewer than six points, a vertex is out of range, a pixel is not finite, or as
+/// FindScaledView.
 CodeLandmarkFit FitCodeToLandmarks(const CodeModel& model, const ContourPaths& contour,
                                    const std::vector<PicturedPoint>& points, const CodeLandmarkOptions& options = {});
+
+/// Where a picture shows the 68 landmarks of a face of the model: those of the jaw on the silhouette. 68 x 2.
+PicturePoints ShownLandmarks(const CodeModel& model, const ContourPaths& contour, const Eigen::VectorXd& code,
+                             const ScaledView& view);
 
 }  // namespace daumier::fitting

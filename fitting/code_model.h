@@ -8,8 +8,9 @@
 
 namespace daumier::fitting {
 
-/// A deformable surface: a code -> the vertices of a template. Codes are standardised: over the faces that the model was
-/// made of their numbers have mean 0 and covariance I, so that the code 0 is the mean face and |c|^2 the prior's energy.
+/// A deformable surface: a code -> the vertices of a template. Codes are standardised: over the faces that the model
+/// was made of their numbers have mean 0 and covariance I, so that the code 0 is the mean face and |c|^2 the prior's
+/// energy.
 class CodeModel {
  public:
   CodeModel() = default;

@@ -31,11 +31,11 @@ CodePrior PriorOfCodes(const Eigen::MatrixXd& latents) {
   return prior;
 }
 
-Eigen::VectorXd StandardisedCode(const CodePrior& prior, const Eigen::VectorXd& latent) {
-  DAUMIER_CHECK(latent.size() == prior.mean.size(), "a code of {} numbers, expected {}", latent.size(),
+Eigen::MatrixXd StandardisedCodes(const CodePrior& prior, const Eigen::MatrixXd& latents) {
+  DAUMIER_CHECK(latents.cols() == prior.mean.size(), "codes of {} numbers, expected {}", latents.cols(),
                 prior.mean.size());
   const Eigen::VectorXd squared = prior.factor.colwise().squaredNorm().transpose();
-  return (prior.factor.transpose() * (latent - prior.mean)).cwiseQuotient(squared);
+  return (latents.rowwise() - prior.mean.transpose()) * prior.factor * squared.cwiseInverse().asDiagonal();
 }
 
 double NormalRadius(int num_numbers) {

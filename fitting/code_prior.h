@@ -10,12 +10,13 @@ struct CodePrior {
   double usual_radius = 0;  ///< 99th percentile of |c| over the codes.
 };
 
-/// latents: a row a face, M columns. A direction of less than 1e-3 of the mean variance gets that much, so that rounding
-/// does not become an axis. @throws Error if there are fewer than two codes, one is not finite, or all are equal.
+/// latents: a row a face, M columns. A direction of less than 1e-3 of the mean variance gets that much, so that
+/// rounding does not become an axis. @throws Error if there are fewer than two codes, one is not finite, or all are
+/// equal.
 CodePrior PriorOfCodes(const Eigen::MatrixXd& latents);
 
-/// c of a latent: undoes z = mean + factor c. @throws Error if sizes differ.
-Eigen::VectorXd StandardisedCode(const CodePrior& prior, const Eigen::VectorXd& latent);
+/// c of latents, a row a face: undoes z = mean + factor c. @throws Error if sizes differ.
+Eigen::MatrixXd StandardisedCodes(const CodePrior& prior, const Eigen::MatrixXd& latents);
 
 /// The 99th percentile of |c| of c ~ N(0, I) in `num_numbers` dimensions [Wilson and Hilferty 1931], to 0.5 %.
 double NormalRadius(int num_numbers);

@@ -23,21 +23,29 @@ Eigen::MatrixXd NormalMatrix(const Eigen::MatrixXd& derivative) {
 
 }  // namespace
 
-Minimum Minimise(const Residuals& residuals, const Eigen::VectorXd& start, int steps) {
+Minimum Minimise(const SquaredEnergy& energy, const Eigen::VectorXd& start, int steps) {
+  DAUMIER_CHECK(energy.prior_weights.size() == start.size() && energy.prior_mean.size() == start.size(),
+                "a prior of {} weights and {} means of {} unknowns", energy.prior_weights.size(),
+                energy.prior_mean.size(), start.size());
+  const auto prior_of = [&](const Eigen::VectorXd& x) {
+    return energy.prior_weights.dot((x - energy.prior_mean).cwiseAbs2());
+  };
   Minimum minimum{start, {}};
-  Eigen::VectorXd here = residuals.at(start);
-  DAUMIER_CHECK(here.allFinite(), "the energy where a fit starts is not finite");
-  minimum.energies = {here.squaredNorm()};
+  Eigen::VectorXd here = energy.residuals(start);
+  DAUMIER_CHECK(here.allFinite() && start.allFinite(), "the energy where a fit starts is not finite");
+  minimum.energies = {here.squaredNorm() + prior_of(start)};
   Eigen::MatrixXd derivative, normal;
   bool is_fresh = false;
   double damping = kLeastDamping;
   for (int step = 0; step < steps;) {
     if (derivative.size() == 0) {
-      derivative = residuals.derivative(minimum.x);
+      derivative = energy.derivative(minimum.x);
       normal = NormalMatrix(derivative);
+      normal.diagonal() += energy.prior_weights;
       is_fresh = true;
     }
-    const Eigen::VectorXd gradient = derivative.transpose() * here;
+    const Eigen::VectorXd gradient =
+        derivative.transpose() * here + energy.prior_weights.cwiseProduct(minimum.x - energy.prior_mean);
     const double before = minimum.energies.back(), scale = std::max(1e-300, normal.diagonal().mean());
     bool taken = false, good = false;
     for (int trial = 0; trial < kMostTrials && !taken; ++trial) {
@@ -45,15 +53,16 @@ Minimum Minimise(const Residuals& residuals, const Eigen::VectorXd& start, int s
       damped.diagonal().array() += damping * scale;
       const Eigen::VectorXd move = damped.ldlt().solve(-gradient);
       if (move.allFinite()) {
-        const double predicted = before - (here + derivative * move).squaredNorm();
         const Eigen::VectorXd moved = minimum.x + move;
-        const Eigen::VectorXd there = residuals.at(moved);
-        if (there.allFinite() && there.squaredNorm() < before) {
+        const double predicted = before - (here + derivative * move).squaredNorm() - prior_of(moved);
+        const Eigen::VectorXd there = energy.residuals(moved);
+        const double after = there.squaredNorm() + prior_of(moved);
+        if (there.allFinite() && after < before) {
           taken = true;
-          good = before - there.squaredNorm() >= kLeastGain * predicted;
+          good = before - after >= kLeastGain * predicted;
           minimum.x = moved;
           here = there;
-          minimum.energies.push_back(here.squaredNorm());
+          minimum.energies.push_back(after);
         } else if (predicted < kLeastFall * before) {
           break;
         }
@@ -65,8 +74,8 @@ Minimum Minimise(const Residuals& residuals, const Eigen::VectorXd& start, int s
     step += taken ? 1 : 0;
     if (taken && before - minimum.energies.back() < kLeastFall * before) break;
     if (taken) damping = std::max(kLeastDamping, damping / kDampingFactor);
-    if (!residuals.is_linear && !(taken && good)) derivative.resize(0, 0);
-    is_fresh = residuals.is_linear;
+    if (!energy.is_linear && !(taken && good)) derivative.resize(0, 0);
+    is_fresh = energy.is_linear;
   }
   return minimum;
 }

@@ -1,14 +1,16 @@
 #pragma once
+#include "core/task.h"
 #include "fitting/code_model.h"
 
+#include <functional>
 #include <vector>
 
 namespace daumier::fitting {
 
 struct MeshCodeOptions {
-  int num_points = 1200;  ///< Vertices that a step reads, evenly spaced; all of them are scored.
-  double ridge = 1e-4;    ///< Weight of |c|^2 against the mean squared distance, cm^2.
-  int steps = 8;          ///< At most.
+  int num_points = 500;  ///< Vertices that a step reads, evenly spaced; all of them are scored.
+  double ridge = 1e-4;   ///< Weight of |c|^2 against the mean squared distance, cm^2.
+  int steps = 8;         ///< At most.
 };
 
 struct MeshCode {
@@ -25,5 +27,11 @@ struct MeshCode {
 /// the last one lowers E by less than half of what it predicts, and for a linear model once. target: V x 3, cm.
 /// @throws Error unless there are V vertices, all finite, or if a number of the options is not positive.
 MeshCode CodeOfMesh(const CodeModel& model, const geometry::Points& target, const MeshCodeOptions& options = {});
+
+/// The codes of many meshes, a row a mesh, N x M: mesh(i), i = 0 .. count - 1, is V x 3, cm. Of a linear model the
+/// minimum itself, by one factorisation for all. `task` is cancelled between meshes. @throws Error as CodeOfMesh;
+/// Cancelled.
+Eigen::MatrixXd CodesOfMeshes(const CodeModel& model, int count, const std::function<geometry::Points(int)>& mesh,
+                              const MeshCodeOptions& options = {}, const Task& task = {});
 
 }  // namespace daumier::fitting

@@ -36,15 +36,11 @@ std::optional<Number> NumberIn(std::string_view text) {
   return number;
 }
 
-EditHandles Both(const faces::FaceTemplate& face_template, const std::vector<int>& region, double amount_cm) {
-  EditHandles handles{{}, geometry::Points(2, 3)};
-  for (const double side : {-1.0, 1.0}) {
-    const int outermost = *std::max_element(region.begin(), region.end(), [&](int a, int b) {
-      return side * face_template.neutral(a, 0) < side * face_template.neutral(b, 0);
-    });
-    handles.displacements.row(std::ssize(handles.vertices)) << side * amount_cm, 0, 0;
-    handles.vertices.push_back(outermost);
-  }
+/// The right side's vertex moved to the right, the left side's to the left.
+EditHandles Both(int right, int left, double amount_cm) {
+  EditHandles handles{{right, left}, geometry::Points::Zero(2, 3)};
+  handles.displacements(0, 0) = -amount_cm;
+  handles.displacements(1, 0) = amount_cm;
   return handles;
 }
 
@@ -52,17 +48,22 @@ EditHandles One(int vertex, const Vector3& displacement) {
   return {{vertex}, displacement.transpose()};
 }
 
-/// Vertices of both cheeks.
-std::vector<int> Cheeks(const faces::FaceTemplate& face_template) {
-  const faces::FaceParts parts = faces::MakeFaceParts(face_template, 0);
-  std::vector<int> vertices;
-  for (size_t p = 0; p < parts.names.size(); ++p) {
-    if (!parts.names[p].starts_with("cheek")) continue;
-    for (Eigen::Index v = 0; v < parts.weights.rows(); ++v)
-      if (parts.weights(v, Eigen::Index(p)) > 0.5) vertices.push_back(int(v));
-  }
-  DAUMIER_CHECK(!vertices.empty(), "the template '{}' has no cheeks among its parts", face_template.source);
-  return vertices;
+/// The vertex of the cheek between a landmark of the jaw and one of the nose's wing, two thirds of the way outwards.
+int CheekVertex(const faces::FaceTemplate& face_template, int jaw, int wing) {
+  const auto& landmarks = face_template.annotation.landmarks;
+  const geometry::Points& neutral = face_template.neutral;
+  const Eigen::RowVector3d place = (2 * neutral.row(landmarks[size_t(jaw)]) + neutral.row(landmarks[size_t(wing)])) / 3;
+  Eigen::Index nearest = 0;
+  (neutral.rowwise() - place).rowwise().squaredNorm().minCoeff(&nearest);
+  return int(nearest);
+}
+
+/// Of the ears the vertex that is farthest to a side (-1: the face's right).
+int OutermostEarVertex(const faces::FaceTemplate& face_template, double side) {
+  const std::vector<int>& ears = faces::RegionFor(face_template.annotation, "ears", "the preset ears");
+  return *std::max_element(ears.begin(), ears.end(), [&](int a, int b) {
+    return side * face_template.neutral(a, 0) < side * face_template.neutral(b, 0);
+  });
 }
 
 }  // namespace
@@ -76,9 +77,9 @@ EditHandles PresetHandles(const faces::FaceTemplate& face_template, const std::s
   const auto& landmarks = face_template.annotation.landmarks;
   if (name == "nose") return One(landmarks[kNoseTip], {0, 0, amount_cm});
   if (name == "chin") return One(landmarks[faces::kChinLandmark], {0, -amount_cm, 0});
-  if (name == "cheeks") return Both(face_template, Cheeks(face_template), amount_cm);
+  if (name == "cheeks") return Both(CheekVertex(face_template, 3, 31), CheekVertex(face_template, 13, 35), amount_cm);
   if (name == "ears")
-    return Both(face_template, faces::RegionFor(face_template.annotation, "ears", "the preset ears"), amount_cm);
+    return Both(OutermostEarVertex(face_template, -1), OutermostEarVertex(face_template, 1), amount_cm);
   throw UsageError(fmt::format("there is no preset '{}' (there are: {})", name, fmt::join(PresetNames(), ", ")));
 }
 
@@ -99,11 +100,11 @@ EditHandles ParseHandle(const faces::FaceTemplate& face_template, const std::str
     if (numbers.size() != 1) Refuse(word, fmt::format("{} numbers of a preset, expected one", numbers.size()));
     return PresetHandles(face_template, point, numbers[0]);
   }
-  if (numbers.size() != 3) Refuse(word, fmt::format("{} numbers, expected three", numbers.size()));
   const bool is_vertex = point.starts_with('v');
   const std::optional<int> index = NumberIn<int>(std::string_view(point).substr(is_vertex ? 1 : 0));
   if (!index)
     Refuse(word, fmt::format("'{}' is no landmark, vertex or preset ({})", point, fmt::join(PresetNames(), ", ")));
+  if (numbers.size() != 3) Refuse(word, fmt::format("{} numbers, expected three", numbers.size()));
   const int most = is_vertex ? face_template.num_vertices() : kNumLandmarks;
   if (*index < 0 || *index >= most)
     Refuse(word,

@@ -15,8 +15,8 @@ struct EditHandles {
 /// "nose", "chin", "cheeks", "ears": the handles of [Jung et al. 2022, figure 11].
 const std::vector<std::string>& PresetNames();
 
-/// A preset by `amount_cm`: the tip of the nose (landmark 30) to the front, the chin (8) down, the outermost vertices of
-/// both cheeks or of both ears outwards. A negative amount moves them the other way.
+/// A preset by `amount_cm`: the tip of the nose (landmark 30) to the front, the chin (8) down, both cheeks (between jaw
+/// and nose wing) or the outermost vertices of both ears outwards. A negative amount moves them the other way.
 /// @throws UsageError with the names if there is no such preset; Error if the annotation has no ears.
 EditHandles PresetHandles(const faces::FaceTemplate& face_template, const std::string& name, double amount_cm);
 

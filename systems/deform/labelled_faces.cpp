@@ -4,6 +4,7 @@
 #include "core/evenly_spaced.h"
 #include "core/files.h"
 #include "eval/mesh_score.h"
+#include "faces/controls/smooth_warps.h"
 #include "fitting/mesh_code.h"
 
 #include <algorithm>
@@ -21,22 +22,48 @@ constexpr double kUnlabelled = std::numeric_limits<double>::quiet_NaN();
 /// Of the fit of a code to each of many faces.
 constexpr int kPointsOfLabelledFace = 500;
 
-void CheckTopology(const fitting::CodeModel& model, const faces::FaceDatabase& database) {
-  DAUMIER_CHECK(database.num_vertices() == model.face_template().num_vertices(),
+void CheckTopology(const OpenedModel& opened, const faces::FaceDatabase& database) {
+  const int num_vertices = opened.model->face_template().num_vertices();
+  DAUMIER_CHECK(database.num_vertices() == num_vertices,
                 "{}: faces of {} vertices, but the model has {}: name faces of the model's topology",
-                database.directory().string(), database.num_vertices(), model.face_template().num_vertices());
+                database.directory().string(), database.num_vertices(), num_vertices);
 }
 
-Eigen::MatrixXd CodesOf(const fitting::CodeModel& model, const faces::FaceDatabase& database,
-                        const std::vector<int>& indices, const Task& task) {
-  Eigen::MatrixXd codes(std::ssize(indices), model.num_numbers());
-  for (size_t i = 0; i < indices.size(); ++i) {
-    task.ThrowIfCancelled("the codes of labelled faces were stopped after {} faces", i);
-    codes.row(Eigen::Index(i)) =
-        fitting::CodeOfMesh(model, database.points(indices[i]), {.num_points = kPointsOfLabelledFace}).code.transpose();
-    task.Report(int64_t(i) + 1, std::ssize(indices), "faces");
+/// Whether these are the faces that the model was trained on.
+bool AreOwnFaces(const OpenedModel& opened, const faces::FaceDatabase& database) {
+  return !opened.training_faces.empty() && std::filesystem::equivalent(opened.faces, database.directory());
+}
+
+Eigen::MatrixXd CodesOf(const OpenedModel& opened, const faces::FaceDatabase& database, const std::vector<int>& indices,
+                        const Task& task) {
+  if (AreOwnFaces(opened, database)) {
+    std::vector<Eigen::Index> rows;
+    const std::vector<int>& trained = opened.training_faces;
+    for (const int index : indices) {
+      const auto found = std::lower_bound(trained.begin(), trained.end(), index);
+      if (found == trained.end() || *found != index) break;
+      rows.push_back(found - trained.begin());
+    }
+    if (rows.size() == indices.size()) return opened.training_codes(rows, Eigen::all);
   }
-  return codes;
+  return fitting::CodesOfMeshes(
+      *opened.model, int(indices.size()), [&](int i) { return database.points(indices[size_t(i)]); },
+      {.num_points = kPointsOfLabelledFace}, task);
+}
+
+bool IsRegular(const faces::FaceId& id) {
+  return id.level == 0 && id.expression == 0;
+}
+
+/// At most kMostRegular: their mean is the mean face.
+std::vector<geometry::Points> RegularFaces(const faces::FaceDatabase& database) {
+  constexpr int kMostRegular = 200;
+  std::vector<int> indices;
+  for (int face = 0; face < database.num_grid_faces(); ++face)
+    if (IsRegular(database.id(face))) indices.push_back(face);
+  std::vector<geometry::Points> regular;
+  for (const int index : EvenlySpaced(indices, kMostRegular)) regular.push_back(database.points(index));
+  return regular;
 }
 
 std::vector<std::string> Cells(const std::string& line) {
@@ -52,40 +79,68 @@ std::vector<std::string> Cells(const std::string& line) {
 
 }  // namespace
 
-fitting::LabelledCodes LabelledFaces(const fitting::CodeModel& model, const faces::FaceDatabase& database, int most,
-                                     const Task& task) {
-  CheckTopology(model, database);
-  std::vector<int> all(size_t(database.num_grid_faces()));
-  std::iota(all.begin(), all.end(), 0);
+ControlLabels::ControlLabels(const faces::FaceDatabase& database)
+    : controls_(database.face_template(), faces::SmoothWarps(database.face_template())),
+      fit_(controls_, database.face_template(), RegularFaces(database)) {
+  for (const faces::FaceControls::Entry& entry : controls_.entries()) names_.push_back(entry.control.name);
+}
+
+Eigen::VectorXd ControlLabels::Of(const geometry::Points& face) const {
+  const Eigen::VectorXd values = fit_.ValuesOf(face);
+  Eigen::VectorXd labels(std::ssize(names_));
+  for (size_t k = 0; k < names_.size(); ++k) {
+    const faces::FaceControls::Entry& entry = controls_.entries()[k];
+    labels[Eigen::Index(k)] = values.segment(entry.first_value, entry.num_values()).mean();
+  }
+  return labels;
+}
+
+LabelledDatabase LabelledFaces(const OpenedModel& opened, const faces::FaceDatabase& database, int most,
+                               const Task& task) {
+  CheckTopology(opened, database);
+  std::vector<int> all = opened.training_faces;
+  if (!AreOwnFaces(opened, database)) {
+    all.resize(size_t(database.num_grid_faces()));
+    std::iota(all.begin(), all.end(), 0);
+  }
   const std::vector<int> chosen = EvenlySpaced(all, most);
-  fitting::LabelledCodes labelled;
-  labelled.names = database.control_names();
-  const Eigen::Index num_controls = std::ssize(labelled.names);
-  for (int e = 1; e < database.num_expressions(); ++e) labelled.names.push_back(database.expression_names()[size_t(e)]);
+  std::optional<ControlLabels> controls;
+  if (database.num_persons() >= faces::ControlFit::kFewestFaces) controls.emplace(database);
+  LabelledDatabase result;
+  fitting::LabelledCodes& labelled = result.faces;
+  if (controls) labelled.names = controls->names();
+  const Eigen::Index num_controls = std::ssize(labelled.names), num_expressions = database.num_expressions() - 1;
+  labelled.names.insert(labelled.names.end(), database.expression_names().begin() + 1,
+                        database.expression_names().end());
   const bool has_levels = database.num_levels() > 1;
   if (has_levels) labelled.names.emplace_back(kCaricatureLabel);
   labelled.labels = Eigen::MatrixXd::Constant(std::ssize(chosen), std::ssize(labelled.names), kUnlabelled);
   for (size_t i = 0; i < chosen.size(); ++i) {
     const faces::FaceId id = database.id(chosen[i]);
     auto row = labelled.labels.row(Eigen::Index(i));
-    if (num_controls > 0) {
-      const std::span<const float> values = database.control_values(id.person, id.level);
-      for (Eigen::Index c = 0; c < num_controls; ++c) row[c] = values.empty() ? 0.0 : double(values[size_t(c)]);
-    }
     if (id.expression == 0) {
-      row.segment(num_controls, database.num_expressions() - 1).setZero();
+      if (controls) row.head(num_controls) = controls->Of(database.points(chosen[i])).transpose();
+      row.segment(num_controls, num_expressions).setZero();
     } else {
       row[num_controls + id.expression - 1] = 1;
     }
     if (has_levels) row[row.size() - 1] = id.level > 0 ? 1 : 0;
   }
-  labelled.codes = CodesOf(model, database, chosen, task);
-  return labelled;
+  labelled.codes = CodesOf(opened, database, chosen, task);
+  int num_regular = 0;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(labelled.codes.cols());
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    if (!IsRegular(database.id(chosen[i]))) continue;
+    sum += labelled.codes.row(Eigen::Index(i)).transpose();
+    ++num_regular;
+  }
+  if (num_regular > 0) result.regular_mean = sum / num_regular;
+  return result;
 }
 
-fitting::LabelledCodes LabelledByFile(const fitting::CodeModel& model, const faces::FaceDatabase& database,
+fitting::LabelledCodes LabelledByFile(const OpenedModel& opened, const faces::FaceDatabase& database,
                                       const std::filesystem::path& file, const Task& task) {
-  CheckTopology(model, database);
+  CheckTopology(opened, database);
   std::istringstream lines(ReadFile(file));
   std::string line;
   fitting::LabelledCodes labelled;
@@ -119,7 +174,7 @@ fitting::LabelledCodes LabelledByFile(const fitting::CodeModel& model, const fac
   DAUMIER_CHECK(!indices.empty(), "{} has no faces below its header", file.string());
   labelled.labels = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       values.data(), std::ssize(indices), std::ssize(labelled.names));
-  labelled.codes = CodesOf(model, database, indices, task);
+  labelled.codes = CodesOf(opened, database, indices, task);
   return labelled;
 }
 

@@ -75,6 +75,7 @@ LinearFaces LinearCaricatures(const faces::FaceModel& model) {
   result.rows.topRows(num_identity) = model.identity_shapes.transpose();
   result.rows.middleRows(num_identity, num_expression) =
       float(kExpressionDeviation) * model.expression_shapes.transpose();
+  for (Eigen::Index e = 0; e < num_expression; ++e) result.expression.push_back(int(num_identity + e));
   Eigen::Index row = num_identity + num_expression;
   for (const faces::FaceControls::Entry& entry : controls.entries()) {
     const auto deviation = float(faces::HabitOf(entry.control.name).boldness);

@@ -3,6 +3,8 @@
 #include "faces/face_model.h"
 #include "fitting/code_model.h"
 
+#include <vector>
+
 namespace daumier::deform {
 
 /// Vertices linear in the code: mean + sum_k c_k row_k, a row one standard deviation.
@@ -11,6 +13,7 @@ struct LinearFaces {
   geometry::Points mean;                                                       ///< V x 3, cm.
   Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;  ///< M x 3V, cm.
   double usual_radius = 0;
+  std::vector<int> expression = {};  ///< Numbers of the code that are an expression.
 };
 
 class LinearCodeModel : public fitting::CodeModel {
@@ -35,9 +38,9 @@ class LinearCodeModel : public fitting::CodeModel {
 LinearFaces LinearFacesOf(const faces::FaceTemplate& face_template, const faces::FaceGaussian& gaussian, double radius);
 
 /// The linear caricature model that needs no training: identity shapes of a face model, its expression shapes (a
-/// deviation of 0.3), anatomical controls (a value of their artists' boldness is a deviation) and smooth warps (a deviation of
-/// 0.5), to first order about the mean face. Controls of both sides of a pair are two numbers, their mean and half their
-/// difference, of which the difference varies a third as much.
+/// deviation of 0.3), anatomical controls (a value of their artists' boldness is a deviation) and smooth warps (a
+/// deviation of 0.5), to first order about the mean face. Controls of both sides of a pair are two numbers, their
+/// mean and half their difference, of which the difference varies a third as much.
 LinearFaces LinearCaricatures(const faces::FaceModel& model);
 
 }  // namespace daumier::deform

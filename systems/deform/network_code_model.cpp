@@ -171,13 +171,13 @@ faces::ModelFrame FrameOf(const SafetensorsFile& file, const std::filesystem::pa
   return {numbers[0], {numbers[1], numbers[2], numbers[3]}};
 }
 
-fitting::CodePrior PriorOfRun(const SafetensorsFile& file, const std::filesystem::path& path, int latent) {
+Eigen::MatrixXd LatentsOfRun(const SafetensorsFile& file, const std::filesystem::path& path, int latent) {
   DAUMIER_CHECK(file.contains("codes") && file.at("codes").shape.size() == 2 && file.at("codes").shape[1] == latent,
                 "{}: there are no codes of training faces of {} numbers. Train again", path.string(), latent);
   const ArrayView& codes = file.at("codes");
-  return fitting::PriorOfCodes(Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-                                   codes.As<float>().data(), codes.shape[0], codes.shape[1])
-                                   .cast<double>());
+  return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+             codes.As<float>().data(), codes.shape[0], codes.shape[1])
+      .cast<double>();
 }
 
 Floats LatentRows(const fitting::CodePrior& prior, const Eigen::MatrixXd& codes) {
@@ -203,7 +203,7 @@ NetworkCodeModel::NetworkCodeModel(faces::FaceTemplate face_template, const Defo
     : face_template_(std::move(face_template)), siren_(options.siren()) {
   const SafetensorsFile file(weights);
   frame_ = FrameOf(file, weights);
-  prior_ = PriorOfRun(file, weights, options.latent);
+  prior_ = fitting::PriorOfCodes(LatentsOfRun(file, weights, options.latent));
   weights_ = std::make_unique<const DeformWeights>(options, file, weights, face_template_.num_vertices());
 }
 
@@ -255,11 +255,16 @@ Eigen::MatrixXd NetworkCodeModel::Derivative(const Eigen::VectorXd& code, std::s
   return derivative;
 }
 
+Eigen::MatrixXd TrainingCodes(const DeformOptions& options, const std::filesystem::path& weights) {
+  const Eigen::MatrixXd latents = LatentsOfRun(SafetensorsFile(weights), weights, options.latent);
+  return fitting::StandardisedCodes(fitting::PriorOfCodes(latents), latents);
+}
+
 LinearFaces LinearFacesOfRun(const faces::FaceTemplate& face_template, const DeformOptions& options,
                              const std::filesystem::path& weights) {
   const SafetensorsFile file(weights);
   const faces::ModelFrame frame = FrameOf(file, weights);
-  const fitting::CodePrior prior = PriorOfRun(file, weights, options.latent);
+  const fitting::CodePrior prior = fitting::PriorOfCodes(LatentsOfRun(file, weights, options.latent));
   const int64_t num_coordinates = 3 * face_template.num_vertices();
   const auto mean = ArrayOf(file, weights, "network.mean", {num_coordinates});
   const auto rows = ArrayOf(file, weights, "network.rows", {options.latent, num_coordinates});

@@ -14,8 +14,8 @@ namespace daumier::deform {
 class DeformWeights;
 
 /// The SIREN of a run [Jung et al. 2022, eq. 2] without LibTorch: D(p, z) = p + S(p; H(z)), by runtime::SirenKernel.
-/// Kinds "hypernetwork" and "conditioning". Codes are standardised by the run's training codes. The derivative by the code
-/// is by forward differences of half a hundredth of a deviation. Threads share nothing but the weights.
+/// Kinds "hypernetwork" and "conditioning". Codes are standardised by the run's training codes. The derivative by the
+/// code is by forward differences of half a hundredth of a deviation. Threads share nothing but the weights.
 class NetworkCodeModel : public fitting::CodeModel {
  public:
   /// weights: the safetensors file. @throws Error naming the file if arrays are missing or of other shapes than the
@@ -40,6 +40,9 @@ class NetworkCodeModel : public fitting::CodeModel {
   fitting::CodePrior prior_;
   std::unique_ptr<const DeformWeights> weights_;
 };
+
+/// Codes of the training faces of a run, in their order, standardised, N x latent. @throws Error as NetworkCodeModel.
+Eigen::MatrixXd TrainingCodes(const DeformOptions& options, const std::filesystem::path& weights);
 
 struct LinearFaces;
 /// A linear run (kind "linear") as a linear model in standardised codes. @throws Error as NetworkCodeModel.

@@ -4,11 +4,14 @@
 #include "core/evenly_spaced.h"
 #include "core/run_manifest.h"
 #include "core/statistics.h"
+#include "core/training.h"
 #include "core/weights_folder.h"
+#include "datasets/read/splits.h"
 #include "faces/face_gaussian.h"
 #include "faces/face_model_file.h"
 #include "systems/deform/linear_code_model.h"
 #include "systems/deform/network_code_model.h"
+#include "systems/deform/options.h"
 #include "systems/deform/run_folder.h"
 #include "systems/shipped_weights.h"
 
@@ -32,7 +35,18 @@ OpenedModel OpenRun(const fs::path& folder) {
     opened.model = std::make_unique<NetworkCodeModel>(run.face_template, run.network_options, weights);
   }
   const fs::path faces = run.config.value(Json::json_pointer("/data/faces"), std::string());
-  if (!faces.empty() && fs::exists(faces / "manifest.json")) opened.faces = faces;
+  const Json::json_pointer hash("/data/faces");
+  if (faces.empty() || !fs::exists(faces / "manifest.json") || !run.manifest.details.contains(hash) ||
+      run.manifest.details.at(hash) != DataHash(faces))
+    return opened;
+  opened.faces = faces;
+  const auto options = ParseTraining<DeformTrainingOptions>(run.config, ResolvedConfig(folder).string());
+  const faces::FaceDatabase database(faces, Checksums::kSkip);
+  opened.training_faces = datasets::MakeSplit(database, options.split, options.seed).train;
+  opened.training_codes = TrainingCodes(run.network_options, weights);
+  DAUMIER_CHECK(opened.training_codes.rows() == std::ssize(opened.training_faces),
+                "{}: {} codes of {} training faces. Train again", weights.string(), opened.training_codes.rows(),
+                opened.training_faces.size());
   return opened;
 }
 
@@ -62,11 +76,14 @@ OpenedModel OpenFaces(const fs::path& folder) {
 
 OpenedModel OpenFaceModel(const fs::path& folder) {
   const Manifest manifest = ReadManifest(folder, kWeightsKind);
-  return {.model = std::make_unique<LinearCodeModel>(LinearCaricatures(faces::ReadFaceModelWeights(folder))),
+  LinearFaces caricatures = LinearCaricatures(faces::ReadFaceModelWeights(folder));
+  std::vector<int> expression = caricatures.expression;
+  return {.model = std::make_unique<LinearCodeModel>(std::move(caricatures)),
           .name = {},
           .kind = "face model",
           .sources = manifest.sources,
-          .data_hash = {}};
+          .data_hash = {},
+          .expression = std::move(expression)};
 }
 
 }  // namespace

@@ -85,6 +85,18 @@ TEST(CodeHandles, LocalEditsLeaveTheOutside) {
   EXPECT_LE(local, 0.08 + 0.01);
 }
 
+TEST(CodeHandles, FixedNumbersKeepTheirValues) {
+  const FieldModel model(0.1);
+  const Eigen::VectorXd code = Eigen::VectorXd::Constant(FieldModel::kFields, 0.4);
+  const fitting::HandleEdit edit =
+      fitting::EditByHandles(model, code, {NoseOf(model)}, OneMove(0, 0, 0.5), {.fixed = {3, 5}});
+  EXPECT_NEAR(edit.code[3], 0.4, 1e-12);
+  EXPECT_NEAR(edit.code[5], 0.4, 1e-12);
+  EXPECT_GT(edit.code[2], 0.5);
+  EXPECT_LE(edit.residual_share, fitting::kHeldShare);
+  ExpectError([&] { fitting::HandleEditor(model, code, {5}, {.fixed = {6}}); }, "no number 6");
+}
+
 TEST(CodeHandles, ReportsFacesUnlikeTheModelsOwn) {
   const FieldModel model;
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(FieldModel::kFields);

@@ -16,9 +16,7 @@ TEST(CodePrior, StandardisesCodes) {
   for (auto row : latents.rowwise())
     row = (mix * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal()) + Eigen::Vector3d(1, 2, 3)).transpose();
   const fitting::CodePrior prior = fitting::PriorOfCodes(latents);
-  Eigen::MatrixXd codes(latents.rows(), 3);
-  for (Eigen::Index i = 0; i < latents.rows(); ++i)
-    codes.row(i) = fitting::StandardisedCode(prior, latents.row(i).transpose()).transpose();
+  const Eigen::MatrixXd codes = fitting::StandardisedCodes(prior, latents);
   EXPECT_LT(codes.colwise().mean().norm(), 1e-9);
   EXPECT_LT((codes.transpose() * codes / 4000.0 - Eigen::Matrix3d::Identity()).norm(), 1e-6);
   EXPECT_NEAR(prior.usual_radius, fitting::NormalRadius(3), 0.15);

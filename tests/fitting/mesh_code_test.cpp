@@ -33,6 +33,17 @@ TEST(MeshCode, SampledPointsGiveAboutTheCodeOfAllPoints) {
   EXPECT_LT((few.code - SomeMeshCode()).norm(), 1e-3);
 }
 
+TEST(MeshCode, CodesOfManyMeshesAreThoseOfEach) {
+  for (const double bend : {0.0, 0.3}) {
+    const FieldModel model(bend);
+    const auto mesh = [&](int i) { return model.Vertices(0.5 * i * SomeMeshCode()); };
+    const Eigen::MatrixXd codes = fitting::CodesOfMeshes(model, 3, mesh, {.num_points = 200});
+    for (int i = 0; i < 3; ++i)
+      EXPECT_LT((codes.row(i).transpose() - fitting::CodeOfMesh(model, mesh(i), {.num_points = 200}).code).norm(), 1e-3)
+          << bend;
+  }
+}
+
 TEST(MeshCode, RefusesOtherMeshes) {
   const FieldModel model;
   geometry::Points face = model.face_template().neutral;
