@@ -2,6 +2,8 @@
 
 #include "rig/arkit_names.h"
 
+#include <algorithm>
+
 namespace daumier::rig {
 namespace {
 
@@ -22,6 +24,18 @@ geometry::Points PoseOf(const faces::FaceTemplate& face_template, const Eigen::M
   return pose;
 }
 
+/// Transfer solves for all vertices at once, and moves by a little what is far from what moves.
+void RemoveDrift(Eigen::MatrixXf& offsets) {
+  constexpr float kDriftCm = 0.005f;
+  for (Eigen::Index t = 0; t < offsets.cols(); ++t) {
+    for (Eigen::Index v = 0; v < offsets.rows() / 3; ++v) {
+      auto offset = offsets.col(t).segment<3>(3 * v);
+      const float length = offset.norm();
+      if (length < 2 * kDriftCm) offset *= std::max(0.0f, length / kDriftCm - 1);
+    }
+  }
+}
+
 }  // namespace
 
 ExpressionTargets::ExpressionTargets(const faces::FaceModel& model)
@@ -35,6 +49,7 @@ ExpressionTargets::ExpressionTargets(const faces::FaceTemplate& face_template, c
 
 MorphTargets ExpressionTargets::On(const geometry::Points& neutral, unsigned threads) const {
   MorphTargets targets{{ArkitNames().begin(), ArkitNames().end()}, transfer_.Offsets(neutral, threads)};
+  RemoveDrift(targets.offsets);
   contact_.Apply(neutral, targets, threads);
   return targets;
 }

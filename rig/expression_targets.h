@@ -21,7 +21,8 @@ class ExpressionTargets {
   ExpressionTargets(const faces::FaceTemplate& face_template, const SourceShapes& source);
 
   /// 52 targets in the order and spelling of ArkitNames(), for the V vertices of the topology. `neutral`: V x 3, cm.
-  /// Targets that the source cannot make are zero. On up to `threads` cores, whose number changes
+  /// Targets that the source cannot make are zero; so are transferred displacements of up to 0.05 mm, and up to 0.1 mm
+  /// they are smaller, continuously. On up to `threads` cores, whose number changes
   /// nothing. Thread-safe.
   /// @throws Error as faces::ExpressionTransfer::Offsets.
   MorphTargets On(const geometry::Points& neutral, unsigned threads = 8) const;

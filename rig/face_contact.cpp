@@ -182,8 +182,13 @@ Eigen::VectorXf FaceContact::FitLids(const FittedEye& fitted, std::string_view n
     eye.skin.KeepOutside(fitted.eyeball, turn, neutral, pose);
     pose += blink;
     if (is_own) eye.skin.KeepOutside(fitted.anywhere, {}, neutral, pose);
-    if (target.lids == LidsDo::kNarrow && !fitted.blink.isZero(0))
-      eye.lids.Meet(fitted.frame, target.upper_share, DepthIn(round), pose);
+    if (target.lids == LidsDo::kNarrow && !fitted.blink.isZero(0)) {
+      if (is_own) {
+        eye.lids.Meet(fitted.frame, target.upper_share, DepthIn(round), pose);
+      } else {  // What eyeBlink has done to the skin around is not done again.
+        eye.lids.Join(fitted.frame, target.upper_share, DepthIn(round), pose);
+      }
+    }
     pose -= blink;
     if (target.lids == LidsDo::kOpen) eye.lids.KeepApart(fitted.frame, neutral, 1, pose);
   }

@@ -26,6 +26,11 @@ constexpr double kClosed = 0.04;  // Between the ends of lips that are closed, l
 
 enum class Motion { kNone, kJaw, kTongue };
 
+bool IsSmile(const std::string& target) {
+  const auto index = FindArkitName(target);
+  return index && ArkitNames()[size_t(*index)].starts_with("mouthSmile");
+}
+
 Motion MotionOf(const std::string& target) {
   constexpr std::array<std::string_view, 4> kJawNames = {"jawOpen", "jawForward", "jawLeft", "jawRight"};
   const auto index = FindArkitName(target);
@@ -110,6 +115,19 @@ HeadInterior::Place HeadInterior::PlaceOf(const geometry::Points& face) const {
   return place;
 }
 
+/// In widths of the mouth: how much farther back the lower teeth of a place must be behind the skin of a face.
+double HeadInterior::LowerPush(const Place& place, const geometry::Points& face) const {
+  constexpr double kTop = -0.08;  // Lips above it may be open.
+  double push = 0;
+  for (const int v : skin_) {
+    const geometry::Vector3 p =
+        place.axes.transpose() * (face.row(v).transpose() - place.origin) / place.axes.col(0).squaredNorm();
+    if (p.y() > kTop - place.open || p.y() < kLowest - place.open || !IsInArch(Jaw::kLower, p.x())) continue;
+    push = std::max(push, ArchDepth(Jaw::kLower, p.x()) + kClearance - p.z());
+  }
+  return std::min(push, kDeepest);
+}
+
 geometry::Points HeadInterior::Vertices(const geometry::Points& face) const {
   const Place place = PlaceOf(face);
   geometry::Points vertices = at_rest_;
@@ -129,6 +147,9 @@ Eigen::MatrixXf HeadInterior::Offsets(const geometry::Points& face, const MorphT
   using Flat = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>;
   const geometry::Points vertices = Vertices(face);
   const Eigen::Index num_upper = kTeethTube.num_vertices();
+  geometry::Points smile = geometry::Points::Zero(face.rows(), 3);  // It draws the skin back over the lower teeth.
+  for (Eigen::Index t = 0; t < targets.num_targets(); ++t)
+    if (IsSmile(targets.names[size_t(t)])) smile += Flat(targets.offsets.col(t).data(), face.rows(), 3).cast<double>();
   Eigen::MatrixXf offsets = Eigen::MatrixXf::Zero(3 * NumVertices(), targets.num_targets());
   for (Eigen::Index t = 0; t < targets.num_targets(); ++t) {
     const Motion motion = MotionOf(targets.names[size_t(t)]);
@@ -139,10 +160,15 @@ Eigen::MatrixXf HeadInterior::Offsets(const geometry::Points& face, const MorphT
       moved.bottomRows(kTongueTube.num_vertices()) += (TongueOut(place.lip) - TongueAtRest()) * place.axes.transpose();
     }
     if (!targets.offsets.col(t).isZero(0)) {
-      const Eigen::Isometry3d jaw =
-          JawMotion(face, face + Flat(targets.offsets.col(t).data(), face.rows(), 3).cast<double>());
+      const geometry::Points pose = face + Flat(targets.offsets.col(t).data(), face.rows(), 3).cast<double>(),
+                             smiling = pose + smile;
+      const Eigen::Isometry3d jaw = JawMotion(face, pose), back = jaw.inverse();
+      const geometry::Points turned_back =
+          (smiling * back.linear().transpose()).rowwise() + back.translation().transpose();
+      const Place place = PlaceOf(face);
+      const Eigen::RowVector3d push = LowerPush(place, turned_back) * place.axes.col(2).transpose();
       for (Eigen::Index v = num_upper; v < vertices.rows(); ++v)
-        moved.row(v) = (jaw * moved.row(v).transpose()).transpose();
+        moved.row(v) = (jaw * (moved.row(v) - push).transpose()).transpose();
     }
     const geometry::Points moves = moved - vertices;
     offsets.col(t) = Eigen::Map<const Eigen::VectorXd>(moves.data(), moves.size()).cast<float>();

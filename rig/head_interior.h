@@ -32,7 +32,8 @@ class HeadInterior {
   geometry::Points Vertices(const geometry::Points& face) const;
 
   /// 3 NumVertices() x T, as MorphTargets::offsets: how they follow targets of a face. Lower teeth and
-  /// tongue follow jawOpen, jawForward, jawLeft, jawRight and tongueOut as a rigid body, by JawMotion; tongueOut moves the
+  /// tongue follow jawOpen, jawForward, jawLeft, jawRight and tongueOut as a rigid body, by JawMotion, farther back where the
+  /// skin in front of them comes back, also with mouthSmile*; tongueOut moves the
   /// tongue out over the lower lip as well; nothing else moves, whatever the target.
   Eigen::MatrixXf Offsets(const geometry::Points& face, const MorphTargets& targets) const;
 
@@ -48,6 +49,7 @@ class HeadInterior {
     double lip;            ///< How far the lower lip is in front of the teeth, in widths of the mouth.
   };
   Place PlaceOf(const geometry::Points& face) const;
+  double LowerPush(const Place& place, const geometry::Points& face) const;
 
   int right_corner_, left_corner_;
   std::vector<int> upper_lip_, lower_lip_;  ///< Along their middle, from outside to inside.

@@ -87,6 +87,18 @@ TEST(FaceContact, LidsCloseAndLipsMeetOnPersonsOfMakeHuman) {
   ExpectContact(model, {model.face_template.neutral, faces::IdentityFace(model, faces::DrawIdentity(model, rng))}, 0.3);
 }
 
+TEST(FaceContact, OneEyeBlinksWithoutTheOther) {
+  const faces::FaceModel model = faces::ReadFaceModel(testing::SourceRoot() / "weights/face-ict");
+  const ExpressionTargets expressions(model);
+  const MorphTargets targets = expressions.On(model.face_template.neutral);
+  const Eigen::VectorXf left = targets.offsets.col(*FindArkitName("eyeBlinkLeft"));
+  EXPECT_GT(expressions.contact().eyes()[1].skin.GreatestMove(left), 0.3);
+  float most = 0;
+  for (Eigen::Index v = 0; v < left.size() / 3; ++v)
+    if (model.face_template.neutral(v, 0) < -1) most = std::max(most, left.segment<3>(3 * v).norm());
+  EXPECT_LT(most, 0.02f) << "cm";
+}
+
 TEST(FaceContact, LidsThatAreClosedAtRestHardlyMove) {
   const faces::FaceModel model = faces::ReadFaceModel(testing::SourceRoot() / "weights/face-ict");
   const ExpressionTargets expressions(model);

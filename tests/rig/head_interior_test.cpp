@@ -147,6 +147,24 @@ TEST(HeadInterior, LowerTeethAndTongueFollowTheJawAsARigidBody) {
   EXPECT_TRUE(offsets.col(1).isZero(0)) << "no motion of the jaw";
 }
 
+TEST(HeadInterior, LowerTeethStayBehindALipThatComesBack) {
+  const faces::FaceTemplate face = testing::SyntheticFace();
+  const HeadInterior interior(face);
+  MorphTargets targets = TurnedTargets(face.neutral, Eigen::Isometry3d::Identity());
+  for (Eigen::Index v = 0; v < face.neutral.rows(); ++v) targets.offsets.col(0)[3 * v + 1] = -0.5f;
+  const Eigen::MatrixXf straight = interior.Offsets(face.neutral, targets);
+  const auto& landmarks = face.annotation.landmarks;
+  const double width = (face.neutral.row(landmarks[60]) - face.neutral.row(landmarks[64])).norm();
+  const Eigen::RowVector3d lip = face.neutral.row(landmarks[57]);
+  for (Eigen::Index v = 0; v < face.neutral.rows(); ++v)
+    if (face.neutral(v, 1) <= lip.y() && (face.neutral.row(v) - lip).norm() < 0.25 * width)
+      targets.offsets.col(0)[3 * v + 2] = float(-0.4 * width);
+  const Eigen::MatrixXf back = interior.Offsets(face.neutral, targets);
+  const Eigen::Index last = back.rows() / 3 - 1;
+  EXPECT_LT(back(3 * last + 2, 0), straight(3 * last + 2, 0) - 0.05 * width);
+  EXPECT_EQ(back(2, 0), 0) << "the upper teeth";
+}
+
 TEST(HeadInterior, OnlyTheTongueComesOut) {
   const faces::FaceTemplate face = testing::SyntheticFace();
   const HeadInterior interior(face);
