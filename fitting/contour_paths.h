@@ -9,10 +9,10 @@
 
 namespace daumier::fitting {
 
-/// Where the landmarks of the jaw (iBUG 0 .. 16) may be in a picture: the silhouette of a turned head is further in on
-/// the face than the template's vertices. Of each landmark a line of candidates: the first part of the shortest path over
-/// the mesh from the template's vertex to a landmark of eye, nose or mouth at about its height; of the chin its vertex
-/// alone. Made from the 68 landmarks, for any annotated template.
+/// Where the landmarks of the jaw (iBUG 0 .. 16) may be in a picture: the silhouette of a turned head is further in
+/// on the face than the template's vertices. Of each landmark a line of candidates: the first part of the shortest
+/// path over the mesh from the template's vertex to a landmark of eye, nose or mouth at about its height; of the chin
+/// its vertex alone. Made from the 68 landmarks, for any annotated template.
 class ContourPaths {
  public:
   static constexpr int kNumJaw = 17;

@@ -44,14 +44,15 @@ struct FailedMesh {
 };
 
 /// Writes a faces::FaceDatabase: person p is the template registered onto the p-th mesh that could be registered
-/// (geometry::NonRigidRegistration), one level, the expression neutral, no identity weights. In the template's frame, in
-/// cm. The manifest names the template and the meshes, each with its licence, details.meshes the persons' names, and
-/// details.failed {name: cause} the meshes that are no persons, where there are any. A shard holds besides `distances` (V, cm to
-/// the target, NaN without a match) and, in its metadata, `quality`. Next to the database, quality.json holds `unit`, a list
-/// `meshes` with a row a person, and `summary` with means over them, sums of flips, and `failed`. Distances there are in
-/// millimetres, one scale a database (faces::MillimetresPerCm). Resumes an interrupted build of the same inputs.
-/// Returns the meshes that failed: they cannot be read, their landmarks do not fit (FaultOfLandmarks), the registration
-/// throws, or its result is beyond options.limits. Meshes that are inside out are turned, with a warning.
+/// (geometry::NonRigidRegistration), one level, the expression neutral, no identity weights. In the template's frame,
+/// in cm. The manifest names the template and the meshes, each with its licence, details.meshes the persons' names,
+/// and details.failed {name: cause} the meshes that are no persons, where there are any. A shard holds besides
+/// `distances` (V, cm to the target, NaN without a match) and, in its metadata, `quality`. Next to the database,
+/// quality.json holds `unit`, a list `meshes` with a row a person, and `summary` with means over them, sums of flips,
+/// and `failed`. Distances there are in millimetres, one scale a database (faces::MillimetresPerCm). Resumes an
+/// interrupted build of the same inputs. Returns the meshes that failed: they cannot be read, their landmarks do not
+/// fit (FaultOfLandmarks), the registration throws, or its result is beyond options.limits. Meshes that are inside
+/// out are turned, with a warning.
 /// @throws Error as BuildShards, and if all meshes failed, with their causes: then nothing is written. UsageError if
 /// there is no mesh or two of a name.
 std::vector<FailedMesh> BuildRegisteredFaces(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
