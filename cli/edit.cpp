@@ -309,7 +309,11 @@ void AddStartArguments(CLI::App& command, EditStartArguments& start) {
                   "Begin with the face that has these 68 landmarks in a picture (docs/formats.md lists the forms; nan "
                   "nan: absent)")
       ->check(CLI::ExistingFile);
-  command.add_option("--picture", start.picture, "The picture of --landmarks, for the sheet")->check(CLI::ExistingFile);
+  command
+      .add_option("--picture", start.picture,
+                  "The picture of --landmarks, for the sheet; alone: begin with its face, by landmarks that the "
+                  "shipped weights find")
+      ->check(CLI::ExistingFile);
   command.add_option("--code", start.code, "Begin with a face of an earlier edit: edit.json, or edit.json#NAME");
 }
 

@@ -7,6 +7,8 @@
 #include "fitting/mesh_code.h"
 #include "render/draw.h"
 #include "systems/portrait/landmark_files.h"
+#include "systems/portrait/landmark_predictor.h"
+#include "systems/shipped_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +23,13 @@ constexpr int kPictureHeight = 380;
 
 void CheckOneStart(const EditStartArguments& arguments) {
   const auto given = [](const fs::path& path) { return path.empty() ? 0 : 1; };
-  if (given(arguments.face) + given(arguments.landmarks) + given(arguments.code) > 1)
-    throw UsageError("--face, --landmarks and --code each name the face that the edit begins with: give one of them");
+  const int by_picture = given(arguments.landmarks) + given(arguments.picture) > 0 ? 1 : 0;
+  if (given(arguments.face) + given(arguments.code) + by_picture > 1)
+    throw UsageError(
+        "--face, --code and a picture (--picture, --landmarks) each name the face that the edit begins with: give one "
+        "of them");
   if (!arguments.mesh_landmarks.empty() && arguments.face.empty())
     throw UsageError("--mesh-landmarks are those of the mesh of --face, which is missing");
-  if (!arguments.picture.empty() && arguments.landmarks.empty())
-    throw UsageError(
-        "--picture is only shown: the face comes from its landmarks. Add --landmarks FILE (daumier predict PICTURE "
-        "--weights landmarks --out FOLDER writes FOLDER/NAME.pts)");
 }
 
 geometry::Points VerticesOf(const fs::path& face, const fs::path& mesh_landmarks,
@@ -68,8 +69,24 @@ render::Image WithLandmarks(const fs::path& picture, const fitting::CodeLandmark
   return image;
 }
 
+/// The 68 landmarks of the file, or those that the shipped weights find in the picture.
+std::vector<float> LandmarksOf(const EditStartArguments& arguments) {
+  if (!arguments.landmarks.empty()) return portrait::ReadKnownLandmarks(arguments.landmarks);
+  const std::vector<fs::path> places = systems::WeightsPlaces();
+  const fs::path weights = systems::WeightsNamed("landmarks", systems::ListWeights(places), places);
+  const auto predictor = portrait::OpenLandmarkPredictor(weights, Device(), ToJson(portrait::LandmarkPredictOptions()));
+  const auto& finder = dynamic_cast<const portrait::LandmarkPredictor&>(*predictor);
+  try {
+    return finder.detector().FindOne(render::ReadImage(arguments.picture)).landmarks;
+  } catch (const Error& error) {
+    throw Error(
+        fmt::format("{}: {}. Name its 68 landmarks by --landmarks FILE", arguments.picture.string(), error.what()));
+  }
+}
+
 EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::CodeModel& model) {
-  const std::vector<float> numbers = portrait::ReadKnownLandmarks(arguments.landmarks);
+  const fs::path& source = arguments.landmarks.empty() ? arguments.picture : arguments.landmarks;
+  const std::vector<float> numbers = LandmarksOf(arguments);
   const fitting::PicturePoints landmarks =
       Eigen::Map<const Eigen::Matrix<float, 68, 2, Eigen::RowMajor>>(numbers.data()).cast<double>();
   const std::vector<fitting::PicturedPoint> points = fitting::PicturedLandmarks(model.face_template(), landmarks);
@@ -77,16 +94,16 @@ EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::C
   try {
     fit = fitting::FitCodeToLandmarks(model, fitting::ContourPaths(model.face_template()), points);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", arguments.landmarks.string(), error.what()));
+    throw Error(fmt::format("{}: {}", source.string(), error.what()));
   }
   const Eigen::Vector3d view_axis = fit.view.rotation.row(2);
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = fit.view.rotation;
   EditStart start;
-  start.face.name = arguments.landmarks.stem().string();
+  start.face.name = source.stem().string();
   start.face.caption = "from landmarks";
   start.face.code = fit.code;
   start.face.vertices = model.Vertices(fit.code);
-  start.face.record = {{"landmarks", arguments.landmarks.filename().string()},
+  start.face.record = {{"landmarks", source.filename().string()},
                        {"num_landmarks", points.size()},
                        {"mean_distance_px", fit.distances_px.mean()},
                        {"mean_distance_share", fit.distances_px.mean() / fit.eye_distance_px},
@@ -97,7 +114,7 @@ EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::C
                          {"shift", {fit.view.shift.x(), fit.view.shift.y()}},
                          {"yaw_degrees", std::atan2(-view_axis.x(), view_axis.z()) * 180 / M_PI}}}};
   if (!arguments.picture.empty())
-    start.pictures.push_back({WithLandmarks(arguments.picture, fit, points), "landmarks: given green, face red"});
+    start.pictures.push_back({WithLandmarks(arguments.picture, fit, points), "landmarks green, face red"});
   return start;
 }
 
@@ -147,7 +164,7 @@ EditedFace FaceOf(const fs::path& face, const fs::path& mesh_landmarks, const fi
 
 EditStart StartOf(const EditStartArguments& arguments, const fitting::CodeModel& model) {
   CheckOneStart(arguments);
-  if (!arguments.landmarks.empty()) return StartOfLandmarks(arguments, model);
+  if (!arguments.landmarks.empty() || !arguments.picture.empty()) return StartOfLandmarks(arguments, model);
   if (!arguments.code.empty()) return StartOfCode(arguments.code, model);
   if (!arguments.face.empty()) return {FaceOf(arguments.face, arguments.mesh_landmarks, model)};
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.num_numbers());

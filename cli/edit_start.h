@@ -16,7 +16,7 @@ struct EditStartArguments {
   std::filesystem::path face;            ///< A mesh, or FOLDER/NAME of a face in a database.
   std::filesystem::path mesh_landmarks;  ///< Of the mesh: it is registered first.
   std::filesystem::path landmarks;       ///< Of a picture.
-  std::filesystem::path picture;         ///< For the sheet.
+  std::filesystem::path picture;         ///< For the sheet; without landmarks they are found in it.
   std::filesystem::path code;            ///< edit.json of an earlier edit, or FILE#NAME of one of its faces.
 };
 

@@ -1,6 +1,7 @@
 #include "core/files.h"
 #include "core/json.h"
 #include "geometry/obj.h"
+#include "render/image.h"
 #include "tests/cli/pipeline.h"
 
 #include <gtest/gtest.h>
@@ -84,6 +85,15 @@ TEST_F(EditCommand, LandmarksOfAPictureGiveAFace) {
   const Json face = ReadEdit("face").at("faces")[0];
   EXPECT_EQ(face.at("num_landmarks"), 67);
   EXPECT_LT(face.at("mean_distance_share").get<double>(), 0.2);
+}
+
+TEST_F(EditCommand, APictureWithoutAFaceIsRefused) {
+  render::WriteImage(folder_ / "plain.png", render::Image(120, 120, 3, 200));
+  const ProcessResult result = Edit({"--picture", In("plain.png"), "--out", In("face")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("plain.png"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("--landmarks FILE"), std::string::npos) << result.err;
+  EXPECT_EQ(Edit({"--picture", In("plain.png"), "--code", In("a.json"), "--out", In("face")}).exit_code, 2);
 }
 
 TEST_F(EditCommand, RefusesWhatItCannotDo) {
