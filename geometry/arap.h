@@ -16,12 +16,13 @@ struct ArapDeformation {
 
 /// Moves a mesh by some of its vertices, which are fixed [Sorkine and Alexa 2007, eq. 3]: the x' of least
 ///   E = sum_i sum_j in N(i) w_ij |(x'_i - x'_j) - R_i (x_i - x_j)|^2
-/// over positions and rotations R_i in turn, w_ij the cotangent weights (at least kMinCotangent). The system is factorised
-/// once, for any targets. Promises: E never rises; targets moved by one rigid motion move the mesh by it at no energy.
+/// over positions and rotations R_i in turn, w_ij the cotangent weights (at least kMinCotangent). The system is
+/// factorised once, for any targets. Promises: E never rises; targets moved by one rigid motion move the mesh by it
+/// at no energy.
 class ArapDeformer {
  public:
-  /// handle_ids: distinct vertices. @throws Error if an id is out of range or repeated, there is none, a part of the mesh
-  /// has no handle, or a triangle has no area.
+  /// handle_ids: distinct vertices. @throws Error if an id is out of range or repeated, there is none, a part of the
+  /// mesh has no handle, or a triangle has no area.
   ArapDeformer(const TriangleMesh& mesh, std::vector<int> handle_ids);
 
   /// targets: a row a handle. Starts at the rest shape, or at `start` (V x 3).

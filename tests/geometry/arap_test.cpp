@@ -69,7 +69,7 @@ TEST(ArapDeformer, EnergyNeverRisesAndHandlesAreReached) {
   for (size_t i = 1; i < result.energies.size(); ++i)
     EXPECT_LE(result.energies[i], result.energies[i - 1] * (1 + 1e-12)) << i;
   EXPECT_LT((geometry::Points(result.vertices(kArapHandles, Eigen::all)) - targets).cwiseAbs().maxCoeff(), 1e-12);
-  // Another solve with the same factor, from the last shape, goes on where that ended.
+  // Another solve with the same factor, from the last shape, continues where that ended.
   const geometry::ArapDeformation more = deformer.Solve(targets, 5, result.vertices);
   EXPECT_LE(more.energies.back(), result.energies.back() * (1 + 1e-12));
 }
