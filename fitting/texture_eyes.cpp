@@ -121,15 +121,17 @@ render::Image EyesWithin(const render::Image& mask, std::span<const PicturePoint
 std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCamera& camera, const PictureLayer& eyes,
                                const Eigen::Vector3f& skin) {
   constexpr float kLightest = 0.75F, kLeastDifference = 0.06F;
-  constexpr float kDarkest = 0.45F;
-  constexpr double kLeastOfBest = 0.5;
+  constexpr float kDarkest = 0.45F, kPaleSkin = 0.4F;
+  constexpr double kLeastOfBest = 0.4;
   const auto find = [&](const EyeInPicture& eye, const IrisSizes& sizes) {
     std::optional<IrisDisc> disc = FindIris(eyes, eye.middle, eye.radius, sizes);
     if (!disc) return disc;
     const Eigen::Vector3f colour = IrisProfile(eyes, *disc).At(0.6F);
     const float lightness = colour.dot(kLightnessOf), of_skin = skin.dot(kLightnessOf);
     const float difference = (colour / (colour.sum() + 1e-3F) - skin / (skin.sum() + 1e-3F)).norm();
-    if (lightness > of_skin || (difference < kLeastDifference && lightness > kLightest * of_skin)) disc.reset();
+    if ((lightness > of_skin && of_skin > kPaleSkin) ||
+        (difference < kLeastDifference && lightness > kLightest * of_skin))
+      disc.reset();
     return disc;
   };
   std::vector<EyeLook> looks(shown.size());

@@ -49,7 +49,7 @@ struct EyeLook {
 };
 
 /// The irises of eyes of one head (FindIris). Those of a head have one size, that of the disc of the highest score; an eye
-/// whose iris is not shown, or whose score is below half of that, has the colours of another one. A disc that is not darker than three quarters of the skin and of its
+/// whose iris is not shown, or whose score is below 0.4 of that, has the colours of another one. A disc that is not darker than three quarters of the skin and of its
 /// hue is none: it is a closed lid, or skin next to an eye that was found at a wrong place. Without any iris, an eye darker than 0.45 of the skin is covered. skin: RGB, of the picture.
 std::vector<EyeLook> FindLooks(std::span<const ShownEye> shown, const PictureCamera& camera, const PictureLayer& eyes,
                                const Eigen::Vector3f& skin);

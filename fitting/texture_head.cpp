@@ -262,14 +262,15 @@ VertexValues HeadPainter::AtVertices(const TexelColours& colours) const {
   return MeansAtVertices(space_.triangles, int(guide_.mirror.size()), texels_.triangles, texels_.weights, colours);
 }
 
-/// Reduces weights of colours that differ from the median: where `where` (a vertex; null: everywhere) is 1.
+/// Reduces weights of colours that differ from the median: where `where` (a vertex; null: everywhere) is 1, and as far as
+/// they are seen from the side, where pixels of what is behind get into them.
 void HeadPainter::DoubtOutliers(const VertexValues& at_vertices, const Eigen::VectorXf* where,
                                 TexelColours& colours) const {
   const InlierMeasure measure(at_vertices);
   OnAllCores(int64_t(colours.weights.size()), [&](int64_t texel) {
     const auto i = size_t(texel);
     if (colours.weights[i] <= 0) return;
-    const float share = where == nullptr ? 1.0F : At(i, *where);
+    const float share = where == nullptr ? 1.0F : std::max(At(i, *where), 1 - colours.weights[i]);
     if (share > 0) colours.weights[i] *= 1 - share * (1 - measure(colours.colours[i]));
   });
 }

@@ -115,6 +115,15 @@ IrisProfile::IrisProfile(const PictureLayer& eyes, const IrisDisc& iris) {
       break;
     }
   }
+  Smooth();
+  Smooth();
+}
+
+void IrisProfile::Smooth() {
+  const auto before = colours_;
+  for (size_t ring = 0; ring < kNumRings; ++ring)
+    colours_[ring] = 0.25F * before[ring == 0 ? 0 : ring - 1] + 0.5F * before[ring] +
+                     0.25F * before[std::min(ring + 1, kNumRings - 1)];
 }
 
 Eigen::Vector3f IrisProfile::At(float share) const {

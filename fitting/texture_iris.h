@@ -29,14 +29,16 @@ std::optional<IrisDisc> FindIris(const PictureLayer& eyes, const Eigen::Vector2d
                                  const IrisSizes& sizes = {});
 
 /// Colours of an iris by the distance from its centre, in shares of its radius: medians over rings of what the picture
-/// shows, between them linear. A ring of which nothing is seen has those of the nearest one.
+/// shows, smoothed, between them linear. A ring of which nothing is seen has those of the nearest one.
 class IrisProfile {
  public:
   IrisProfile(const PictureLayer& eyes, const IrisDisc& iris);
   Eigen::Vector3f At(float share) const;
 
  private:
-  static constexpr size_t kNumRings = 12;
+  void Smooth();
+
+  static constexpr size_t kNumRings = 8;
   std::array<Eigen::Vector3f, kNumRings> colours_;
 };
 

@@ -14,6 +14,8 @@ const Eigen::Vector3f kPlainSkin(0.80F, 0.62F, 0.53F);
 constexpr SurfaceFillOptions kToneFill{.stiffness = 8, .rest_weight = 1e-3};
 /// Far from all that is seen, a colour drifts to the median within about ten edges: dark rims are not carried to the back.
 constexpr SurfaceFillOptions kColourFill{.stiffness = 1, .rest_weight = 0.01};
+/// A difference of tone that is usual: outlines and shadows at the border of what is seen differ by more.
+constexpr float kUsualTone = 0.25F;
 constexpr float kMostScale = 3;
 /// Hair ends within a few edges of what is seen of it, but for the scalp.
 constexpr SurfaceFillOptions kHairlineFill{.stiffness = 1, .rest_weight = 0.3};
@@ -34,8 +36,10 @@ class SurfaceCompletion {
     TexelColours image = MirrorTexels(texels_, mirror_, seen);
     TexelColours difference = image;
     for (size_t i = 0; i < image.weights.size(); ++i) {
-      difference.weights[i] = std::min(image.weights[i], seen.weights[i]);
       difference.colours[i] = seen.colours[i] - image.colours[i];
+      const float weight = std::min(image.weights[i], seen.weights[i]);
+      const float t = 1 + difference.colours[i].squaredNorm() / (kUsualTone * kUsualTone);
+      difference.weights[i] = weight * weight / (t * t);
     }
     const Eigen::MatrixXf tone =
         surface_.Solve(AtVertices(difference), Eigen::MatrixXf::Zero(num_vertices_, 3), kToneFill);
