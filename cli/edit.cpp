@@ -32,6 +32,7 @@ struct EditArguments {
   EditStartArguments start;
   std::vector<std::string> handles, labels, keep;
   std::optional<double> soft_cm, caricature;
+  double spread = 0.5;
   int random = 0, steps = 3;
   uint64_t seed = 1;
   bool is_local = false, with_arap = false, moves_expression = false, writes_ply = false, lists_labels = false,
@@ -125,11 +126,11 @@ class EditFaces {
   const Eigen::VectorXd& start() const { return faces_.front().code; }
 
   void AddRandom() {
-    constraints_["random"] = {{"count", arguments_.random}, {"seed", arguments_.seed}};
+    constraints_["random"] = {{"count", arguments_.random}, {"seed", arguments_.seed}, {"spread", arguments_.spread}};
     for (int i = 0; i < arguments_.random; ++i) {
       Rng rng = Stream(arguments_.seed, "edit samples", uint64_t(i));
       Eigen::VectorXd code(model_.num_numbers());
-      for (double& number : code) number = rng.Normal();
+      for (double& number : code) number = arguments_.spread * rng.Normal();
       for (const int number : opened_.expression) code[number] = 0;  // Neutral faces.
       Add(fmt::format("random_{}", i + 1), fmt::format("random {}", i + 1), code, Json::object());
     }
@@ -334,6 +335,13 @@ Verb EditVerb() {
                 "Add this number of random faces of the model; neutral ones where it has an expression of its own")
             ->check(CLI::Range(1, 1000));
         command.add_option("--seed", arguments->seed, "Of --random")->capture_default_str();
+        command
+            .add_option(
+                "--spread", arguments->spread,
+                "Of --random: deviation of the numbers of a code; 1 is that of the model's own faces, each "
+                "number for itself: of models without training many controls at once, which few caricatures have")
+            ->check(CLI::Range(0.01, 3.0))
+            ->capture_default_str();
         command.add_option("--toward", arguments->toward, "Interpolate to this face, given as --face is");
         command
             .add_option("--handle", arguments->handles,
