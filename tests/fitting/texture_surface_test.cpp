@@ -70,14 +70,14 @@ TEST_F(CompletedSheet, TakesTheOtherSideWhereThatIsSeen) {
 }
 
 TEST_F(CompletedSheet, MatchesTheToneOfMirrorImages) {
-  // The right side is darker by 0.2 and seen in its lower half alone.
+  // The right side is darker by 0.1 and seen in its lower half alone.
   const auto colour = [](double x, double y) -> Eigen::Vector3f {
-    return Reddish(x, y) - Eigen::Vector3f::Constant(x > 0 ? 0.2F : 0);
+    return Reddish(x, y) - Eigen::Vector3f::Constant(x > 0 ? 0.1F : 0);
   };
   const auto seen = Seen([](double x, double y) { return x < 0 || y < 0 ? 1.0F : 0.0F; }, colour);
   const auto texture = Complete(seen, nullptr, 0, TextureFill::kSmooth);
-  // Harmonic between -0.2 and 0.2 on the two sides: 0.2 (2 / pi) atan(x / y) above an endless sheet's lower half.
-  EXPECT_NEAR(texture.colours[At(3, 1)][0], Reddish(3, 1)[0] - 0.16F, 0.04);
+  // Harmonic between -0.1 and 0.1 on the two sides: 0.1 (2 / pi) atan(x / y) above an endless sheet's lower half.
+  EXPECT_NEAR(texture.colours[At(3, 1)][0], Reddish(3, 1)[0] - 0.08F, 0.04);
 }
 
 TEST_F(CompletedSheet, ContinuesSmoothlyWhatNoSideShows) {
