@@ -16,7 +16,7 @@ namespace {
 constexpr int kBands = raster::kLightBands;
 using Basis = Eigen::Matrix<double, Eigen::Dynamic, kBands>;
 using BandValues = Eigen::Matrix<double, kBands, 1>;
-/// A vertex of more texels counts as one of so many.
+/// Upper limit of the weight of a vertex, so that large triangles of the atlas do not decide alone.
 constexpr double kMostWeight = 20;
 constexpr double kLeastDeviation = 0.02;
 
