@@ -67,7 +67,8 @@ Manifest ReadWeights(const fs::path& directory, const std::string& system, const
 fs::path NeededWeights(const fs::path& directory, const Manifest& manifest, const std::string& name) {
   const Json needs = manifest.details.value("needs", Json::object());
   DAUMIER_CHECK(needs.is_object() && needs.contains(name) && needs.at(name).is_string(),
-                "{} does not list '{}' in details.needs. {}", (directory / "manifest.json").string(), name, kRestoreWeights);
+                "{} does not list '{}' in details.needs. {}", (directory / "manifest.json").string(), name,
+                kRestoreWeights);
   const fs::path needed = WeightsNextTo(directory, name);
   DAUMIER_CHECK(IsWeightsFolder(needed), "{} needs the weights {}, which are missing. Put them there from the release",
                 directory.string(), needed.string());
