@@ -266,6 +266,18 @@ class EditFaces {
   std::optional<Labels> labels_;
 };
 
+/// A result for people: its faces by name, with their numbers and words, but without lists.
+Json ByName(Json result) {
+  Json faces = Json::object();
+  for (const Json& face : result["faces"]) {
+    Json& row = faces[face["name"].get<std::string>()] = Json::object();
+    for (const auto& [key, value] : face.items())
+      if (key != "name" && value.is_primitive()) row[key] = value;
+  }
+  result["faces"] = std::move(faces);
+  return result;
+}
+
 void Edit(const EditArguments& arguments) {
   const Stopwatch watch;
   const fs::path folder = arguments.model.empty() ? deform::ShippedModel() : arguments.model;
@@ -294,7 +306,7 @@ void Edit(const EditArguments& arguments) {
   content.manifest.sources = opened.sources;
   Json result = WriteEdit(arguments.out, *opened.model, content);
   result["seconds"] = watch.seconds();
-  PrintResult(result, arguments.as_json);
+  PrintResult(arguments.as_json ? result : ByName(result), arguments.as_json);
 }
 
 void AddStartArguments(CLI::App& command, EditStartArguments& start) {

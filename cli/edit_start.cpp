@@ -76,8 +76,9 @@ std::vector<float> LandmarksOf(const EditStartArguments& arguments) {
   const fs::path weights = systems::WeightsNamed("landmarks", systems::ListWeights(places), places);
   const auto predictor = portrait::OpenLandmarkPredictor(weights, Device(), ToJson(portrait::LandmarkPredictOptions()));
   const auto& finder = dynamic_cast<const portrait::LandmarkPredictor&>(*predictor);
+  const render::Image picture = render::ReadImage(arguments.picture);
   try {
-    return finder.detector().FindOne(render::ReadImage(arguments.picture)).landmarks;
+    return finder.detector().FindOne(picture).landmarks;
   } catch (const Error& error) {
     throw Error(
         fmt::format("{}: {}. Name its 68 landmarks by --landmarks FILE", arguments.picture.string(), error.what()));
