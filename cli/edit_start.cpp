@@ -43,7 +43,8 @@ geometry::Points VerticesOf(const fs::path& face, const fs::path& mesh_landmarks
   const GivenFace given = ReadGivenFace(face);
   const Eigen::Index num_vertices = given.mesh.vertices.rows();
   const int expected = face_template.num_vertices();
-  if (num_vertices != expected && !(given.is_mesh && num_vertices == NumHeadVertices(face_template)))
+  if (num_vertices != expected && !IsHeadOf(given, face_template) &&
+      !(given.is_mesh && num_vertices == NumHeadVertices(face_template)))
     throw Error(fmt::format(
         "{} has {} vertices, faces of this model {}: it is of another topology. Add --mesh-landmarks FILE with its 68 "
         "landmarks (docs/formats.md lists the forms), by which it is registered first",

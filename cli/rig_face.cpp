@@ -66,13 +66,6 @@ double ShareOfEdges(const geometry::PolygonMesh& mesh, const faces::FaceTemplate
   return num_edges == 0 ? 1.0 : double(num_found) / double(num_edges);
 }
 
-/// Whether a mesh begins with the vertices of a topology and ends with those of other parts. Another neutral face than the
-/// topology's has another cut of the neck, and so another number of them.
-bool IsHeadOf(const GivenFace& given, const faces::FaceTemplate& face_template) {
-  return given.is_mesh && given.mesh.num_polygons() > 0 && given.mesh.vertices.rows() > face_template.num_vertices() &&
-         ShareOfEdges(given.mesh, face_template) >= kLeastShareOfEdges;
-}
-
 double HeightOf(const geometry::Points& points) {
   return points.col(1).maxCoeff() - points.col(1).minCoeff();
 }
@@ -153,6 +146,11 @@ int NumHeadVertices(const faces::FaceTemplate& face_template) {
   } catch (const Error&) {
     return face_template.num_vertices();
   }
+}
+
+bool IsHeadOf(const GivenFace& given, const faces::FaceTemplate& face_template) {
+  return given.is_mesh && given.mesh.num_polygons() > 0 && given.mesh.vertices.rows() > face_template.num_vertices() &&
+         ShareOfEdges(given.mesh, face_template) >= kLeastShareOfEdges;
 }
 
 geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTemplate& face_template) {

@@ -30,6 +30,10 @@ GivenFace ReadGivenFace(const std::filesystem::path& face);
 /// @throws Error if a vertex is not finite, the polygons are not the topology's, or the size suggests another unit.
 geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTemplate& face_template);
 
+/// Whether a mesh begins with the vertices of a topology and ends with those of other parts. The head of another neutral
+/// face than the topology's has another cut of the neck, and so another number of them.
+bool IsHeadOf(const GivenFace& given, const faces::FaceTemplate& face_template);
+
 /// Vertices of the finished head that `daumier predict` writes; V where the template has none.
 int NumHeadVertices(const faces::FaceTemplate& face_template);
 

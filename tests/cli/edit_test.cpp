@@ -28,6 +28,19 @@ class EditCommand : public ::testing::Test {
   const TempDir folder_;
 };
 
+/// Heads of portraits have their necks cut elsewhere, and so another number of vertices than the template's.
+TEST_F(EditCommand, BeginsWithTheFaceOfAMeshThatEndsWithOtherParts) {
+  ASSERT_EQ(Edit({"--random", "1", "--seed", "3", "--out", In("random")}).exit_code, 0);
+  std::string text = ReadFile(folder_ / "random/random_1.obj");
+  const size_t num_vertices = size_t(geometry::ReadObj(folder_ / "random/random_1.obj").vertices.rows());
+  text += fmt::format("v 0 0 0\nv 1 0 0\nv 0 1 0\nf {} {} {}\n", num_vertices + 1, num_vertices + 2, num_vertices + 3);
+  WriteFileAtomically(folder_ / "longer.obj", text);
+  const ProcessResult longer = Edit({"--face", In("longer.obj"), "--out", In("longer")});
+  ASSERT_EQ(longer.exit_code, 0) << longer.err;
+  ASSERT_EQ(Edit({"--face", In("random/random_1.obj"), "--out", In("same")}).exit_code, 0);
+  EXPECT_EQ(ReadEdit("longer").at("faces")[0].at("code"), ReadEdit("same").at("faces")[0].at("code"));
+}
+
 TEST_F(EditCommand, HandlesGoBackToTheirCodeAndMesh) {
   const ProcessResult moved = Edit({"--handle", "nose=1", "--steps", "2", "--ply", "--out", In("nose")});
   ASSERT_EQ(moved.exit_code, 0) << moved.err;
