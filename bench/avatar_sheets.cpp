@@ -24,17 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr int kSide = 360;
 
-struct SheetOptions {
-  portrait::PortraitPredictOptions face;
-  portrait::AvatarOptions avatar;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("face", face, Table{}, "How the face is found and aligned.");
-    visit("avatar", avatar, Table{}, "How the head is made.");
-  }
-};
-
 render::Image SheetOf(const portrait::Avatar& avatar) {
   std::vector<render::SheetCell> cells;
   for (const auto& picture : avatar.face.pictures)
@@ -61,7 +50,7 @@ void MakeSheets(const fs::path& weights, const fs::path& out, const std::vector<
   for (const std::string& argument : rest)
     argument.find('=') == std::string::npos ? pictures.emplace_back(argument)
                                             : fs::path(overrides.emplace_back(argument));
-  const auto options = ParseOptions<SheetOptions>(LoadConfig({}, overrides), "arguments");
+  const auto options = ParseOptions<portrait::AvatarConfig>(LoadConfig({}, overrides), "arguments");
   auto predictor = portrait::OpenPortraits(weights, Device(), ToJson(options.face));
   const std::string source = predictor->run().model.face_template.source;
   const faces::FaceModel model = faces::ReadFaceModelWeights(WeightsNextTo(weights, "face-" + source), source);

@@ -26,18 +26,6 @@ struct AvatarArguments {
   ConfigArguments config;
 };
 
-/// What key=value may set.
-struct AvatarConfig {
-  portrait::PortraitPredictOptions face;
-  portrait::AvatarOptions avatar;
-
-  template <class V>
-  void Visit(V&& visit) {
-    visit("face", face, Table{}, "How the face is found and aligned.");
-    visit("avatar", avatar, Table{}, "How the head is made of it.");
-  }
-};
-
 faces::FaceModel FaceModelOf(const fs::path& weights, const portrait::PortraitRunFolder& run) {
   const fs::path folder = WeightsNextTo(weights, "face-" + run.model.face_template.source);
   if (!IsWeightsFolder(folder))
@@ -48,7 +36,7 @@ faces::FaceModel FaceModelOf(const fs::path& weights, const portrait::PortraitRu
 
 void MakeAvatar(const AvatarArguments& arguments) {
   const Stopwatch watch;
-  const auto config = ParseOptions<AvatarConfig>(arguments.config.Load(), arguments.config.Where());
+  const auto config = ParseOptions<portrait::AvatarConfig>(arguments.config.Load(), arguments.config.Where());
   const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.portrait});
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
   const render::Image picture = render::ReadImage(arguments.portrait);
@@ -93,7 +81,7 @@ Verb AvatarVerb() {
                 ->capture_default_str();
             command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
             AddHeadArguments(command, arguments->head);
-            command.footer("Options:\n" + HelpText<AvatarConfig>());
+            command.footer("Options:\n" + HelpText<portrait::AvatarConfig>());
             return [arguments] { MakeAvatar(*arguments); };
           },
           /*keeps_freed_memory=*/false};

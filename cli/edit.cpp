@@ -17,7 +17,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,24 +37,6 @@ struct EditArguments {
   bool is_local = false, with_arap = false, moves_expression = false, writes_ply = false, lists_labels = false,
        as_json = false;
 };
-
-/// NAME=AMOUNT.
-struct LabelEdit {
-  std::string name;
-  double amount;
-};
-
-LabelEdit ParseLabel(const std::string& word) {
-  const size_t equals = word.rfind('=');
-  LabelEdit edit{word.substr(0, equals), 1};
-  if (equals == std::string::npos) return edit;
-  const std::string number = word.substr(equals + 1);
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), edit.amount);
-  if (error != std::errc() || end != number.data() + number.size())
-    throw UsageError(
-        fmt::format("--label {}: '{}' is no number (expected NAME=AMOUNT, in deviations of the label)", word, number));
-  return edit;
-}
 
 /// Directions of labels, from faces that carry them.
 class Labels {
@@ -158,7 +139,7 @@ class EditFaces {
     std::string title;
     Json list = Json::array();
     for (const std::string& word : arguments_.labels) {
-      const LabelEdit edit = ParseLabel(word);
+      const deform::LabelEdit edit = deform::ParseLabel(word);
       const fitting::CodeDirection direction = AllLabels().Of(edit.name);
       step += edit.amount * fitting::Keeping(direction.step, kept);
       title += (title.empty() ? "" : ", ") + edit.name;
@@ -278,6 +259,16 @@ Json ByName(Json result) {
   return result;
 }
 
+/// Files and folders that the edit reads.
+std::vector<fs::path> InputsOf(const EditArguments& arguments, const fs::path& model) {
+  const EditStartArguments& start = arguments.start;
+  std::vector<fs::path> inputs = {model,         start.face,       start.mesh_landmarks,     start.landmarks,
+                                  start.picture, arguments.toward, arguments.labelled_faces, arguments.label_file};
+  if (!start.code.empty()) inputs.push_back(FileOfCode(start.code).file);
+  std::erase_if(inputs, [](const fs::path& path) { return path.empty(); });
+  return inputs;
+}
+
 void Edit(const EditArguments& arguments) {
   const Stopwatch watch;
   const fs::path folder = arguments.model.empty() ? deform::ShippedModel() : arguments.model;
@@ -287,8 +278,7 @@ void Edit(const EditArguments& arguments) {
     return;
   }
   if (arguments.out.empty()) throw UsageError("--out FOLDER is missing");
-  CheckReplacedFolder(arguments.out, kEditKind,
-                      {folder, arguments.start.face, arguments.start.landmarks, arguments.toward});
+  CheckReplacedFolder(arguments.out, kEditKind, InputsOf(arguments, folder));
   const deform::OpenedModel opened = deform::OpenCodeModel(folder);
   log::Info("Editing by {} ({}, codes of {} numbers)", folder.string(), opened.kind, opened.model->num_numbers());
   EditFaces edit(opened, arguments);

@@ -121,12 +121,9 @@ EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::C
 }
 
 EditStart StartOfCode(const fs::path& code, const fitting::CodeModel& model) {
-  std::string file = code.string(), name = "start";
-  if (const size_t hash = file.rfind('#'); hash != std::string::npos) {
-    name = file.substr(hash + 1);
-    file.resize(hash);
-  }
-  const Json text = ReadJson(file);
+  const auto [path, name] = FileOfCode(code);
+  const std::string file = path.string();
+  const Json text = ReadJson(path);
   EditStart start;
   try {
     for (const Json& face : text.at("faces")) {
@@ -150,6 +147,13 @@ EditStart StartOfCode(const fs::path& code, const fitting::CodeModel& model) {
 }
 
 }  // namespace
+
+CodePlace FileOfCode(const fs::path& code) {
+  const std::string text = code.string();
+  const size_t hash = text.rfind('#');
+  if (hash == std::string::npos) return {code, "start"};
+  return {text.substr(0, hash), text.substr(hash + 1)};
+}
 
 EditedFace FaceOf(const fs::path& face, const fs::path& mesh_landmarks, const fitting::CodeModel& model) {
   const geometry::Points target = VerticesOf(face, mesh_landmarks, model.face_template());

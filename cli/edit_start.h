@@ -35,6 +35,13 @@ struct EditStart {
   std::vector<render::SheetCell> pictures = {};  ///< Of the sheet, before the faces.
 };
 
+/// FILE#NAME, or FILE: the face "start".
+struct CodePlace {
+  std::filesystem::path file;
+  std::string face;
+};
+CodePlace FileOfCode(const std::filesystem::path& code);
+
 /// The mean face, or the one that the arguments name. @throws UsageError if they name several; Error naming file, cause
 /// and repair.
 EditStart StartOf(const EditStartArguments& arguments, const fitting::CodeModel& model);

@@ -27,12 +27,13 @@ constexpr const char* kExample =
   throw UsageError(fmt::format("--handle {}: {} ({})", word, what, kExample));
 }
 
-/// A whole text as a number.
+/// A whole text as a finite number.
 template <class Number>
 std::optional<Number> NumberIn(std::string_view text) {
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  if (!std::isfinite(double(number))) return std::nullopt;
   return number;
 }
 
@@ -91,8 +92,7 @@ EditHandles ParseHandle(const faces::FaceTemplate& face_template, const std::str
   for (size_t begin = equals + 1; begin <= word.size();) {
     const size_t end = std::min(word.find(',', begin), word.size());
     const std::optional<double> number = NumberIn<double>(std::string_view(word).substr(begin, end - begin));
-    if (!number || !std::isfinite(*number))
-      Refuse(word, fmt::format("'{}' is no number", word.substr(begin, end - begin)));
+    if (!number) Refuse(word, fmt::format("'{}' is no number", word.substr(begin, end - begin)));
     numbers.push_back(*number);
     begin = end + 1;
   }
@@ -125,6 +125,17 @@ EditHandles JoinHandles(const std::vector<EditHandles>& handles) {
     }
   }
   return all;
+}
+
+LabelEdit ParseLabel(const std::string& word) {
+  const size_t equals = word.rfind('=');
+  if (equals == std::string::npos) return {word};
+  const std::string text = word.substr(equals + 1);
+  const std::optional<double> amount = NumberIn<double>(text);
+  if (!amount)
+    throw UsageError(
+        fmt::format("--label {}: '{}' is no number (expected NAME=AMOUNT, in deviations of the label)", word, text));
+  return {word.substr(0, equals), *amount};
 }
 
 std::vector<int> OutsideOfPart(const faces::FaceTemplate& face_template, const std::vector<int>& vertices) {

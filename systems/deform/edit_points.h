@@ -27,6 +27,15 @@ EditHandles ParseHandle(const faces::FaceTemplate& face_template, const std::str
 /// All of them together. @throws UsageError if a vertex comes twice.
 EditHandles JoinHandles(const std::vector<EditHandles>& handles);
 
+/// An edit by a label.
+struct LabelEdit {
+  std::string name;
+  double amount = 1;  ///< Deviations of the label.
+};
+
+/// "NAME=AMOUNT", or "NAME" for an amount of 1. @throws UsageError if the amount is no finite number.
+LabelEdit ParseLabel(const std::string& word);
+
 /// What a local edit of these vertices leaves: the vertices outside of the face parts (faces::FaceParts) that have a
 /// tenth of their weight or more at a handle. Parts fade out over some rings;
 /// vertices with a share of the part are neither inside nor outside.

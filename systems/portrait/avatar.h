@@ -26,6 +26,18 @@ struct AvatarOptions {
   }
 };
 
+/// All that may be set of an avatar.
+struct AvatarConfig {
+  PortraitPredictOptions face;
+  AvatarOptions avatar;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("face", face, Table{}, "How the face is found and aligned.");
+    visit("avatar", avatar, Table{}, "How the head is made of it.");
+  }
+};
+
 /// Milliseconds of the stages of an avatar.
 struct AvatarTimes {
   double face = 0, targets = 0, head = 0, texture = 0;

@@ -109,6 +109,20 @@ TEST_F(EditCommand, APictureWithoutAFaceIsRefused) {
   EXPECT_EQ(Edit({"--picture", In("plain.png"), "--code", In("a.json"), "--out", In("face")}).exit_code, 2);
 }
 
+TEST_F(EditCommand, WritesOverNothingThatItReads) {
+  ASSERT_EQ(Edit({"--random", "1", "--out", In("first")}).exit_code, 0);
+  const std::string before = ReadFile(folder_ / "first/edit.json");
+  for (const std::vector<std::string>& input : {std::vector<std::string>{"--code", In("first/edit.json#random_1")},
+                                                {"--face", In("first/random_1.obj")},
+                                                {"--face", In("first/random_1")},
+                                                {"--toward", In("first/random_1.obj")}}) {
+    std::vector<std::string> words = input;
+    words.insert(words.end(), {"--out", In("first")});
+    EXPECT_EQ(Edit(words).exit_code, 2) << words[0] << " " << words[1];
+    EXPECT_EQ(ReadFile(folder_ / "first/edit.json"), before);
+  }
+}
+
 TEST_F(EditCommand, RefusesWhatItCannotDo) {
   const auto expect = [&](const std::vector<std::string>& arguments, int exit_code, const std::string& part) {
     const ProcessResult result = Edit(arguments);

@@ -41,6 +41,15 @@ TEST(EditPoints, RefusesWordsWithAnExample) {
   }
 }
 
+TEST(EditPoints, LabelsHaveAnAmount) {
+  EXPECT_EQ(deform::ParseLabel("smile").amount, 1);
+  EXPECT_EQ(deform::ParseLabel("smile").name, "smile");
+  EXPECT_EQ(deform::ParseLabel("nose_width=-0.5").name, "nose_width");
+  EXPECT_EQ(deform::ParseLabel("nose_width=-0.5").amount, -0.5);
+  for (const char* word : {"smile=", "smile=much", "smile=1x", "smile=nan", "smile=inf"})
+    EXPECT_THROW(deform::ParseLabel(word), UsageError) << word;
+}
+
 TEST(EditPoints, AVertexHasOneHandle) {
   const faces::FaceTemplate face = SyntheticFace();
   const deform::EditHandles nose = deform::PresetHandles(face, "nose", 1),
