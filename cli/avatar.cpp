@@ -1,5 +1,6 @@
 #include "systems/portrait/avatar.h"
 #include "cli/head_arguments.h"
+#include "cli/system_table.h"
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -7,8 +8,11 @@
 #include "core/weights_folder.h"
 #include "faces/face_model_file.h"
 #include "render/sheet.h"
+#include "systems/picture_content.h"
 #include "systems/portrait/portrait_system.h"
+#include "systems/predict_inputs.h"
 #include "systems/shipped_weights.h"
+#include "systems/sketch/run_folder.h"
 
 #include <algorithm>
 #include <memory>
@@ -34,12 +38,29 @@ faces::FaceModel FaceModelOf(const fs::path& weights, const portrait::PortraitRu
   return faces::ReadFaceModelWeights(folder, run.model.face_template.source);
 }
 
+/// For what is drawn with lines, of which a portrait's network makes a poor face.
+std::string HintForDrawings(const fs::path& drawing) {
+  return fmt::format(
+      "A drawing becomes a head by `daumier predict {} --out DIR` and `daumier rig DIR/{} --out HEAD.glb`",
+      drawing.string(), drawing.stem().string() + ".obj");
+}
+
+/// @throws UsageError naming a file that only drawings are read from.
+void RefuseDrawing(const fs::path& file) {
+  const auto reads = [&](std::string_view task) { return systems::IsInputFile(SystemNamed(task), file); };
+  if (reads(sketch::kSystem) && !reads(portrait::kPortraitSystem))
+    throw UsageError(fmt::format("{} is a drawing, and no picture. {}", file.string(), HintForDrawings(file)));
+}
+
 void MakeAvatar(const AvatarArguments& arguments) {
   const Stopwatch watch;
   const auto config = ParseOptions<portrait::AvatarConfig>(arguments.config.Load(), arguments.config.Where());
   const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.portrait});
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
+  RefuseDrawing(arguments.portrait);
   const render::Image picture = render::ReadImage(arguments.portrait);
+  if (systems::LineDrawings().suits(picture) > 0)
+    log::Warn("{} looks like a line drawing. {}", arguments.portrait.string(), HintForDrawings(arguments.portrait));
   const std::vector<fs::path> places = systems::WeightsPlaces();
   const fs::path weights = systems::WeightsNamed(arguments.weights, systems::ListWeights(places), places);
   auto predictor = portrait::OpenPortraits(weights, ParseDevice(arguments.device), ToJson(config.face));

@@ -1,3 +1,4 @@
+#include "cli/predict_session.h"
 #include "cli/system_table.h"
 #include "cli/verb.h"
 #include "core/error.h"
@@ -6,14 +7,17 @@
 #include "core/process_task.h"
 #include "core/weights_folder.h"
 #include "systems/predict_files.h"
+#include "systems/prediction_folder.h"
 #include "systems/prediction_options.h"
 #include "systems/shipped_weights.h"
+#include "systems/sketch/run_folder.h"
 #include "systems/weights_choice.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace daumier::cli {
 namespace {
@@ -22,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct PredictArguments {
   std::string run, weights;  ///< run: also the first input, where no run is named.
-  std::filesystem::path out;
+  std::filesystem::path out, session;
   std::vector<std::string> inputs;  ///< Files, and key=value.
   bool keep_frame = false, all = false, no_refine = false, no_fit = false;
   std::string device = "cpu";
@@ -44,6 +48,20 @@ bool IsInput(const std::string& word) {
     });
   }
   return std::ranges::any_of(Systems(), [&](const systems::System& system) { return IsInputFile(system, word); });
+}
+
+/// What to say where no input is named besides `word`, which is none.
+std::string WithoutInput(const std::string& word) {
+  const fs::path path(word);
+  if (word.empty()) return "predict needs at least one input file";
+  if (!fs::exists(path)) return fmt::format("{} does not exist. Name a file, or a folder of files", word);
+  if (fs::exists(path / "manifest.json")) return fmt::format("predict needs at least one input file besides {}", word);
+  std::set<std::string> extensions;
+  for (const systems::System& system : Systems())
+    extensions.insert(system.input_extensions.begin(), system.input_extensions.end());
+  return fmt::format("{} {} (expected {}). Name other files, or convert it", word,
+                     fs::is_directory(path) ? "holds no file that predict reads" : "is no file that predict reads",
+                     fmt::join(extensions, ", "));
 }
 
 /// What a run or weights predict, and where to.
@@ -149,12 +167,12 @@ void Predict(const PredictArguments& arguments) {
   std::vector<std::string> overrides;
   const bool names_run = arguments.weights.empty() && !IsOption(arguments.run) && !IsInput(arguments.run);
   std::vector<std::string> words = arguments.inputs;
-  if (!names_run) words.insert(words.begin(), arguments.run);
+  if (!names_run && !arguments.run.empty()) words.insert(words.begin(), arguments.run);
   for (const std::string& word : words) {
     if (IsOption(word)) overrides.push_back(word);
     if (!IsOption(word)) files.emplace_back(word);
   }
-  if (files.empty()) throw UsageError("predict needs at least one input file");
+  if (files.empty()) throw UsageError(WithoutInput(names_run ? arguments.run : ""));
   if (arguments.keep_frame) overrides.push_back("framing=keep");
   if (arguments.all) overrides.push_back("faces=all");
   if (arguments.no_refine) overrides.push_back("refine=false");
@@ -177,6 +195,24 @@ void Predict(const PredictArguments& arguments) {
   systems::ThrowIfFailed(summary, arguments.out);
 }
 
+/// By the run, or the weights, that are named, else by the shipped ones of drawings.
+void PredictSession(const PredictArguments& arguments) {
+  if (!arguments.inputs.empty() || (!arguments.run.empty() && !arguments.weights.empty()))
+    throw UsageError("--session takes at most one run or one --weights, and no inputs");
+  SessionArguments session{arguments.session, arguments.run, arguments.out, ParseDevice(arguments.device)};
+  if (session.run.empty()) {
+    const std::vector<fs::path> places = systems::WeightsPlaces();
+    const std::vector<systems::ShippedWeights> shipped = systems::ListWeights(places);
+    session.run = arguments.weights.empty()
+                      ? systems::WeightsFor(std::vector<fs::path>{"drawing.svg"}, Systems(), shipped, places)
+                      : WeightsNamed(arguments.weights, shipped, places);
+  }
+  if (SystemOfRunOrWeights(session.run).name != sketch::kSystem)
+    throw UsageError(fmt::format("--session is for runs and weights of the task '{}', and {} is of another",
+                                 sketch::kSystem, session.run.string()));
+  ReplaySession(session);
+}
+
 }  // namespace
 
 Verb PredictVerb() {
@@ -184,10 +220,8 @@ Verb PredictVerb() {
       "predict", "Drawings to meshes, portraits to meshes or to landmarks and masks, with pictures",
       [](CLI::App& command) {
         auto arguments = std::make_shared<PredictArguments>();
-        command
-            .add_option("run", arguments->run,
-                        "Run folder, or weights. Without it the shipped weights that read the inputs are used")
-            ->required();
+        command.add_option("run", arguments->run,
+                           "Run folder, or weights. Without it the shipped weights that read the inputs are used");
         command.add_option(
             "inputs", arguments->inputs,
             "Of a sketch run: frontal face drawings: SVG, Xournal++, InkML, Quick, Draw! ndjson, or pictures "
@@ -200,6 +234,11 @@ Verb PredictVerb() {
             "choice follows from the inputs: line drawings and portraits are distinguished by content. "
             "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
             "program's folder and of those above it");
+        command
+            .add_option("--session", arguments->session,
+                        "Replay a recorded session of sketching instead (docs/sketching.md): a mesh and a drawing of "
+                        "each of its states, and a sheet")
+            ->check(CLI::ExistingFile);
         command.add_flag("--keep-frame", arguments->keep_frame,
                          "Use the sheet as the canvas of the training sketches; without it, the drawing is parsed to "
                          "find its frame");
@@ -216,7 +255,7 @@ Verb PredictVerb() {
             "the drawing");
         command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
         command.add_option("-o,--out", arguments->out, "Folder to write")->required();
-        return [arguments] { Predict(*arguments); };
+        return [arguments] { arguments->session.empty() ? Predict(*arguments) : PredictSession(*arguments); };
       },
       /*keeps_freed_memory=*/false};
 }

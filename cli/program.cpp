@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -141,6 +143,15 @@ int RunProgram(int argc, char** argv) {
   } catch (const UsageError& error) {
     fmt::print(stderr, "daumier: {}\n", error.what());
     return kMisused;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "daumier: cannot access {}: {}. Change its permissions, or name another one\n",
+               error.path1().string(), error.code().message());
+    return kFailed;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "daumier: there is not enough memory. Free some, raise the limit (ulimit -v), or give fewer or smaller "
+               "inputs\n");
+    return kFailed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "daumier: {}\n", error.what());
     return kFailed;

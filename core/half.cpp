@@ -1,7 +1,5 @@
 #include "core/half.h"
 
-#include <bit>
-
 namespace daumier {
 namespace {
 
@@ -28,18 +26,6 @@ Half HalfFromFloat(float value) {
   const uint32_t half_of_last = (1U << (kDroppedBits - 1)) - 1, odd = (magnitude >> kDroppedBits) & 1;
   const uint32_t rebased = magnitude - (kExponentDifference << kFloatMantissaBits);
   return signed_half((rebased + half_of_last + odd) >> kDroppedBits);
-}
-
-float FloatFromHalf(Half half) {
-  const uint32_t sign = uint32_t{static_cast<uint16_t>(half.bits & kHalfSign)} << 16;
-  const uint32_t exponent = (half.bits >> kHalfMantissaBits) & 0x1f, mantissa = half.bits & 0x3ff;
-  if (exponent == 31) return std::bit_cast<float>(sign | kFloatInfinity | (mantissa << kDroppedBits));
-  if (exponent == 0) {
-    constexpr float kLeastSubnormal = 0x1p-24F;
-    return std::bit_cast<float>(sign | std::bit_cast<uint32_t>(static_cast<float>(mantissa) * kLeastSubnormal));
-  }
-  return std::bit_cast<float>(sign | ((exponent + kExponentDifference) << kFloatMantissaBits) |
-                              (mantissa << kDroppedBits));
 }
 
 }  // namespace daumier

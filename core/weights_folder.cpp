@@ -37,6 +37,16 @@ bool IsWeightsFolder(const fs::path& directory) {
   return manifest.is_object() && manifest.value("kind", Json()) == kWeightsKind;
 }
 
+void CheckNotDamaged(const fs::path& directory) {
+  std::error_code ignored;
+  const fs::path file = directory / "manifest.json";
+  if (fs::is_regular_file(file, ignored) && TryParseJson(ReadFile(file))) return;
+  for (fs::directory_iterator entry(directory, ignored), end; !ignored && entry != end; entry.increment(ignored))
+    DAUMIER_CHECK(entry->path().extension() != ".safetensors",
+                  "{}: weights whose manifest.json is missing or malformed. {}, or remove it", directory.string(),
+                  kRestoreWeights);
+}
+
 Manifest ReadWeights(const fs::path& directory, const std::string& system, const std::vector<std::string>& files) {
   Manifest manifest = ReadManifest(directory, kWeightsKind);
   const std::string file = (directory / "manifest.json").string();
@@ -70,8 +80,9 @@ fs::path NeededWeights(const fs::path& directory, const Manifest& manifest, cons
                 "{} does not list '{}' in details.needs. {}", (directory / "manifest.json").string(), name,
                 kRestoreWeights);
   const fs::path needed = WeightsNextTo(directory, name);
-  DAUMIER_CHECK(IsWeightsFolder(needed), "{} needs the weights {}, which are missing. Put them there from the release",
-                directory.string(), needed.string());
+  CheckNotDamaged(needed);
+  DAUMIER_CHECK(IsWeightsFolder(needed), "{} needs the weights {}, which are {}. Put them there from the release",
+                directory.string(), needed.string(), fs::exists(needed) ? "damaged" : "missing");
   const auto expected = needs.at(name).get<std::string>();
   const std::string found = DataHash(needed);
   DAUMIER_CHECK(found == expected,

@@ -35,6 +35,9 @@ struct WeightsParts {
 /// Whether the folder has a manifest.json of weights.
 bool IsWeightsFolder(const std::filesystem::path& directory);
 
+/// @throws Error if the folder holds numbers of weights (.safetensors), but its manifest.json is missing or no JSON.
+void CheckNotDamaged(const std::filesystem::path& directory);
+
 /// The manifest of shipped weights, with every file compared with its checksum.
 /// @throws Error naming file, cause and repair if there are none, if they are of another version or (unless `system` is
 /// empty) of another task, if the card or one of `files` is not listed, or if a file is missing or has changed.

@@ -14,11 +14,11 @@ namespace {
 /// While it lives, OpenCV prints nothing of the errors that it throws.
 class SilentOpenCv {
  public:
-  SilentOpenCv() : level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {
-    cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
-  }
+  SilentOpenCv()
+      : level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)),
+        callback_(cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; })) {}
   ~SilentOpenCv() {
-    cv::redirectError(nullptr);
+    cv::redirectError(callback_);
     cv::utils::logging::setLogLevel(level_);
   }
   SilentOpenCv(const SilentOpenCv&) = delete;
@@ -26,6 +26,7 @@ class SilentOpenCv {
 
  private:
   cv::utils::logging::LogLevel level_;
+  cv::ErrorCallback callback_;
 };
 
 /// Shares the memory of a contiguous float32 tensor.

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <limits>
+#include <new>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -100,6 +101,12 @@ cv::Mat Turned(const cv::Mat& stored, int orientation) {
   return result;
 }
 
+/// OpenCV's own text of a lack of memory speaks of its source files.
+int ThrowLackOfMemory(int code, const char*, const char*, const char*, int, void*) {
+  if (code == cv::Error::StsNoMem) throw std::bad_alloc();
+  return 0;
+}
+
 }  // namespace
 
 Image::Image(int height, int width, int channels, uint8_t value) : height(height), width(width), channels(channels) {
@@ -109,6 +116,8 @@ Image::Image(int height, int width, int channels, uint8_t value) : height(height
 }
 
 Image DecodeImage(std::string_view bytes, std::string_view name) {
+  static const cv::ErrorCallback before = cv::redirectError(ThrowLackOfMemory);
+  static_cast<void>(before);
   DAUMIER_CHECK(!bytes.empty(), "{}: the file is empty", name);
   cv::Mat decoded = IsJpeg(bytes)  ? PixelsOfJpeg(bytes, name)
                     : IsPng(bytes) ? DecodePng(bytes, name)

@@ -152,9 +152,27 @@ Scene MakeScene(const RenderInput& input, const geometry::TriangleMesh& mesh, co
   return scene;
 }
 
-Colour ShadePixel(const Scene& scene, const Camera& camera, const Raster& raster, size_t pixel, float flatness) {
-  const int triangle = raster.triangle[pixel];
-  const auto& barycentric = raster.barycentric[pixel];
+/// Samples of one triangle in a pixel.
+struct Samples {
+  int triangle, count;
+  Eigen::Vector3f barycentric;  ///< Their sum.
+};
+
+/// Adds a sample to those of its triangle. Samples of a texture stay apart, for it may change between them.
+void AddSample(int triangle, const Eigen::Vector3f& barycentric, bool is_textured, std::vector<Samples>& all) {
+  const auto same = std::ranges::find(all, triangle, &Samples::triangle);
+  if (is_textured || same == all.end()) {
+    all.push_back({triangle, 1, barycentric});
+  } else {
+    ++same->count;
+    same->barycentric += barycentric;
+  }
+}
+
+/// At the centre of samples.
+Colour ShadeSamples(const Scene& scene, const Camera& camera, const Samples& samples, float flatness) {
+  const int triangle = samples.triangle;
+  const Eigen::Vector3f barycentric = samples.barycentric / float(samples.count);
   const bool on_surface = triangle < scene.num_surface_triangles;
   const auto& normals = on_surface ? scene.surface_normals : scene.closing_normals;
   const auto corners = scene.mesh.triangles.row(triangle);
@@ -203,18 +221,26 @@ Image RenderMesh(const RenderInput& input, const Camera& camera, const ShadingSt
   const int n = style.supersampling;
   OnAllCores(camera.height, [&](int64_t of_row) {
     const int row = int(of_row);
+    std::vector<Samples> covered;
     for (int column = 0; column < camera.width; ++column) {
-      Colour sum = Colour::Zero();
-      bool empty = true;
+      covered.clear();
+      int num_empty = 0;
       for (int sample = 0; sample < n * n; ++sample) {
         const size_t pixel = raster.index(row * n + sample / n, column * n + sample % n);
-        const bool covered = raster.triangle[pixel] >= 0;
-        empty = empty && !covered;
-        sum += covered ? ShadePixel(scene, camera, raster, pixel, flatness).min(1.0f) : background;
+        const int triangle = raster.triangle[pixel];
+        if (triangle < 0) {
+          ++num_empty;
+        } else {
+          AddSample(triangle, Eigen::Map<const Eigen::Vector3f>(raster.barycentric[pixel].data()),
+                    scene.texture.has_value(), covered);
+        }
       }
+      Colour sum = background * float(num_empty);
+      for (const Samples& samples : covered)
+        sum += float(samples.count) * ShadeSamples(scene, camera, samples, flatness).min(1.0f);
       for (int channel = 0; channel < 3; ++channel) {
         image.at(row, column, channel) =
-            empty ? style.background[channel] : EncodedOf(sum[channel] / static_cast<float>(n * n));
+            covered.empty() ? style.background[channel] : EncodedOf(sum[channel] / static_cast<float>(n * n));
       }
     }
   });

@@ -5,6 +5,7 @@
 #include "core/safetensors.h"
 #include "runtime/wire_reader.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 
@@ -126,9 +127,9 @@ class TensorReader {
     DAUMIER_CHECK(array.shape == stored.shape, "the tensor '{}' is {} in {} (expected {})", stored.name,
                   ShapeText(array.shape), stored.location, ShapeText(stored.shape));
     std::vector<float> numbers;
-    numbers.reserve(size_t(array.size()));
     if (array.dtype == Dtype::kF16) {
-      for (const Half half : array.As<Half>()) numbers.push_back(FloatFromHalf(half));
+      numbers.resize(size_t(array.size()));
+      std::ranges::transform(array.As<Half>(), numbers.begin(), FloatFromHalf);
     } else {
       const std::span<const float> floats = array.As<float>();
       numbers.assign(floats.begin(), floats.end());

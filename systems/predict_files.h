@@ -1,6 +1,5 @@
 #pragma once
 #include "core/json.h"
-#include "core/output_place.h"
 #include "systems/predict_inputs.h"
 #include "systems/predictor.h"
 #include "systems/system.h"
@@ -10,14 +9,6 @@
 
 namespace daumier::systems {
 
-/// A folder of predictions.
-OutputKind PredictionOutput();
-
-/// @throws UsageError as CheckOutputFolder, if an input lies in `out_directory`, if that holds predictions of another
-/// task, or if a file in it would be lost that is no result of an earlier prediction (CheckOwnFiles).
-void CheckPredictionFolder(const System& system, const std::filesystem::path& out_directory,
-                           const std::filesystem::path& run, const PredictionInputs& inputs);
-
 /// What became of a prediction.
 struct PredictionSummary {
   size_t num_results = 0;
@@ -25,10 +16,8 @@ struct PredictionSummary {
 };
 
 /// `daumier predict`: for every input a mesh NAME.obj (where the result has one), a sheet NAME.png of input, front and
-/// side, of drawings also the strokes on the canvas NAME.svg, the files and masks of the result, and a manifest (kind "predictions"), which is written before and after each result:
-/// what is finished when the program ends is whole, and what is not is listed as kUnfinishedFiles.
-/// details.drawings.NAME holds the record of each result and the name of its input's file, details.failures
-/// {file, cause} of each input without one. Results of earlier predictions in the folder stay, and stay listed; a record
+/// side, of drawings also the strokes on the canvas NAME.svg, the files and masks of the result, and a manifest
+/// (PredictionFolder). details.drawings.NAME holds the record of each result and the name of its input's file; a record
 /// of another run or other options than the manifest's has its own `options` and `run_data_hash`.
 /// `options`: of the predictor, every one present, for the manifest. Progress is that of the inputs, not the
 /// predictor's own.

@@ -11,6 +11,7 @@
 #include <cctype>
 #include <exception>
 #include <map>
+#include <new>
 #include <set>
 
 namespace daumier::systems {
@@ -82,7 +83,9 @@ std::string SkippedFilesText(const System& system, const fs::path& folder) {
 }
 
 PredictionFailure FailureOf(const fs::path& file, const std::exception& error) {
-  const std::string cause = error.what();
+  const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  const std::string cause =
+      lacks_memory ? "there is not enough memory for it. Free some, or make it smaller" : error.what();
   const bool is_named = cause.find(file.string()) != std::string::npos;
   return {file, is_named ? cause : fmt::format("{}: {}", file.string(), cause)};
 }

@@ -31,16 +31,6 @@ std::string TextOfShipped(std::span<const ShippedWeights> shipped, std::span<con
   return fmt::format("there are {} in {}", fmt::join(names, ", "), shipped.front().directory.parent_path().string());
 }
 
-/// @throws Error if the folder, which has no readable manifest of weights, holds numbers of weights.
-void CheckNotDamaged(const fs::path& folder) {
-  std::error_code ignored;
-  DAUMIER_CHECK(
-      !fs::exists(folder / kWeightsNetwork, ignored),
-      "{}: weights whose manifest.json is missing or malformed. Restore the folder from its release, or remove "
-      "it",
-      folder.string());
-}
-
 /// Whether the system reads an input: a file by its extension, a folder by a file in it.
 bool Reads(const System& system, const fs::path& input) {
   std::error_code ignored;
@@ -82,6 +72,7 @@ std::vector<ShippedWeights> ListWeights(std::span<const fs::path> places) {
 fs::path WeightsNamed(const std::string& name, std::span<const ShippedWeights> shipped,
                       std::span<const fs::path> places) {
   if (IsWeightsFolder(name)) return name;
+  CheckNotDamaged(name);
   const auto found = std::ranges::find(shipped, name, &ShippedWeights::name);
   if (found != shipped.end()) return found->directory;
   throw UsageError(fmt::format("there are no weights '{}' ({})", name, TextOfShipped(shipped, places)));

@@ -32,6 +32,7 @@ Json Numbers(std::span<const float> coefficients, const faces::CoefficientSlot& 
 std::filesystem::path LandmarkFolder(const std::filesystem::path& directory, const PortraitPredictOptions& options) {
   if (!options.landmark_run.empty() || !IsWeightsFolder(directory)) return options.landmark_run;
   const std::filesystem::path shipped = WeightsNextTo(directory, kLandmarkSystem);
+  CheckNotDamaged(shipped);
   return IsWeightsFolder(shipped) ? shipped : std::filesystem::path();
 }
 

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+
 namespace daumier::testing {
 namespace {
 
@@ -37,6 +39,72 @@ TEST_F(DrawingsByWeights, TheFrameIsKeptWithoutMatchingContours) {
   EXPECT_EQ(by_key.exit_code, 2);
   EXPECT_THAT(by_key.err, HasSubstr("give refine=false"));
   EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+TEST_F(DrawingsByWeights, SeveralProgramsMayWriteIntoOneFolder) {
+  std::vector<std::jthread> programs;
+  std::vector<ProcessResult> results(3);
+  for (size_t i = 0; i < results.size(); ++i) {
+    const fs::path drawing = folder_ / fmt::format("girl{}.svg", i);
+    fs::copy_file(folder_ / "girl.svg", drawing);
+    programs.emplace_back([&, i, drawing] {
+      results[i] =
+          RunProcess({"/usr/bin/env", "DAUMIER_WEIGHTS=" + (SourceRoot() / "weights").string(), DAUMIER_PROGRAM,
+                      "--quiet", "--threads", "1", "predict", drawing.string(), "--out", In("out")});
+    });
+  }
+  programs.clear();
+  for (const ProcessResult& result : results) EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Manifest manifest = ReadManifest(folder_ / "out", "predictions");
+  EXPECT_EQ(manifest.details.at("drawings").size(), 3u);
+  EXPECT_NO_THROW(VerifyChecksums(folder_ / "out", manifest));
+}
+
+TEST_F(DrawingsByWeights, TooLittleMemoryEndsTheProgramWithTheRepair) {
+  for (const int megabytes : {300, 350, 400}) {
+    const std::string limited =
+        fmt::format("ulimit -v {}; exec \"$0\" --quiet predict \"$1\" --out \"$2\"", megabytes << 10);
+    const ProcessResult result =
+        RunProcess({"/usr/bin/env", "DAUMIER_WEIGHTS=" + (SourceRoot() / "weights").string(), "timeout", "60", "sh",
+                    "-c", limited, DAUMIER_PROGRAM, In("girl.svg"), In("out")});
+    EXPECT_NE(result.exit_code, 124) << "it hangs with " << megabytes << " MB";
+    if (result.exit_code == 1) EXPECT_THAT(result.err, HasSubstr("memory")) << megabytes << " MB";
+  }
+}
+
+TEST_F(DrawingsByWeights, WhatIsNoInputIsNamed) {
+  const auto refused = [&](const std::string& word, const std::string& why) {
+    const ProcessResult result = RunProcess({DAUMIER_PROGRAM, "--quiet", "predict", word, "--out", In("out")});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, AllOf(HasSubstr(word), HasSubstr(why)));
+  };
+  fs::create_directory(folder_ / "empty");
+  WriteFileAtomically(folder_ / "letter.docx", "text");
+  refused(In("empty"), "holds no file that predict reads (expected ");
+  refused(In("letter.docx"), "is no file that predict reads (expected ");
+  refused(In("nowhere"), "does not exist");
+  const ProcessResult long_name = Predict({"--out", In(std::string(300, 'x'))});
+  EXPECT_EQ(long_name.exit_code, 1);
+  EXPECT_THAT(long_name.err, AllOf(HasSubstr("cannot access "), HasSubstr("File name too long")));
+  refused((SourceRoot() / "weights/parser").string(), "at least one input file besides");
+}
+
+TEST_F(DrawingsByWeights, AnAvatarOfADrawingPointsToPredictAndRig) {
+  const ProcessResult result =
+      RunProcess({DAUMIER_PROGRAM, "--quiet", "avatar", In("girl.svg"), "--out", In("head.glb")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("is a drawing, and no picture"), HasSubstr("daumier rig DIR/girl.obj")));
+}
+
+TEST_F(DrawingsByWeights, DamagedWeightsAreNotCalledAbsent) {
+  fs::copy(SourceRoot() / "weights", folder_ / "weights", fs::copy_options::recursive);
+  const fs::path manifest = folder_ / "weights/face-ict/manifest.json";
+  WriteFileAtomically(manifest, ReadFile(manifest).substr(0, 100));
+  const std::string named = In("weights/sketch-ict");
+  const ProcessResult result = Predict({"--weights", named, "--out", In("out")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("face-ict: weights whose manifest.json is missing or malformed"),
+                                HasSubstr("Restore the folder")));
 }
 
 TEST_F(DrawingsByWeights, TheParserIsNamedByFolderOrName) {

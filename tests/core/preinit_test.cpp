@@ -32,14 +32,17 @@ TEST(PreinitChild, PrintsHowItWasStarted) {
   const char* const policy = std::getenv("OMP_WAIT_POLICY");
   std::string arguments = ReadFile("/proc/self/cmdline");
   for (char& c : arguments) c = c == '\0' ? '|' : c;
-  std::cout << "policy=" << (policy != nullptr ? policy : "none") << "\nname=" << ReadFile("/proc/self/comm")
+  const char* const timeout = std::getenv("OPENBLAS_THREAD_TIMEOUT");
+  std::cout << "policy=" << (policy != nullptr ? policy : "none")
+            << "\ntimeout=" << (timeout != nullptr ? timeout : "none") << "\nname=" << ReadFile("/proc/self/comm")
             << "arguments=" << arguments << "\n";
 }
 
 /// What the child prints when env(1) starts it with these changes of the environment.
 std::string RunChild(const std::vector<std::string>& changes) {
   const std::string program = std::filesystem::canonical("/proc/self/exe").string();
-  std::vector<std::string> command = {"/usr/bin/env", "-u", "OMP_WAIT_POLICY", "-u", "DAUMIER_RESTARTED"};
+  std::vector<std::string> command = {
+      "/usr/bin/env", "-u", "OMP_WAIT_POLICY", "-u", "OPENBLAS_THREAD_TIMEOUT", "-u", "DAUMIER_RESTARTED"};
   command.insert(command.end(), changes.begin(), changes.end());
   command.insert(command.end(), {"DAUMIER_TELL_START=1", program, "--gtest_filter=PreinitChild.*", "two words", ""});
   const testing::ProcessResult result = testing::RunProcess(command);
@@ -60,6 +63,12 @@ TEST_F(Preinit, ProgramStartedWithoutWaitPolicyHasThePassiveOne) {
 
 TEST_F(Preinit, WaitPolicyOfTheUserStays) {
   EXPECT_THAT(RunChild({"OMP_WAIT_POLICY=active"}), HasSubstr("policy=active\n"));
+}
+
+TEST_F(Preinit, OpenBlasWaitsBriefly) {
+  EXPECT_THAT(RunChild({}), HasSubstr("timeout=20\n"));
+  EXPECT_THAT(RunChild({"OMP_WAIT_POLICY=active"}), HasSubstr("policy=active\ntimeout=20\n"));
+  EXPECT_THAT(RunChild({"OPENBLAS_THREAD_TIMEOUT=9"}), HasSubstr("policy=PASSIVE\ntimeout=9\n"));
 }
 
 TEST_F(Preinit, ArgumentsAndNameSurvive) {

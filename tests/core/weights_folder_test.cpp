@@ -55,6 +55,16 @@ TEST_F(WeightsFolderTest, OtherFoldersAreNone) {
   ExpectError([&] { ReadWeights(folder_.path()); }, "manifest.json");
 }
 
+TEST_F(WeightsFolderTest, NumbersWithoutAReadableManifestAreDamaged) {
+  const fs::path folder = folder_ / "landmarks";
+  for (const fs::path& sound : {folder, folder_.path(), folder_ / "nowhere", folder / kWeightsCard})
+    EXPECT_NO_THROW(CheckNotDamaged(sound));
+  WriteFileAtomically(folder / "manifest.json", "{\"kind\": \"wei");
+  ExpectError([&] { CheckNotDamaged(folder); }, "landmarks: weights whose manifest.json is missing or malformed");
+  fs::remove(folder / "manifest.json");
+  ExpectError([&] { CheckNotDamaged(folder); }, "Restore the folder from the release");
+}
+
 TEST_F(WeightsFolderTest, OfAnotherTaskAreRefused) {
   ExpectError([&] { ReadWeights(folder_ / "landmarks", "portrait"); },
               "weights of 'landmarks' (expected of 'portrait')");

@@ -1,8 +1,13 @@
 #pragma once
 #include "export/lowering.h"
 #include "export/parity.h"
+#include "runtime/graph_runner.h"
+#include "runtime/onnx_file.h"
+#include "tensor/array.h"
 #include "tests/export/test_function.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,8 +38,28 @@ inline onnx::ModelProto ExportExample(const Example& example) {
   return ExportToOnnx(Weights(example.weights), FunctionOf(example));
 }
 
+/// The outputs of the model in our own runtime differ from LibTorch's by at most 1e-5 of their largest, at batch 1, 2
+/// and 7.
+inline void ExpectOwnRuntime(const std::filesystem::path& model, const ExportedFunction& function) {
+  const torch::NoGradGuard no_gradients;
+  const runtime::GraphRunner runner(runtime::ReadOnnx(model));
+  Rng rng = Stream(3, "own runtime");
+  for (const int64_t batch : {1, 2, 7}) {
+    const torch::Tensor x = function.inputs[0].sample(batch, rng);
+    const FloatArray found = runner.Run({{"x", tensor::CopyToArray<float>(x)}}).at("y");
+    const FloatArray expected = tensor::CopyToArray<float>(function.forward({x})[0]);
+    ASSERT_EQ(found.shape, expected.shape) << "batch " << batch;
+    double largest = 0, difference = 0;
+    for (size_t i = 0; i < found.values.size(); ++i) {
+      largest = std::max(largest, std::abs(double(expected.values[i])));
+      difference = std::max(difference, std::abs(double(found.values[i]) - expected.values[i]));
+    }
+    EXPECT_LE(difference, 1e-5 * largest) << "batch " << batch;
+  }
+}
+
 /// Every operator of the table has an example, each becomes what it has to, and its outputs are those of LibTorch in
-/// ONNX Runtime (if there is one) and in OpenCV, at several batch sizes.
+/// our own runtime, in ONNX Runtime (if there is one) and in OpenCV, at several batch sizes.
 inline void ExpectExamples(const Lowerings& table, const std::vector<Example>& examples) {
   const testing::TempDir folder;
   std::set<std::string> covered;
@@ -48,6 +73,7 @@ inline void ExpectExamples(const Lowerings& table, const std::vector<Example>& e
     const onnx::ModelProto model = ExportExample(example);
     EXPECT_EQ(OperatorsOf(model).count(example.onnx_op), 1u);
     WriteFileAtomically(folder / "model.onnx", model.SerializeAsString());
+    ExpectOwnRuntime(folder / "model.onnx", FunctionOf(example));
     const OtherRuntime opencv = CompareWithOpenCv(folder / "model.onnx", FunctionOf(example), 1);
     EXPECT_EQ(opencv.agrees(), example.runs_in_opencv)
         << opencv.refusal.value_or("") << " " << opencv.max_relative_diff.value_or(-1);

@@ -13,6 +13,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <filesystem>
+#include <new>
 #include <string>
 
 namespace daumier::render {
@@ -194,6 +195,12 @@ TEST(DecodeImage, OfACutJpegPrintsNothing) {
   ::testing::internal::CaptureStderr();
   testing::ExpectError([&] { DecodeImage(jpeg.substr(0, jpeg.size() - 6), "cut.jpg"); }, "cut.jpg: truncated JPEG");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(DecodeImage, ALackOfMemoryInOpenCvIsTheStandardException) {
+  DecodeImage(EncodeImage(Image(2, 2, 3, 7), ImageFormat::kPng), "a.png");
+  EXPECT_THROW(CV_Error(cv::Error::StsNoMem, "none is left"), std::bad_alloc);
+  EXPECT_THROW(CV_Error(cv::Error::StsBadArg, "a wrong word"), cv::Exception);
 }
 
 TEST(DecodeImage, OfAnEmptyFileSaysThatItIsEmpty) {

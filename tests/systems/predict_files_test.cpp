@@ -7,6 +7,7 @@
 #include "render/image.h"
 #include "render/read_drawing.h"
 #include "render/svg.h"
+#include "systems/prediction_folder.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_face.h"
@@ -299,14 +300,6 @@ TEST_F(PredictFilesTest, AKilledPredictionCanBeRunAgain) {
   EXPECT_EQ(Predict(files).num_results, 2u);
   EXPECT_FALSE(Details().contains(kUnfinishedFiles));
   EXPECT_EQ(ReadManifest(out(), "predictions").checksums.size(), 8u);
-}
-
-TEST_F(PredictFilesTest, TheManifestIsThereBeforeTheFirstFile) {
-  MakeDirectory(out());
-  MakeDirectory(out() / "anna.obj.tmp");  // The mesh cannot be written.
-  WriteManifest(out(), {.kind = "predictions", .verb = "predict"});
-  EXPECT_ANY_THROW(Predict({Draw("anna.svg")}));
-  EXPECT_EQ(Details()[kUnfinishedFiles], Json({"anna.mtl", "anna.obj", "anna.png", "anna.svg"}));
 }
 
 TEST_F(PredictFilesTest, ReportsTheInputsAndNothingOfOneOfThem) {

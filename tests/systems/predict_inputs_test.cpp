@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <new>
 #include <stop_token>
 
 namespace daumier::systems {
@@ -51,6 +52,11 @@ TEST_F(PredictInputsTest, AFolderStandsForItsInputsByName) {
   EXPECT_EQ(ExpandInputFolders(system_, {in / ""}).size(), 3u);
   MakeDirectory(folder_ / "empty");
   ExpectError([&] { ExpandInputFolders(system_, {folder_ / "empty"}); }, "holds no input (expected files .svg, .png)");
+}
+
+TEST_F(PredictInputsTest, ALackOfMemoryIsSaidInWords) {
+  const PredictionFailure failure = FailureOf("large.png", std::bad_alloc());
+  EXPECT_EQ(failure.cause, "large.png: there is not enough memory for it. Free some, or make it smaller");
 }
 
 TEST_F(PredictInputsTest, SkippedFilesAreCountedByKind) {

@@ -1,0 +1,45 @@
+#pragma once
+#include "core/json.h"
+#include "systems/sketch/sketch_session.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace daumier::sketch {
+
+/// What a person did, to be done again.
+struct SessionEvent {
+  enum class What { kDraw, kErase, kFollowUp, kUndo, kRedo };
+  What what = What::kDraw;
+  CanvasPoints points;  ///< Of kDraw and kErase: pixels of the sheet.
+};
+
+/// A recorded session: versioned JSON
+///   {"version": 1, "sheet": [width, height], "events": [{"do": "draw", "points": [[x, y], ...]}, {"do": "undo"}, ...]}
+/// with do = draw, erase, follow_up, undo or redo.
+struct SessionScript {
+  static constexpr int kVersion = 1;
+  double width = 0, height = 0;  ///< Of the sheet, pixels.
+  std::vector<SessionEvent> events;
+};
+
+/// At most kMostEvents events and kMostSessionPoints points in all are read.
+inline constexpr size_t kMostEvents = 2'000, kMostSessionPoints = 1'000'000;
+
+/// @throws Error naming the file, the number of the event (the first is 1), what is wrong with it and the repair.
+SessionScript ReadSession(const std::filesystem::path& file);
+Json SessionToJson(const SessionScript& script);
+
+/// Does the events one after the other and calls `report(number, state)` after each, the first is 1.
+/// @throws Error naming the event that failed; Cancelled if the task is.
+void Replay(const SessionScript& script, SketchSession& session,
+            const std::function<void(size_t number, std::shared_ptr<const SketchState> state)>& report,
+            const Task& task = {});
+
+/// "draw", ... as in the file.
+std::string NameOf(SessionEvent::What what);
+
+}  // namespace daumier::sketch
