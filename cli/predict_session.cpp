@@ -94,7 +94,9 @@ void ReplaySession(const SessionArguments& arguments) {
     const std::string drawing = recorded.name + ".svg", mesh = recorded.name + ".obj";
     render::WriteSvg(staged.path() / drawing, recorded.on_canvas, {"line"});
     add(drawing);
-    Json entry = {{"event", recorded.caption}, {"warnings", recorded.state->warnings}};
+    Json entry = {{"event", recorded.caption},
+                  {"canvas_from_sheet", render::PlacementToJson(recorded.state->frame)},
+                  {"warnings", recorded.state->warnings}};
     if (recorded.state->vertices.rows() > 0) {
       geometry::WriteObj(staged.path() / mesh, faces::SurfaceMesh(face_template, recorded.state->vertices));
       add(mesh);
