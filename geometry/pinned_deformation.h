@@ -8,8 +8,7 @@
 
 namespace daumier::geometry {
 
-/// The displacement d of a surface that changes its Laplacian coordinates least while some vertices go exactly where
-/// they are told,
+/// The displacement d of a surface that changes its Laplacian coordinates least while some vertices move as given,
 ///   min_d sum_i |(S d)_i / S_ii|^2   with d_(v_k) = r_k,
 /// S a V x V Laplacian. With the uniform Laplacian and x = x0 + d this is Laplacian deformation [Sorkine et al. 2004]
 /// without its rotations. The system of the other vertices is factorised once, whatever the moves. Promises: equal moves

@@ -53,7 +53,7 @@ CurveGap SegmentAt(const SessionCurve& curve, size_t point) {
   return {begin(segment), begin(segment + 1) - 1};
 }
 
-/// The end of a gap at a point, where the curve goes on: its neighbour; else the erased point itself.
+/// The end of a gap at a point, where the curve continues: its neighbour; else the erased point itself.
 struct GapEnd {
   Eigen::Vector2d place;
   bool is_open;

@@ -33,7 +33,7 @@ inline constexpr size_t kMostEvents = 2'000, kMostSessionPoints = 1'000'000;
 SessionScript ReadSession(const std::filesystem::path& file);
 Json SessionToJson(const SessionScript& script);
 
-/// Does the events one after the other and calls `report(number, state)` after each, the first is 1.
+/// Does the events one after the other, those that have no effect (nothing under the eraser) as well, and calls `report(number, state)` after each, the first is 1.
 /// @throws Error naming the event that failed; Cancelled if the task is.
 void Replay(const SessionScript& script, SketchSession& session,
             const std::function<void(size_t number, std::shared_ptr<const SketchState> state)>& report,

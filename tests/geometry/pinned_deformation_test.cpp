@@ -32,7 +32,7 @@ TEST(PinnedDeformation, IsTheLimitOfHeavyAnchors) {
   const Points moves = RandomMoves(4), found = PinnedDeformation(laplacian, pins).Solve(moves);
   const Points expected = LaplacianAnchors(laplacian, pins).Solve(moves, Eigen::VectorXd::Constant(4, 1e9));
   EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-6);
-  EXPECT_EQ(found(pins, Eigen::all), moves) << "exactly where they are told";
+  EXPECT_EQ(found(pins, Eigen::all), moves) << "exactly";
 }
 
 TEST(PinnedDeformation, EqualMovesMoveTheWholeSurface) {

@@ -1,5 +1,6 @@
 #include "systems/sketch/sketch_session.h"
 
+#include "systems/sketch/session_file.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/ideal_parser_network.h"
@@ -149,6 +150,24 @@ TEST_F(SketchSessionTest, AFailedCallChangesNothing) {
   EXPECT_TRUE(session.Undo());
   EXPECT_EQ(session.state(), before);
   ExpectError([&] { SketchSession(predictor_, 0, 10); }, "expected positive sizes");
+}
+
+TEST_F(SketchSessionTest, AReplayGivesTheStatesOfTheCalls) {
+  SketchSession session = Open(), replayed = Open();
+  SessionScript script{256, 256, {{SessionEvent::What::kFollowUp, {}}, {SessionEvent::What::kErase, {{5, 250}}}}};
+  session.FollowUp();
+  script.events.push_back({SessionEvent::What::kDraw, {{5, 5}, {9, 9}}});
+  session.Draw({{5, 5}, {9, 9}});
+  script.events.push_back({SessionEvent::What::kUndo, {}});
+  std::vector<size_t> wrinkles;
+  Replay(script, replayed, [&](size_t number, const std::shared_ptr<const SketchState>& state) {
+    EXPECT_EQ(number, wrinkles.size() + 1);
+    wrinkles.push_back(state->lines.wrinkles.size());
+    if (number == 3) EXPECT_EQ(state->vertices, session.state()->vertices);
+  });
+  EXPECT_EQ(wrinkles, (std::vector<size_t>{0, 0, 1, 0})) << "nothing lies under the eraser";
+  script.events[2].points = {{1, 1}};
+  ExpectError([&] { Replay(script, session, [](size_t, const auto&) {}); }, "event 3 (draw): a stroke is shorter");
 }
 
 TEST_F(SketchSessionTest, StatesAreReadWhileAnotherThreadDraws) {
