@@ -17,8 +17,11 @@ constexpr int kMostOutside = 300;
 constexpr double kFirstHandleShare = 0.2, kLeastHandleShare = 1e-4;
 constexpr double kFirstOutsideShare = 1.0, kLeastOutsideShare = 1e-3;
 constexpr double kFall = 0.5;
-/// A derivative serves codes that are nearer than this.
-constexpr double kSameDerivative = 0.33;
+/// A derivative serves codes that are nearer than this; one of many points, which costs far more than a step, longer.
+constexpr double kSameDerivative = 0.33, kSameDerivativeOfMany = 1;
+constexpr size_t kManyPoints = 32;
+/// Steps of a solve end where they lower the energy by less than this share.
+constexpr double kLeastFall = 1e-4;
 
 /// The factor of a handle's deviation by which a residual becomes 0.8 kHeldShare: a handle misses its target by
 /// s^2 / (s^2 + a^2) of its move.
@@ -51,59 +54,129 @@ HandleEditor::HandleEditor(const CodeModel& model, Eigen::VectorXd code, std::ve
     DAUMIER_CHECK(p >= handles_.size() || std::count(handles_.begin(), handles_.end(), points_[p]) == 1,
                   "vertex {} has two handles", points_[p]);
   }
-  first_positions_ = model.Positions(first_code_, points_);
-  const Eigen::Index count(handles_.size());
-  places_ = Eigen::Map<const geometry::Points>(first_positions_.data(), count, 3);
   for (const int number : options_.fixed)
     DAUMIER_CHECK(number >= 0 && number < model.num_numbers(), "the code has no number {} (it has {})", number,
                   model.num_numbers());
+  for (int number = 0; number < model.num_numbers(); ++number)
+    if (std::ranges::count(options_.fixed, number) == 0) free_.push_back(number);
+  first_positions_ = model.Positions(first_code_, points_);
+  positions_ = first_positions_;
+  places_ = Eigen::Map<const geometry::Points>(first_positions_.data(), std::ssize(handles_), 3);
+  Linearise(first_code_);
 }
 
-Eigen::MatrixXd HandleEditor::Derivative(const Eigen::VectorXd& code) {
-  const bool is_known =
-      derivative_.size() > 0 && (model_.is_linear() || (code - derivative_code_).norm() < kSameDerivative);
-  if (is_known) return derivative_;
-  derivative_ = model_.Derivative(code, points_);
+bool HandleEditor::IsNear(const Eigen::VectorXd& code) const {
+  return model_.is_linear() ||
+         (code - derivative_code_).norm() < (points_.size() > kManyPoints ? kSameDerivativeOfMany : kSameDerivative);
+}
+
+void HandleEditor::Linearise(const Eigen::VectorXd& code) {
+  derivative_ = model_.Derivative(code, points_)(Eigen::all, free_);
   derivative_code_ = code;
-  for (const int number : options_.fixed) derivative_.col(number).setZero();
-  return derivative_;
+  base_ = first_positions_;
+  if (code != first_code_) base_ = model_.Positions(code, points_) + derivative_ * (first_code_ - code)(free_);
+  quadratic_.emplace(derivative_.topRows(num_handle_rows()), derivative_.bottomRows(3 * num_outside()));
 }
 
-HandleEdit HandleEditor::Solve(const geometry::Points& targets, const Deviations& deviations) {
-  const Eigen::Index num_numbers = first_code_.size(), num_handle_rows = 3 * Eigen::Index(handles_.size()),
-                     num_rows = 3 * Eigen::Index(points_.size());
-  Eigen::VectorXd wanted = first_positions_, weights(num_rows);
-  wanted.head(num_handle_rows) = Eigen::Map<const Eigen::VectorXd>(targets.data(), num_handle_rows);
-  weights.head(num_handle_rows).setConstant(1 / deviations.handle);
-  const double num_outside = std::max(1.0, double(points_.size() - handles_.size()));
-  weights.tail(num_rows - num_handle_rows).setConstant(1 / (deviations.outside * std::sqrt(num_outside)));
-  const SquaredEnergy energy{.residuals = [&](const Eigen::VectorXd& code) -> Eigen::VectorXd {
-                               return weights.cwiseProduct(model_.Positions(code, points_) - wanted);
-                             },
-                             .derivative = [&](const Eigen::VectorXd& code) -> Eigen::MatrixXd {
-                               return weights.asDiagonal() * Derivative(code);
-                             },
-                             .prior_weights = Eigen::VectorXd::Ones(num_numbers),
-                             .prior_mean = first_code_,
-                             .is_linear = model_.is_linear()};
-  Minimum minimum = Minimise(energy, code_, options_.steps);
+Eigen::VectorXd HandleEditor::Missing(const Eigen::VectorXd& positions, const geometry::Points& targets) const {
+  Eigen::VectorXd missing = first_positions_ - positions;
+  const Eigen::Index num_rows = num_handle_rows();
+  missing.head(num_rows) = Eigen::Map<const Eigen::VectorXd>(targets.data(), num_rows) - positions.head(num_rows);
+  return missing;
+}
+
+HandleEdit HandleEditor::Judged(Eigen::VectorXd code, const Eigen::VectorXd& missing, double move,
+                                const Deviations& deviations) const {
+  const Eigen::VectorXd lengths =
+      Eigen::Map<const geometry::Points>(missing.data(), missing.size() / 3, 3).rowwise().norm();
   HandleEdit edit;
-  edit.code = std::move(minimum.x);
-  edit.energies = std::move(minimum.energies);
+  edit.residual_share = lengths.head(std::ssize(handles_)).maxCoeff() / move;
+  if (num_outside() > 0) edit.outside_share = lengths.tail(num_outside()).mean() / move;
   edit.deviation_cm = deviations.handle;
-  const double move = (targets - places_).rowwise().norm().maxCoeff();
-  const Eigen::VectorXd positions = model_.Positions(edit.code, points_);
-  const auto rows = [](const Eigen::VectorXd& numbers) {
-    return Eigen::Map<const geometry::Points>(numbers.data(), numbers.size() / 3, 3);
-  };
-  const auto misses = (rows(positions) - rows(wanted)).rowwise().norm().eval();
-  const Eigen::Index num_handles(handles_.size());
-  if (move > 0) {
-    edit.residual_share = misses.head(num_handles).maxCoeff() / move;
-    if (misses.size() > num_handles) edit.outside_share = misses.tail(misses.size() - num_handles).mean() / move;
-  }
-  edit.is_usual = edit.code.norm() <= std::max(model_.usual_radius(), first_code_.norm());
+  edit.is_usual = code.norm() <= std::max(model_.usual_radius(), first_code_.norm());
+  const Eigen::VectorXd residuals = Weights(deviations).cwiseProduct(missing);
+  edit.energies = {residuals.squaredNorm() + (code - first_code_).squaredNorm()};
+  edit.code = std::move(code);
   return edit;
+}
+
+Eigen::VectorXd HandleEditor::Weights(const Deviations& deviations) const {
+  Eigen::VectorXd weights(3 * std::ssize(points_));
+  weights.head(num_handle_rows()).setConstant(1 / deviations.handle);
+  weights.tail(3 * num_outside()).setConstant(1 / deviations.outside);
+  return weights;
+}
+
+HandleEdit HandleEditor::Predict(const geometry::Points& targets, double move, const Deviations& deviations) const {
+  const Eigen::VectorXd wanted = Missing(base_, targets);
+  Eigen::VectorXd outside;  // Of the derivative at the first code all 0.
+  if (derivative_code_ != first_code_) outside = wanted.tail(3 * num_outside());
+  const Eigen::VectorXd step = quadratic_->Minimum(wanted.head(num_handle_rows()), outside, deviations);
+  Eigen::VectorXd code = first_code_;
+  code(free_) += step;
+  return Judged(std::move(code), wanted - derivative_ * step, move, deviations);
+}
+
+HandleEdit HandleEditor::Refine(const geometry::Points& targets, double move, const Deviations& deviations,
+                                const Eigen::VectorXd& start) {
+  const Eigen::VectorXd weights = Weights(deviations);
+  const auto code_of = [&](const Eigen::VectorXd& numbers) {
+    Eigen::VectorXd code = first_code_;
+    code(free_) = numbers;
+    return code;
+  };
+  bool is_first = true;
+  const SquaredEnergy energy{
+      .residuals = [&](const Eigen::VectorXd& numbers) -> Eigen::VectorXd {
+        return -weights.cwiseProduct(Missing(model_.Positions(code_of(numbers), points_), targets));
+      },
+      .derivative = [&](const Eigen::VectorXd& numbers) -> Eigen::MatrixXd {
+        const Eigen::VectorXd code = code_of(numbers);
+        if (is_first ? !IsNear(code) : code != derivative_code_) Linearise(code);
+        is_first = false;
+        return weights.asDiagonal() * derivative_;
+      },
+      .prior_weights = Eigen::VectorXd::Ones(std::ssize(free_)),
+      .prior_mean = first_code_(free_),
+      .least_fall = kLeastFall};
+  const auto judged = [&](const Eigen::VectorXd& code, const Eigen::VectorXd& positions) {
+    return Judged(code, Missing(positions, targets), move, deviations);
+  };
+  const bool helps =
+      judged(start, model_.Positions(start, points_)).energies.front() < judged(code_, positions_).energies.front();
+  Minimum minimum = Minimise(energy, (helps ? start : code_)(free_), options_.steps);
+  code_ = code_of(minimum.x);
+  positions_ = model_.Positions(code_, points_);
+  HandleEdit edit = judged(code_, positions_);
+  edit.energies = std::move(minimum.energies);
+  return edit;
+}
+
+HandleEdit HandleEditor::Hold(double move, Deviations& deviations,
+                              const std::function<HandleEdit(const Deviations&)>& solve) const {
+  const auto is_held = [&](const HandleEdit& edit) {
+    return options_.deviation_cm || edit.residual_share <= kHeldShare;
+  };
+  const auto hold = [&](Deviations& tried) {
+    HandleEdit edit = solve(tried);
+    while (!is_held(edit) && tried.handle > kLeastHandleShare * move) {
+      tried.handle *= HoldingFactor(edit.residual_share);
+      edit = solve(tried);
+    }
+    return edit;
+  };
+  HandleEdit best = hold(deviations);
+  const double least_outside = kLeastOutsideShare * move * OutsideRoot();
+  while (num_outside() > 0 && is_held(best) && best.outside_share > options_.most_leakage &&
+         deviations.outside > least_outside) {
+    Deviations tried = deviations;
+    tried.outside *= kFall;
+    HandleEdit edit = hold(tried);
+    if (!is_held(edit)) break;
+    deviations = tried;
+    best = std::move(edit);
+  }
+  return best;
 }
 
 HandleEdit HandleEditor::MoveTo(const geometry::Points& targets) {
@@ -112,33 +185,22 @@ HandleEdit HandleEditor::MoveTo(const geometry::Points& targets) {
   const double move = (targets - places_).rowwise().norm().maxCoeff();
   if (move == 0) {
     code_ = first_code_;
+    positions_ = first_positions_;
     return {.code = code_, .energies = {0}};
   }
-  Deviations deviations{options_.deviation_cm.value_or(kFirstHandleShare * move), kFirstOutsideShare * move};
-  const bool is_local = points_.size() > handles_.size();
-  const auto is_held = [&](const HandleEdit& edit) {
-    return options_.deviation_cm || edit.residual_share <= kHeldShare;
-  };
-  const auto hold = [&] {
-    HandleEdit edit = Solve(targets, deviations);
-    while (!is_held(edit) && deviations.handle > kLeastHandleShare * move) {
-      code_ = edit.code;
-      deviations.handle *= HoldingFactor(edit.residual_share);
-      edit = Solve(targets, deviations);
-    }
-    return edit;
-  };
-  HandleEdit best = hold();
-  while (is_local && is_held(best) && best.outside_share > options_.most_leakage &&
-         deviations.outside > kLeastOutsideShare * move) {
-    code_ = best.code;
-    deviations.outside *= kFall;
-    HandleEdit edit = hold();
-    if (!is_held(edit)) break;
-    best = std::move(edit);
+  if (!IsNear(code_)) Linearise(code_);
+  Deviations deviations{options_.deviation_cm.value_or(kFirstHandleShare * move),
+                        kFirstOutsideShare * move * OutsideRoot()};
+  HandleEdit edit = Hold(move, deviations, [&](const Deviations& tried) { return Predict(targets, move, tried); });
+  if (!model_.is_linear()) {
+    Eigen::VectorXd start = edit.code;
+    edit = Hold(move, deviations, [&](const Deviations& tried) {
+      HandleEdit refined = Refine(targets, move, tried, start);
+      start = refined.code;
+      return refined;
+    });
   }
-  code_ = best.code;
-  return best;
+  return edit;
 }
 
 HandleEdit EditByHandles(const CodeModel& model, const Eigen::VectorXd& code, const std::vector<int>& handles,

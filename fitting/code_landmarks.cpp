@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace daumier::fitting {
 namespace {
@@ -19,6 +20,8 @@ constexpr int kFewestPoints = 6;
 /// Steps of code and view together in a round.
 constexpr int kStepsOfRound = 2;
 constexpr double kLeastRoundFall = 1e-3;
+/// A vertex' derivative serves codes that are nearer than this, as long as steps with it are good.
+constexpr double kSameRows = 1;
 /// Unknowns of a view: a rotation vector, the logarithm of the scale, the shift.
 constexpr Index kViewNumbers = 6;
 
@@ -127,6 +130,26 @@ class LandmarkRounds {
     fit_.weights = (1 + (misses / spread).array().square()).square().inverse();
   }
 
+  /// Of the positions of fit_.vertices by the code. One of a near code serves as well, `reuses`: then only vertices that
+  /// were not in use there cost time.
+  Eigen::MatrixXd Derivative(const Eigen::VectorXd& code, bool reuses) {
+    const bool serves = !rows_.empty() && (model_.is_linear() || (reuses && (code - rows_code_).norm() < kSameRows));
+    if (!serves) {
+      rows_.clear();
+      rows_code_ = code;
+    }
+    std::vector<int> missing;
+    for (const int vertex : fit_.vertices)
+      if (!rows_.contains(vertex) && std::ranges::count(missing, vertex) == 0) missing.push_back(vertex);
+    if (!missing.empty()) {
+      const Eigen::MatrixXd made = model_.Derivative(code, missing);
+      for (size_t i = 0; i < missing.size(); ++i) rows_[missing[i]] = made.middleRows<3>(3 * Index(i));
+    }
+    Eigen::MatrixXd result(3 * std::ssize(fit_.vertices), code.size());
+    for (size_t i = 0; i < fit_.vertices.size(); ++i) result.middleRows<3>(3 * Index(i)) = rows_.at(fit_.vertices[i]);
+    return result;
+  }
+
   /// Returns E.
   double AdjustAll() {
     const Index num_numbers = fit_.code.size(), num_rows = 2 * pixels_.rows();
@@ -135,6 +158,7 @@ class LandmarkRounds {
     Eigen::VectorXd row_weights(num_rows);
     for (Index i = 0; i < num_rows; ++i) row_weights[i] = root[i / 2];
     const ScaledView start = fit_.view;
+    bool is_first = true;
     const auto pixels_at = [&](const Eigen::VectorXd& x) {
       return AsNumbers(Moved(start, x.tail(kViewNumbers), eye_px)
                            .Project(AsPoints(model_.Positions(x.head(num_numbers), fit_.vertices))));
@@ -149,7 +173,8 @@ class LandmarkRounds {
           Eigen::MatrixXd j(num_rows, num_numbers + kViewNumbers);
           const ScaledView view = Moved(start, x.tail(kViewNumbers), eye_px);
           j.leftCols(num_numbers) =
-              row_weights.asDiagonal() * PixelRows(view, model_.Derivative(x.head(num_numbers), fit_.vertices));
+              row_weights.asDiagonal() * PixelRows(view, Derivative(x.head(num_numbers), is_first));
+          is_first = false;
           const geometry::Points positions = AsPoints(model_.Positions(x.head(num_numbers), fit_.vertices));
           constexpr double kDifference = 1e-5;
           for (Index n = 0; n < kViewNumbers; ++n) {
@@ -180,6 +205,8 @@ class LandmarkRounds {
   PicturePoints pixels_;
   double eye_span_cm_ = 0;
   CodeLandmarkFit fit_;
+  std::map<int, Eigen::Matrix<double, 3, Eigen::Dynamic>> rows_;  ///< Derivatives of vertices,
+  Eigen::VectorXd rows_code_;                                     ///< and the code where they were computed.
 };
 
 }  // namespace

@@ -12,13 +12,21 @@ namespace {
 
 constexpr double kLeastDamping = 1e-9, kFirstDamping = 1e-3, kDampingFactor = 10;
 constexpr int kMostTrials = 8;
-constexpr double kLeastFall = 1e-6, kLeastGain = 0.5;
+constexpr double kLeastGain = 0.5;
 
 /// J^T J; half of it by symmetry.
 Eigen::MatrixXd NormalMatrix(const Eigen::MatrixXd& derivative) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(derivative.cols(), derivative.cols());
   matrix.selfadjointView<Eigen::Lower>().rankUpdate(derivative.transpose());
   return matrix.selfadjointView<Eigen::Lower>();
+}
+
+/// Broyden's correction of a derivative and of J^T J after a move, of which it predicted `miss` too little.
+void Correct(const Eigen::VectorXd& move, const Eigen::VectorXd& miss, Eigen::MatrixXd& derivative,
+             Eigen::MatrixXd& normal) {
+  const Eigen::VectorXd along = move / move.squaredNorm(), by_miss = derivative.transpose() * miss;
+  normal += by_miss * along.transpose() + along * by_miss.transpose() + miss.squaredNorm() * along * along.transpose();
+  derivative += miss * along.transpose();
 }
 
 }  // namespace
@@ -51,19 +59,21 @@ Minimum Minimise(const SquaredEnergy& energy, const Eigen::VectorXd& start, int 
     for (int trial = 0; trial < kMostTrials && !taken; ++trial) {
       Eigen::MatrixXd damped = normal;
       damped.diagonal().array() += damping * scale;
-      const Eigen::VectorXd move = damped.ldlt().solve(-gradient);
+      const Eigen::VectorXd move = damped.llt().solve(-gradient);
       if (move.allFinite()) {
         const Eigen::VectorXd moved = minimum.x + move;
-        const double predicted = before - (here + derivative * move).squaredNorm() - prior_of(moved);
+        const Eigen::VectorXd expected = here + derivative * move;
+        const double predicted = before - expected.squaredNorm() - prior_of(moved);
         const Eigen::VectorXd there = energy.residuals(moved);
         const double after = there.squaredNorm() + prior_of(moved);
         if (there.allFinite() && after < before) {
           taken = true;
           good = before - after >= kLeastGain * predicted;
+          if (!energy.is_linear && good) Correct(move, there - expected, derivative, normal);
           minimum.x = moved;
           here = there;
           minimum.energies.push_back(after);
-        } else if (predicted < kLeastFall * before) {
+        } else if (predicted < energy.least_fall * before) {
           break;
         }
       }
@@ -72,7 +82,7 @@ Minimum Minimise(const SquaredEnergy& energy, const Eigen::VectorXd& start, int 
     }
     if (!taken && is_fresh) break;
     step += taken ? 1 : 0;
-    if (taken && before - minimum.energies.back() < kLeastFall * before) break;
+    if (taken && before - minimum.energies.back() < energy.least_fall * before) break;
     if (taken) damping = std::max(kLeastDamping, damping / kDampingFactor);
     if (!energy.is_linear && !(taken && good)) derivative.resize(0, 0);
     is_fresh = energy.is_linear;

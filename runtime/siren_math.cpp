@@ -139,4 +139,47 @@ void AddRowsOfBlock(const float* rows, int64_t num_rows, int64_t width, float* s
   }
 }
 
+DAUMIER_FOR_EACH_PROCESSOR
+void SumOfProductsOfBlock(const float* a, const float* b, int64_t num_rows, int64_t width, float* sum) {
+  for (int64_t begin = 0; begin < width; begin += kLanes) {
+    const int64_t lanes = begin + kLanes <= width ? kLanes : width - begin;
+    Floats even = {}, odd = {}, x, y;
+    int64_t i = 0;
+    for (; i + 2 <= num_rows; i += 2) {
+      Load(a + i * width + begin, lanes, x);
+      Load(b + i * width + begin, lanes, y);
+      even += x * y;
+      Load(a + (i + 1) * width + begin, lanes, x);
+      Load(b + (i + 1) * width + begin, lanes, y);
+      odd += x * y;
+    }
+    if (i < num_rows) {
+      Load(a + i * width + begin, lanes, x);
+      Load(b + i * width + begin, lanes, y);
+      even += x * y;
+    }
+    Store(even + odd, lanes, sum + begin);
+  }
+}
+
+DAUMIER_FOR_EACH_PROCESSOR
+void AddMultiplesOfRows(const float* const* rows, const float* factors, int64_t num_rows, int64_t width, float* sum) {
+  for (int64_t r = 0; r < num_rows; r += 4) {
+    const float* from[4];
+    float factor[4];
+    for (int64_t i = 0; i < 4; ++i) {
+      from[i] = rows[r + i < num_rows ? r + i : r];
+      factor[i] = r + i < num_rows ? factors[r + i] : 0;
+    }
+    for (int64_t begin = 0; begin < width; begin += kLanes) {
+      const int64_t lanes = begin + kLanes <= width ? kLanes : width - begin;
+      Floats total, row[4];
+      Load(sum + begin, lanes, total);
+      for (int i = 0; i < 4; ++i) Load(from[i] + begin, lanes, row[i]);
+      total += factor[0] * row[0] + factor[1] * row[1] + (factor[2] * row[2] + factor[3] * row[3]);
+      Store(total, lanes, sum + begin);
+    }
+  }
+}
+
 }  // namespace daumier::runtime

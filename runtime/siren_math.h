@@ -17,4 +17,10 @@ void MultiplyBlock(const float* factors, int64_t count, float* numbers);
 /// sum (width) += the rows (num_rows x width).
 void AddRowsOfBlock(const float* rows, int64_t num_rows, int64_t width, float* sum);
 
+/// sum (width) = the sum over rows of a * b, both num_rows x width.
+void SumOfProductsOfBlock(const float* a, const float* b, int64_t num_rows, int64_t width, float* sum);
+
+/// sum (width) += sum_r factors[r] rows[r], rows wherever they lie.
+void AddMultiplesOfRows(const float* const* rows, const float* factors, int64_t num_rows, int64_t width, float* sum);
+
 }  // namespace daumier::runtime

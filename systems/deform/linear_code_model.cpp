@@ -1,17 +1,20 @@
 #include "systems/deform/linear_code_model.h"
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "faces/controls/artist_habits.h"
 #include "faces/controls/face_controls.h"
 #include "faces/controls/smooth_warps.h"
 #include "fitting/code_prior.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 namespace daumier::deform {
 namespace {
 
+/// Vertices that a core computes at once.
+constexpr Eigen::Index kBlock = 512;
 constexpr double kExpressionDeviation = 0.3, kWarpDeviation = 0.5, kAsymmetry = 1.0 / 3;
 
 void CheckSize(const Eigen::VectorXd& code, Eigen::Index expected) {
@@ -20,40 +23,51 @@ void CheckSize(const Eigen::VectorXd& code, Eigen::Index expected) {
 
 }  // namespace
 
-LinearCodeModel::LinearCodeModel(LinearFaces faces) : faces_(std::move(faces)) {
-  const Eigen::Index num_vertices = faces_.face_template.num_vertices();
-  DAUMIER_CHECK(faces_.mean.rows() == num_vertices && faces_.rows.cols() == 3 * num_vertices && faces_.rows.rows() > 0,
-                "a linear model of {} vertices and {} x {} rows, expected {} vertices", faces_.mean.rows(),
-                faces_.rows.rows(), faces_.rows.cols(), num_vertices);
-  DAUMIER_CHECK(faces_.mean.allFinite() && faces_.rows.allFinite(), "a linear model has a number that is not finite");
+LinearCodeModel::LinearCodeModel(LinearFaces faces)
+    : face_template_(std::move(faces.face_template)),
+      mean_(std::move(faces.mean)),
+      usual_radius_(faces.usual_radius),
+      shapes_(faces.rows.cols(), faces.rows.rows()) {
+  const Eigen::Index num_vertices = face_template_.num_vertices();
+  DAUMIER_CHECK(mean_.rows() == num_vertices && faces.rows.cols() == 3 * num_vertices && faces.rows.rows() > 0,
+                "a linear model of {} vertices and {} x {} rows, expected {} vertices", mean_.rows(), faces.rows.rows(),
+                faces.rows.cols(), num_vertices);
+  DAUMIER_CHECK(mean_.allFinite() && faces.rows.allFinite(), "a linear model has a number that is not finite");
+  OnAllCores(num_vertices, [&](int64_t v) {  // A few columns at a time stay in the cache.
+    shapes_.middleRows<3>(3 * v) = faces.rows.middleCols<3>(3 * v).transpose();
+  });
 }
 
 geometry::Points LinearCodeModel::Vertices(const Eigen::VectorXd& code) const {
-  CheckSize(code, faces_.rows.rows());
-  const Eigen::RowVectorXf moves = code.cast<float>().transpose() * faces_.rows;
-  return faces_.mean +
-         Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(moves.data(), faces_.mean.rows(), 3)
-             .cast<double>();
+  CheckSize(code, shapes_.cols());
+  const Eigen::VectorXf numbers = code.cast<float>();
+  geometry::Points vertices = mean_;
+  const Eigen::Index count = (vertices.rows() + kBlock - 1) / kBlock;
+  OnAllCores(count, [&](int64_t block) {
+    const Eigen::Index begin = block * kBlock, size = std::min(kBlock, vertices.rows() - begin);
+    const Eigen::VectorXf moves = shapes_.middleRows(3 * begin, 3 * size) * numbers;
+    vertices.middleRows(begin, size) +=
+        Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(moves.data(), size, 3)
+            .cast<double>();
+  });
+  return vertices;
 }
 
 Eigen::VectorXd LinearCodeModel::Positions(const Eigen::VectorXd& code, std::span<const int> vertices) const {
-  CheckSize(code, faces_.rows.rows());
+  CheckSize(code, shapes_.cols());
   const Eigen::VectorXf numbers = code.cast<float>();
   Eigen::VectorXd positions(3 * std::ssize(vertices));
-  for (size_t p = 0; p < vertices.size(); ++p) {
+  for (size_t p = 0; p < vertices.size(); ++p)
     positions.segment<3>(3 * Eigen::Index(p)) =
-        faces_.mean.row(vertices[p]).transpose() +
-        (faces_.rows.middleCols<3>(3 * vertices[p]).transpose() * numbers).cast<double>();
-  }
+        mean_.row(vertices[p]).transpose() + (shapes_.middleRows<3>(3 * vertices[p]) * numbers).cast<double>();
   return positions;
 }
 
 Eigen::MatrixXd LinearCodeModel::Derivative(const Eigen::VectorXd& code, std::span<const int> vertices) const {
-  CheckSize(code, faces_.rows.rows());
-  Eigen::MatrixXd derivative(3 * std::ssize(vertices), faces_.rows.rows());
+  CheckSize(code, shapes_.cols());
+  Eigen::MatrixXd derivative(3 * std::ssize(vertices), shapes_.cols());
   for (size_t p = 0; p < vertices.size(); ++p)
-    derivative.middleRows<3>(3 * Eigen::Index(p)) =
-        faces_.rows.middleCols<3>(3 * vertices[p]).transpose().cast<double>();
+    derivative.middleRows<3>(3 * Eigen::Index(p)) = shapes_.middleRows<3>(3 * vertices[p]).cast<double>();
   return derivative;
 }
 

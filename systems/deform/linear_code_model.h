@@ -21,17 +21,21 @@ class LinearCodeModel : public fitting::CodeModel {
   /// @throws Error if shapes disagree or a number is not finite.
   explicit LinearCodeModel(LinearFaces faces);
 
-  const faces::FaceTemplate& face_template() const override { return faces_.face_template; }
-  int num_numbers() const override { return int(faces_.rows.rows()); }
+  const faces::FaceTemplate& face_template() const override { return face_template_; }
+  int num_numbers() const override { return int(shapes_.cols()); }
   bool is_linear() const override { return true; }
-  double usual_radius() const override { return faces_.usual_radius; }
+  double usual_radius() const override { return usual_radius_; }
   geometry::Points Vertices(const Eigen::VectorXd& code) const override;
   Eigen::VectorXd Positions(const Eigen::VectorXd& code, std::span<const int> vertices) const override;
   Eigen::MatrixXd Derivative(const Eigen::VectorXd& code, std::span<const int> vertices) const override;
   Eigen::VectorXd Latent(const Eigen::VectorXd& code) const override { return code; }
 
  private:
-  LinearFaces faces_;
+  faces::FaceTemplate face_template_;
+  geometry::Points mean_;
+  double usual_radius_;
+  /// 3V x M, cm, all that moves a coordinate together.
+  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> shapes_;
 };
 
 /// Principal components of faces and of their mirror images. radius: usual_radius.

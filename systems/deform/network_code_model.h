@@ -7,15 +7,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 
 namespace daumier::deform {
 
-/// The numbers of a trained deformable model, as best/model.safetensors of a run stores them.
 class DeformWeights;
+struct CodedSiren;
 
 /// The SIREN of a run [Jung et al. 2022, eq. 2] without LibTorch: D(p, z) = p + S(p; H(z)), by runtime::SirenKernel.
-/// Kinds "hypernetwork" and "conditioning". Codes are standardised by the run's training codes. The derivative by the
-/// code is by forward differences of half a hundredth of a deviation. Threads share nothing but the weights.
+/// Kinds "hypernetwork" and "conditioning". Codes are standardised by the run's training codes. The SIREN of the last
+/// code is kept, so that more points, or the derivative, of the same code do not run the hypernetwork again.
+/// Thread-safe.
 class NetworkCodeModel : public fitting::CodeModel {
  public:
   /// weights: the safetensors file. @throws Error naming the file if arrays are missing or of other shapes than the
@@ -34,11 +36,16 @@ class NetworkCodeModel : public fitting::CodeModel {
   Eigen::VectorXd Latent(const Eigen::VectorXd& code) const override { return prior_.mean + prior_.factor * code; }
 
  private:
+  std::shared_ptr<const CodedSiren> SirenOf(const Eigen::VectorXd& code) const;
+
   faces::FaceTemplate face_template_;
   faces::ModelFrame frame_;
   runtime::SirenLayout siren_;
   fitting::CodePrior prior_;
   std::unique_ptr<const DeformWeights> weights_;
+  mutable std::mutex last_mutex_;  ///< Guards the two below.
+  mutable Eigen::VectorXd last_code_;
+  mutable std::shared_ptr<const CodedSiren> last_siren_;  ///< Shared with the calls that are reading it.
 };
 
 /// Codes of the training faces of a run, in their order, standardised, N x latent. @throws Error as NetworkCodeModel.

@@ -67,16 +67,18 @@ TEST(ScaledView, RefusesPointsInOnePlace) {
 }
 
 TEST(CodeLandmarks, PointsOfTheModelsFaceAreReached) {
-  const FieldModel model;
-  const fitting::ContourPaths contour(model.face_template());
-  const auto points = InnerPoints(model, SomeCode(), SomeView());
-  const fitting::CodeLandmarkFit fit =
-      fitting::FitCodeToLandmarks(model, contour, points, {.deviation = 1e-3, .rounds = 40});
-  EXPECT_LT(fit.distances_px.maxCoeff() / fit.eye_distance_px, 0.01);
-  // Pictures do not show scale; what they show agrees with the true face in its own view.
-  const fitting::CodeLandmarkFit pose = fitting::FitCodeToLandmarks(model, contour, points, {.adjusts_code = false});
-  EXPECT_LT(5 * fit.distances_px.mean(), pose.distances_px.mean());
-  EXPECT_EQ(pose.code, Eigen::VectorXd::Zero(FieldModel::kFields));
+  for (const double bend : {0.0, 0.2}) {
+    const FieldModel model(bend);
+    const fitting::ContourPaths contour(model.face_template());
+    const auto points = InnerPoints(model, SomeCode(), SomeView());
+    const fitting::CodeLandmarkFit fit =
+        fitting::FitCodeToLandmarks(model, contour, points, {.deviation = 1e-3, .rounds = 40});
+    EXPECT_LT(fit.distances_px.maxCoeff() / fit.eye_distance_px, 0.01) << bend;
+    // Pictures do not show scale; what they show agrees with the true face in its own view.
+    const fitting::CodeLandmarkFit pose = fitting::FitCodeToLandmarks(model, contour, points, {.adjusts_code = false});
+    EXPECT_LT(5 * fit.distances_px.mean(), pose.distances_px.mean()) << bend;
+    EXPECT_EQ(pose.code, Eigen::VectorXd::Zero(FieldModel::kFields));
+  }
 }
 
 TEST(CodeLandmarks, ThePicturesPlaceScaleAndRollDoNotMatter) {
