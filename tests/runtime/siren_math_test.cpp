@@ -74,5 +74,24 @@ TEST(SirenMath, ProductsAndSumsOfRowsWithARest) {
   }
 }
 
+TEST(SirenMath, SumsOfProductsAndMultiplesOfRowsWorkedOutByHand) {
+  for (const int64_t width : kWidths) {
+    const Block block = SomeBlock(width);
+    std::vector<float> products(static_cast<size_t>(width)), sum(static_cast<size_t>(width), 1.0f);
+    SumOfProductsOfBlock(block.x.data(), block.x.data(), block.rows, width, products.data());
+    const std::vector<const float*> rows = {block.x.data(), block.x.data() + 3 * width, block.bias.data(),
+                                            block.x.data() + width, block.x.data() + 6 * width};
+    const std::vector<float> factors = {2, -1, 0.5f, 3, 1};
+    AddMultiplesOfRows(rows.data(), factors.data(), 5, width, sum.data());
+    for (int64_t i = 0; i < width; ++i) {
+      double squares = 0, multiples = 1;
+      for (int64_t row = 0; row < block.rows; ++row) squares += std::pow(block.x[size_t(row * width + i)], 2);
+      for (size_t r = 0; r < rows.size(); ++r) multiples += double(factors[r]) * rows[r][i];
+      EXPECT_NEAR(products[size_t(i)], squares, 1e-6 * squares + 1e-3);
+      EXPECT_NEAR(sum[size_t(i)], multiples, 1e-4);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace daumier::runtime
