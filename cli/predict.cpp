@@ -197,7 +197,7 @@ void Predict(const PredictArguments& arguments) {
 
 /// By the run, or the weights, that are named, else by the shipped ones of drawings.
 void PredictSession(const PredictArguments& arguments) {
-  if (!arguments.inputs.empty() || (!arguments.run.empty() && !arguments.weights.empty()))
+  if (!arguments.inputs.empty() || IsInput(arguments.run) || (!arguments.run.empty() && !arguments.weights.empty()))
     throw UsageError("--session takes at most one run or one --weights, and no inputs");
   SessionArguments session{arguments.session, arguments.run, arguments.out, ParseDevice(arguments.device)};
   if (session.run.empty()) {

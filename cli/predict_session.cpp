@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSessionKind = "session";
-constexpr int64_t kMostRows = 24;
+constexpr int64_t kMostShown = 24;
 
 /// A state, and what led to it.
 struct RecordedState {
@@ -54,7 +54,9 @@ render::Image SheetOfSession(const std::vector<RecordedState>& states, const fac
   const faces::FinishedHead head = reports::HeadOf(reports::SurfaceOf(face_template), face_template.neutral);
   const render::Frame frame = reports::FrameOfFaces(faces);
   std::vector<render::SheetCell> cells;
-  for (const RecordedState& recorded : EvenlySpaced(states, kMostRows)) {
+  std::vector<RecordedState> shown = EvenlySpaced(states, kMostShown);
+  shown.back() = states.back();
+  for (const RecordedState& recorded : shown) {
     cells.push_back({render::DrawnWithCurves(recorded.on_canvas, {}, reports::kCell), recorded.caption});
     const bool has_face = recorded.state->vertices.rows() > 0;
     cells.push_back({has_face ? reports::FrontView(head, recorded.state->vertices, frame) : render::Image()});

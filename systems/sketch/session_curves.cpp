@@ -229,6 +229,10 @@ std::string PartnerOf(const std::string& name) {
   return "";
 }
 
+double LengthOf(const CanvasPoints& line) {
+  return line.empty() ? 0 : ArcLengths(line).back();
+}
+
 double DistanceToLine(const Eigen::Vector2d& p, const CanvasPoints& line) {
   double least = (p - line.front()).norm();
   for (size_t i = 1; i < line.size(); ++i) least = std::min(least, DistanceToSegment(p, line[i - 1], line[i]));

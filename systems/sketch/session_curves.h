@@ -46,6 +46,7 @@ std::string PartnerOf(const std::string& name);
 /// Farthest from a line that an eraser still meets it, and that the ends of a stroke may be from the ends of a gap.
 inline constexpr double kEraserReach = 5, kSnapReach = 48;
 
+double LengthOf(const CanvasPoints& line);
 double DistanceToLine(const Eigen::Vector2d& point, const CanvasPoints& line);
 
 /// @throws Error if the stroke is shorter than a pixel or not finite.

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "geometry/coordinates.h"
-#include "geometry/operators.h"
 
 #include <algorithm>
 #include <utility>
@@ -65,19 +64,8 @@ render::Placement WholeSheet(double width, double height) {
 }  // namespace
 
 SketchSession::SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height)
-    : predictor_(std::move(predictor)), width_(width), height_(height) {
+    : follower_(std::move(predictor)), width_(width), height_(height) {
   DAUMIER_CHECK(width_ > 0 && height_ > 0, "a sheet of {} x {} pixels, expected positive sizes", width_, height_);
-  const faces::FaceTemplate& face_template = predictor_->run().face_template;
-  const fitting::ProjectedCurves& curves = predictor_->curves();
-  DAUMIER_CHECK(!curves.camera.perspective, "the camera of the sketches is in perspective");
-  std::vector<int> pins;
-  for (const int vertex : curves.vertices) {
-    const auto known = std::ranges::find(pins, vertex);
-    pin_of_point_.push_back(int(known - pins.begin()));
-    if (known == pins.end()) pins.push_back(vertex);
-  }
-  deformation_ = std::make_unique<geometry::PinnedDeformation>(
-      geometry::UniformLaplacian(face_template.triangles, face_template.num_vertices()), std::move(pins));
   SketchState blank;
   blank.frame = WholeSheet(width_, height_);
   history_.push_back(std::make_shared<const SketchState>(std::move(blank)));
@@ -116,7 +104,7 @@ SketchState SketchSession::Predicted(std::vector<render::Stroke> strokes, const 
   if (next.strokes.empty()) return next;
   const systems::Input input = render::Drawing{width_, height_, next.strokes};
   try {
-    systems::FaceResult face = std::move(predictor_->Predict(std::span(&input, 1), task).front());
+    systems::FaceResult face = std::move(follower_.predictor().Predict(std::span(&input, 1), task).front());
     next.vertices = std::move(face.vertices);
     next.frame = face.frame.value_or(next.frame);
     next.warnings = std::move(face.warnings);
@@ -169,58 +157,27 @@ bool SketchSession::Erase(const CanvasPoints& path, const Task& task) {
 void SketchSession::FollowUp() {
   const StatePointer now = state();
   if (now->is_follow_up()) return;
-  const Eigen::VectorXf& mean = predictor_->run().models.gaussian.mean;
-  FollowUpFrom(now->vertices.rows() > 0 ? now->vertices
-                                        : geometry::PointsFrom(std::span(mean.data(), size_t(mean.size()))));
+  if (now->vertices.rows() > 0) return FollowUpFrom(now->vertices);
+  const Eigen::VectorXf& mean = follower_.predictor().run().models.gaussian.mean;
+  FollowUpFrom(geometry::PointsFrom(std::span(mean.data(), size_t(mean.size()))), Untouched::kFollow);
 }
 
-void SketchSession::FollowUpFrom(const geometry::Points& vertices) {
-  const faces::FaceTemplate& face_template = predictor_->run().face_template;
-  DAUMIER_CHECK(vertices.rows() == face_template.num_vertices(), "a face of {} vertices, expected {}", vertices.rows(),
-                face_template.num_vertices());
+void SketchSession::FollowUpFrom(const geometry::Points& vertices, Untouched untouched) {
   const std::scoped_lock lock(calls_);
   const StatePointer now = state();
   SketchState next;
+  next.start = std::make_shared<const FollowUpStart>(follower_.Begin(vertices, untouched));
+  next.lines = follower_.CurvesOf(vertices);
   const bool is_own = now->vertices.rows() == vertices.rows() && now->vertices == vertices;
   next.frame = is_own ? now->frame : WholeSheet(width_, height_);
   next.vertices = vertices;
-  const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = vertices.cast<float>();
-  const std::vector<float> projected =
-      fitting::Project(predictor_->curves(), std::span(single.data(), size_t(single.size())));
-  next.lines = LinesOf(face_template, predictor_->run().feature_curves, predictor_->curves().offsets, projected);
-  next.start = std::make_shared<const FollowUpStart>(FollowUpStart{vertices, NetworkOf(StrokesOf(next.lines))});
   Add(std::move(next));
-}
-
-geometry::Points SketchSession::NetworkOf(const std::vector<render::Stroke>& on_canvas) const {
-  return geometry::PointsFrom(predictor_->FromStrokes({on_canvas}).front().vertices);
 }
 
 void SketchSession::Follow(SketchState& state, const Task& task) const {
   task.ThrowIfCancelled("stopped before the face was predicted");
-  const geometry::Points network = NetworkOf(StrokesOf(state.lines));
-  task.ThrowIfCancelled("stopped before the face was complete");
-  state.vertices = Pulled(state.start->vertices + (network - state.start->network), state.lines);
-}
-
-geometry::Points SketchSession::Pulled(const geometry::Points& face, const SessionLines& lines) const {
-  const render::Camera& camera = predictor_->curves().camera;
-  const geometry::Points projected = render::Project(camera, face);
-  const std::vector<int>& pins = deformation_->pins();
-  geometry::Points moves(Eigen::Index(pins.size()), 3);
-  std::vector<int> drawn(pins.size(), -1);  // Of a vertex of several curves the last one drawn counts.
-  size_t point = 0;
-  for (const SessionCurve& curve : lines.curves) {
-    for (const Eigen::Vector2d& target : curve.points) {
-      const int pin = pin_of_point_[point++];
-      if (curve.drawn <= drawn[size_t(pin)]) continue;
-      drawn[size_t(pin)] = curve.drawn;
-      Eigen::Vector3d in_camera = Eigen::Vector3d::Zero();
-      in_camera.head<2>() = (target - projected.row(pins[size_t(pin)]).head<2>().transpose()) / camera.scale;
-      moves.row(pin) = (camera.camera_from_world.transpose() * in_camera).transpose();
-    }
-  }
-  return face + deformation_->Solve(moves);
+  state.vertices = follower_.Follow(*state.start, state.lines);
+  if (state.start->untouched == Untouched::kFollow) follower_.MoveUntouched(state.vertices, state.lines);
 }
 
 geometry::Points SketchSession::Preview(const CanvasPoints& stroke) const {
@@ -228,7 +185,7 @@ geometry::Points SketchSession::Preview(const CanvasPoints& stroke) const {
   render::Drawing drawing{width_, height_, now->strokes};
   drawing.strokes.push_back(StrokeOf(stroke));
   const render::FramedDrawing framed = render::FrameDrawing(drawing);
-  return NetworkOf(render::MapToCanvas(framed.strokes, framed.placement));
+  return follower_.NetworkOf(render::MapToCanvas(framed.strokes, framed.placement));
 }
 
 std::vector<render::Stroke> SketchSession::OnSheet(const SketchState& state) {

@@ -1,10 +1,8 @@
 #pragma once
 #include "core/task.h"
 #include "geometry/mesh.h"
-#include "geometry/pinned_deformation.h"
 #include "render/framing.h"
-#include "systems/sketch/predictor.h"
-#include "systems/sketch/session_curves.h"
+#include "systems/sketch/curve_follower.h"
 
 #include <memory>
 #include <mutex>
@@ -12,12 +10,6 @@
 #include <vector>
 
 namespace daumier::sketch {
-
-/// Where follow-up sketching began.
-struct FollowUpStart {
-  geometry::Points vertices;  ///< V x 3, cm.
-  geometry::Points network;   ///< V x 3: the face that the network predicts from the curves of this face.
-};
 
 /// A moment of a session. Immutable, shared between threads.
 struct SketchState {
@@ -33,11 +25,8 @@ struct SketchState {
 
 /// A face while a person draws it [Han et al. 2017, sections 3.1, 3.2 and 5.1]. In initial mode all strokes are predicted
 /// as `daumier predict` does. In follow-up mode the feature curves of the face are lines that are erased and redrawn
-/// (session_curves.h), and the face is
-///   start + network(lines) - network(curves of start) + d,
-/// d the PinnedDeformation that takes the vertices of all curves to their lines in x and y and leaves their depth. So a
-/// sketch in which nothing was redrawn is the face that it began from. Each call makes a new state or throws and
-/// changes nothing. May be used from several threads: calls wait for each other, and state() for none of them.
+/// (session_curves.h), which the face follows (curve_follower.h). Each call makes a new state or throws and changes
+/// nothing. May be used from several threads: calls wait for each other, and state() for none of them.
 class SketchSession {
  public:
   /// sheet: width x height, pixels. @throws Error if a size is not positive, or the predictor has no parser.
@@ -51,10 +40,11 @@ class SketchSession {
   /// In initial mode what lies within kEraserReach of the path, in follow-up mode as sketch::Erase, in pixels of the
   /// canvas in both. False, without a new state, if that is nothing.
   bool Erase(const CanvasPoints& path, const Task& task = {});
-  /// Follow-up mode, from the current face or, where there is none, from the mean face.
+  /// Follow-up mode, from the current face, whose lines stay where they were drawn, or, where there is none, from the
+  /// mean face, whose lines follow until they are redrawn.
   void FollowUp();
   /// The same from a given face, V x 3, cm. @throws Error if it has other vertices.
-  void FollowUpFrom(const geometry::Points& vertices);
+  void FollowUpFrom(const geometry::Points& vertices, Untouched untouched = Untouched::kStay);
   /// False where there is nothing to undo or redo.
   bool Undo();
   bool Redo();
@@ -72,13 +62,9 @@ class SketchSession {
   SketchState Predicted(std::vector<render::Stroke> strokes, const Task& task) const;
   /// The face of the lines. @throws Cancelled if the task is.
   void Follow(SketchState& state, const Task& task) const;
-  geometry::Points NetworkOf(const std::vector<render::Stroke>& on_canvas) const;
-  geometry::Points Pulled(const geometry::Points& face, const SessionLines& lines) const;
 
-  const std::shared_ptr<const SketchPredictor> predictor_;
+  const CurveFollower follower_;
   const double width_, height_;
-  std::vector<int> pin_of_point_;  ///< K: which pin the vertex of each curve point is.
-  std::unique_ptr<const geometry::PinnedDeformation> deformation_;
   std::mutex calls_;           ///< Held by a call that makes a state.
   mutable std::mutex states_;  ///< Held for moments.
   std::vector<StatePointer> history_;

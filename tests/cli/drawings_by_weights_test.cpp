@@ -1,5 +1,6 @@
 // Drawings predicted by the weights of the repository, as a user would.
 #include "core/files.h"
+#include "core/json.h"
 #include "core/manifest.h"
 #include "render/image.h"
 #include "tests/cli/pipeline.h"
@@ -87,6 +88,35 @@ TEST_F(DrawingsByWeights, WhatIsNoInputIsNamed) {
   EXPECT_EQ(long_name.exit_code, 1);
   EXPECT_THAT(long_name.err, AllOf(HasSubstr("cannot access "), HasSubstr("File name too long")));
   refused((SourceRoot() / "weights/parser").string(), "at least one input file besides");
+}
+
+TEST_F(DrawingsByWeights, ASessionIsReplayedToTheSameBytes) {
+  Json example = ReadJson(SourceRoot() / "docs/examples/sessions/front.json");
+  auto& events = example.at("events").get_ref<Json::array_t&>();
+  events.erase(events.begin() + 2, events.end() - 10);  // Two strokes; curves of the last are redrawn after follow_up.
+  events.insert(events.begin() + 2, Json{{"do", "follow_up"}});
+  const std::string session = In("session.json");
+  WriteFileAtomically(session, example.dump());
+  const auto replay = [&](const std::string& out) {
+    return RunProcess({"/usr/bin/env", "DAUMIER_WEIGHTS=" + (SourceRoot() / "weights").string(), DAUMIER_PROGRAM,
+                       "--quiet", "predict", "--session", session, "--out", In(out)});
+  };
+  for (const char* out : {"first", "second"}) {
+    const ProcessResult result = replay(out);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  const Manifest manifest = ReadManifest(folder_ / "first", "session");
+  EXPECT_EQ(manifest.counts.at("states"), 13);
+  EXPECT_NO_THROW(VerifyChecksums(folder_ / "first", manifest));
+  EXPECT_EQ(ReadFile(folder_ / "first/manifest.json"), ReadFile(folder_ / "second/manifest.json"));
+  WriteFileAtomically(folder_ / "torn.json", ReadFile(session).substr(0, 500));
+  const ProcessResult torn =
+      RunProcess({DAUMIER_PROGRAM, "--quiet", "predict", "--session", In("torn.json"), "--out", In("none")});
+  EXPECT_EQ(torn.exit_code, 1);
+  EXPECT_THAT(torn.err, HasSubstr("torn.json"));
+  const ProcessResult both = Predict({"--session", session, "--out", In("none")});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "none"));
 }
 
 TEST_F(DrawingsByWeights, AnAvatarOfADrawingPointsToPredictAndRig) {

@@ -1,0 +1,127 @@
+#include "systems/sketch/curve_follower.h"
+
+#include "core/error.h"
+#include "geometry/coordinates.h"
+#include "geometry/operators.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace daumier::sketch {
+
+namespace {
+
+/// Of a redrawn curve, on the canvas: each stretch of kIndependent counts as one point with this deviation.
+constexpr double kLineDeviation = 2, kIndependent = 8;
+
+}  // namespace
+
+CurveFollower::CurveFollower(std::shared_ptr<const SketchPredictor> predictor, Inference inference)
+    : predictor_(std::move(predictor)), inference_(inference) {
+  const faces::FaceTemplate& face_template = predictor_->run().face_template;
+  const fitting::ProjectedCurves& curves = predictor_->curves();
+  DAUMIER_CHECK(!curves.camera.perspective, "the camera of the sketches is in perspective");
+  std::vector<int> pins;
+  for (const int vertex : curves.vertices) {
+    const auto known = std::ranges::find(pins, vertex);
+    pin_of_point_.push_back(int(known - pins.begin()));
+    if (known == pins.end()) pins.push_back(vertex);
+  }
+  const faces::FaceGaussian& gaussian = predictor_->run().models.gaussian;
+  DAUMIER_CHECK(gaussian.size() > 0, "{}: the run has no normal distribution of faces",
+                predictor_->run().directory.string());
+  curve_rows_.resize(2 * std::ssize(pins), gaussian.size());
+  const Eigen::Matrix<double, 2, 3> pixels_from_cm = curves.camera.scale * curves.camera.camera_from_world.topRows<2>();
+  for (Eigen::Index pin = 0; pin < std::ssize(pins); ++pin)
+    curve_rows_.middleRows<2>(2 * pin) =
+        pixels_from_cm * gaussian.rows.middleCols<3>(3 * Eigen::Index(pins[size_t(pin)])).transpose().cast<double>();
+  deformation_ = std::make_unique<geometry::PinnedDeformation>(
+      geometry::UniformLaplacian(face_template.triangles, face_template.num_vertices()), std::move(pins));
+}
+
+SessionLines CurveFollower::CurvesOf(const geometry::Points& face) const {
+  const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = face.cast<float>();
+  const std::vector<float> projected =
+      fitting::Project(predictor_->curves(), std::span(single.data(), size_t(single.size())));
+  return LinesOf(predictor_->run().face_template, predictor_->run().feature_curves, predictor_->curves().offsets,
+                 projected);
+}
+
+void CurveFollower::MoveUntouched(const geometry::Points& face, SessionLines& lines) const {
+  const SessionLines own = CurvesOf(face);
+  for (size_t c = 0; c < lines.curves.size(); ++c)
+    if (lines.curves[c].drawn == 0) lines.curves[c].points = own.curves[c].points;
+}
+
+FollowUpStart CurveFollower::Begin(const geometry::Points& face, Untouched untouched) const {
+  const int num_vertices = predictor_->run().face_template.num_vertices();
+  DAUMIER_CHECK(face.rows() == num_vertices, "a face of {} vertices, expected {}", face.rows(), num_vertices);
+  FollowUpStart start{face, untouched};
+  if (inference_ == Inference::kNetwork) start.network = NetworkOf(StrokesOf(CurvesOf(face)));
+  return start;
+}
+
+geometry::Points CurveFollower::Follow(const FollowUpStart& start, const SessionLines& lines) const {
+  return Pulled(Inferred(start, lines), lines, start.untouched);
+}
+
+geometry::Points CurveFollower::Inferred(const FollowUpStart& start, const SessionLines& lines) const {
+  if (inference_ == Inference::kNetwork) return start.vertices + (NetworkOf(StrokesOf(lines)) - start.network);
+  if (inference_ == Inference::kFaces) return start.vertices + ChangeOfFaces(start, lines);
+  return start.vertices;
+}
+
+geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const SessionLines& lines) const {
+  const faces::FaceGaussian& gaussian = predictor_->run().models.gaussian;
+  const geometry::Points seen =
+      render::Project(predictor_->curves().camera, start.vertices(deformation_->pins(), Eigen::all));
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(gaussian.size(), gaussian.size());
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(gaussian.size());
+  size_t point = 0;
+  for (const SessionCurve& curve : lines.curves) {
+    const size_t first = point;
+    point += curve.points.size();
+    if (curve.drawn == 0) continue;
+    const double num_independent = std::max(1.0, LengthOf(curve.points) / kIndependent);
+    const double weight = num_independent / double(curve.points.size()) / (kLineDeviation * kLineDeviation);
+    for (size_t i = 0; i < curve.points.size(); ++i) {
+      const int pin = pin_of_point_[first + i];
+      const auto rows = curve_rows_.middleRows<2>(2 * Eigen::Index(pin));
+      const Eigen::Vector2d moved = curve.points[i] - seen.row(pin).head<2>().transpose();
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose(), weight);
+      rhs += weight * (rows.transpose() * moved);
+    }
+  }
+  if (point == 0 || rhs.isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
+  const Eigen::VectorXf weights = normal.selfadjointView<Eigen::Lower>().llt().solve(rhs).cast<float>();
+  const Eigen::VectorXf change = gaussian.rows.transpose() * weights;
+  return geometry::PointsFrom(std::span(change.data(), size_t(change.size())));
+}
+
+geometry::Points CurveFollower::NetworkOf(const std::vector<render::Stroke>& on_canvas) const {
+  return geometry::PointsFrom(predictor_->FromStrokes({on_canvas}).front().vertices);
+}
+
+geometry::Points CurveFollower::Pulled(const geometry::Points& face, const SessionLines& lines,
+                                       Untouched untouched) const {
+  const render::Camera& camera = predictor_->curves().camera;
+  const std::vector<int>& pins = deformation_->pins();
+  const geometry::Points projected = render::Project(camera, face(pins, Eigen::all));
+  geometry::Points moves = geometry::Points::Zero(Eigen::Index(pins.size()), 3);
+  std::vector<int> drawn(pins.size(), -1);  // Of a vertex of several curves the last one drawn counts.
+  size_t point = 0;
+  for (const SessionCurve& curve : lines.curves) {
+    for (const Eigen::Vector2d& target : curve.points) {
+      const int pin = pin_of_point_[point++];
+      if (curve.drawn <= drawn[size_t(pin)]) continue;
+      drawn[size_t(pin)] = curve.drawn;
+      if (untouched == Untouched::kFollow && curve.drawn == 0) continue;
+      Eigen::Vector3d in_camera = Eigen::Vector3d::Zero();
+      in_camera.head<2>() = (target - projected.row(pin).head<2>().transpose()) / camera.scale;
+      moves.row(pin) = (camera.camera_from_world.transpose() * in_camera).transpose();
+    }
+  }
+  return face + deformation_->Solve(moves);
+}
+
+}  // namespace daumier::sketch

@@ -1,0 +1,69 @@
+#pragma once
+#include "geometry/mesh.h"
+#include "geometry/pinned_deformation.h"
+#include "systems/sketch/predictor.h"
+#include "systems/sketch/session_curves.h"
+
+#include <memory>
+#include <vector>
+
+namespace daumier::sketch {
+
+/// What a person's lines say of the rest of a face.
+enum class Inference {
+  kNone,     ///< Nothing: deformation alone.
+  kNetwork,  ///< network(lines) - network(curves of start), as printed.
+  kFaces,    ///< E[x - start | redrawn curves] of the run's normal distribution of faces, about the start.
+};
+/// Where curves are that were never redrawn.
+enum class Untouched {
+  kStay,    ///< At their lines, as printed.
+  kFollow,  ///< Where the inference has them.
+};
+
+/// Where follow-up sketching began.
+struct FollowUpStart {
+  geometry::Points vertices;  ///< V x 3, cm.
+  Untouched untouched = Untouched::kStay;
+  geometry::Points network = {};  ///< V x 3, of Inference::kNetwork: predicted from the curves of this face.
+};
+
+/// Faces that follow redrawn curves [Han et al. 2017, section 5.1]:
+///   start + inferred change + d,
+/// d the PinnedDeformation that takes the vertices of curves to their lines in x and y and leaves their depth. So lines
+/// in which nothing was redrawn give the start. May be used from several threads.
+class CurveFollower {
+ public:
+  /// @throws Error if the camera of the sketches is in perspective, the run has no normal distribution of faces, or as
+  /// PinnedDeformation.
+  explicit CurveFollower(std::shared_ptr<const SketchPredictor> predictor, Inference inference = Inference::kFaces);
+
+  /// face: V x 3, cm. @throws Error if it has other vertices.
+  FollowUpStart Begin(const geometry::Points& face, Untouched untouched) const;
+  /// The curves of a face, none erased.
+  SessionLines CurvesOf(const geometry::Points& face) const;
+  /// Moves curves that were never redrawn to where the face has them.
+  void MoveUntouched(const geometry::Points& face, SessionLines& lines) const;
+
+  /// lines: of CurvesOf, redrawn. V x 3, cm.
+  geometry::Points Follow(const FollowUpStart& start, const SessionLines& lines) const;
+  /// start + inferred change, without d.
+  geometry::Points Inferred(const FollowUpStart& start, const SessionLines& lines) const;
+  /// The network alone. V x 3, cm.
+  geometry::Points NetworkOf(const std::vector<render::Stroke>& on_canvas) const;
+
+  const SketchPredictor& predictor() const { return *predictor_; }
+
+ private:
+  geometry::Points Pulled(const geometry::Points& face, const SessionLines& lines, Untouched untouched) const;
+  /// The most likely change of the start's faces, V x 3, by the redrawn curves.
+  geometry::Points ChangeOfFaces(const FollowUpStart& start, const SessionLines& lines) const;
+
+  std::shared_ptr<const SketchPredictor> predictor_;
+  Inference inference_;
+  std::vector<int> pin_of_point_;  ///< K: which pin the vertex of each curve point is.
+  std::unique_ptr<const geometry::PinnedDeformation> deformation_;
+  Eigen::MatrixXd curve_rows_;  ///< 2P x K: what components of faces do to pins on the canvas, pixels.
+};
+
+}  // namespace daumier::sketch
