@@ -8,6 +8,7 @@
 #include "geometry/self_intersections.h"
 #include "reports/face_pictures.h"
 #include "reports/face_surface.h"
+#include "reports/textured_head_file.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,23 @@ namespace daumier::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kTexturedYaw = -40;  ///< Degrees: half to the face's own right, as the side view is.
+
+/// The faces with their texture, from the front and then turned.
+std::vector<render::SheetCell> TexturedCells(const EditContent& content, const render::Frame& frame) {
+  std::vector<render::SheetCell> cells;
+  for (const double yaw : {0.0, kTexturedYaw}) {
+    const render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, reports::kCell, yaw);
+    for (const EditedFace& face : content.faces) {
+      const render::RenderInput input{.surface = reports::HeadInAtlas(*content.texture->rig, face.vertices),
+                                      .is_solid = true,
+                                      .texture = content.texture->picture};
+      cells.push_back({render::RenderMesh(input, camera)});
+    }
+  }
+  return cells;
+}
 
 render::Image SheetOfEdit(const fitting::CodeModel& model, const EditContent& content) {
   const faces::FaceTemplate& face_template = model.face_template();
@@ -31,6 +49,10 @@ render::Image SheetOfEdit(const fitting::CodeModel& model, const EditContent& co
   }
   std::vector<render::SheetCell> cells = std::move(fronts);
   cells.insert(cells.end(), sides.begin(), sides.end());
+  if (content.texture) {
+    const std::vector<render::SheetCell> textured = TexturedCells(content, frame);
+    cells.insert(cells.end(), textured.begin(), textured.end());
+  }
   render::Image sheet = render::MakeSheet(cells, int(content.faces.size()));
   if (content.pictures.empty()) return sheet;
   std::vector<render::SheetCell> all = content.pictures;
@@ -68,7 +90,13 @@ Json WriteEdit(const fs::path& out, const fitting::CodeModel& model, const EditC
   Json list = Json::array();
   for (const EditedFace& face : content.faces) {
     const geometry::TriangleMesh mesh = faces::SurfaceMesh(model.face_template(), face.vertices);
-    geometry::WriteObj(staged.path() / (face.name + ".obj"), mesh);
+    if (content.texture) {
+      reports::WriteTexturedHead(staged.path() / (face.name + ".obj"), *content.texture->rig, face.vertices,
+                                 kTextureFile);
+      add(face.name + ".mtl");
+    } else {
+      geometry::WriteObj(staged.path() / (face.name + ".obj"), mesh);
+    }
     add(face.name + ".obj");
     if (content.writes_ply) {
       geometry::WritePly(staged.path() / (face.name + ".ply"), mesh);
@@ -85,6 +113,11 @@ Json WriteEdit(const fs::path& out, const fitting::CodeModel& model, const EditC
   render::WriteImage(staged.path() / "sheet.png", SheetOfEdit(model, content));
   add("sheet.png");
   Json edit = {{"model", content.model}, {"constraints", content.constraints}, {"faces", std::move(list)}};
+  if (content.texture) {
+    render::WriteImage(staged.path() / kTextureFile, *content.texture->picture);
+    add(kTextureFile);
+    edit["texture"] = content.texture->record;
+  }
   WriteFileAtomically(staged.path() / "edit.json", edit.dump(1) + "\n");
   add("edit.json");
   manifest.counts["faces"] = content.faces.size();

@@ -1,14 +1,13 @@
 #include "cli/edit_start.h"
 
 #include "cli/rig_face.h"
+#include "cli/shipped_landmarks.h"
 #include "core/error.h"
 #include "datasets/build/registered_faces.h"
-#include "fitting/code_landmarks.h"
+#include "fitting/landmark_head.h"
 #include "fitting/mesh_code.h"
 #include "render/draw.h"
 #include "systems/portrait/landmark_files.h"
-#include "systems/portrait/landmark_predictor.h"
-#include "systems/shipped_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,10 +72,7 @@ render::Image WithLandmarks(const fs::path& picture, const fitting::CodeLandmark
 /// The 68 landmarks of the file, or those that the shipped weights find in the picture.
 std::vector<float> LandmarksOf(const EditStartArguments& arguments) {
   if (!arguments.landmarks.empty()) return portrait::ReadKnownLandmarks(arguments.landmarks);
-  const std::vector<fs::path> places = systems::WeightsPlaces();
-  const fs::path weights = systems::WeightsNamed("landmarks", systems::ListWeights(places), places);
-  const auto predictor = portrait::OpenLandmarkPredictor(weights, Device(), ToJson(portrait::LandmarkPredictOptions()));
-  const auto& finder = dynamic_cast<const portrait::LandmarkPredictor&>(*predictor);
+  const ShippedLandmarks finder;
   const render::Image picture = render::ReadImage(arguments.picture);
   try {
     return finder.detector().FindOne(picture).landmarks;
@@ -115,8 +111,9 @@ EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::C
                          {"rotation", std::vector<double>(rotation.data(), rotation.data() + 9)},
                          {"shift", {fit.view.shift.x(), fit.view.shift.y()}},
                          {"yaw_degrees", std::atan2(-view_axis.x(), view_axis.z()) * 180 / M_PI}}}};
-  if (!arguments.picture.empty())
-    start.pictures.push_back({WithLandmarks(arguments.picture, fit, points), "landmarks green, face red"});
+  if (arguments.picture.empty()) return start;
+  start.pictures.push_back({WithLandmarks(arguments.picture, fit, points), "landmarks green, face red"});
+  start.pictured = {arguments.picture, fit.view, fitting::LandmarksAmong(model.face_template(), points)};
   return start;
 }
 

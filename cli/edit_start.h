@@ -1,6 +1,6 @@
 #pragma once
 #include "core/json.h"
-#include "fitting/code_model.h"
+#include "fitting/code_landmarks.h"
 #include "render/sheet.h"
 
 #include <cstdint>
@@ -29,10 +29,18 @@ struct EditedFace {
   Json record = Json::object();
 };
 
+/// Where a picture shows a face.
+struct PicturedFace {
+  std::filesystem::path picture;
+  fitting::ScaledView view;
+  fitting::PicturePoints landmarks;  ///< 68 x 2, pixels; NaN: absent.
+};
+
 /// The face that edits begin with, `start`.
 struct EditStart {
   EditedFace face;
   std::vector<render::SheetCell> pictures = {};  ///< Of the sheet, before the faces.
+  std::optional<PicturedFace> pictured = {};
 };
 
 /// FILE#NAME, or FILE: the face "start".

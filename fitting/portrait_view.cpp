@@ -15,6 +15,14 @@ Eigen::Matrix3d RotationOf(const PortraitPose& pose) {
       .toRotationMatrix();
 }
 
+PortraitPose PoseOfRotation(const Eigen::Matrix3d& rotation) {
+  PortraitPose pose = PortraitPose::Zero();
+  pose[0] = std::atan2(rotation(2, 1), rotation(2, 2));
+  pose[1] = std::asin(std::clamp(-rotation(2, 0), -1.0, 1.0));
+  pose[2] = std::atan2(rotation(1, 0), rotation(0, 0));
+  return pose;
+}
+
 geometry::Points Posed(const geometry::Points& points, const PortraitPose& pose) {
   geometry::Points posed = points * RotationOf(pose).transpose();
   posed.rowwise() += pose.tail<3>().transpose();

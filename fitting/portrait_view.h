@@ -17,6 +17,8 @@ struct PortraitView {
 
 /// Rz(roll) Ry(yaw) Rx(pitch).
 Eigen::Matrix3d RotationOf(const PortraitPose& pose);
+/// The pose of a rotation, at the origin: undoes RotationOf, yaw within a quarter turn.
+PortraitPose PoseOfRotation(const Eigen::Matrix3d& rotation);
 /// R p + t, N x 3.
 geometry::Points Posed(const geometry::Points& points, const PortraitPose& pose);
 /// x = c + f X / (d - Z), y = c - f Y / (d - Z) of posed points.

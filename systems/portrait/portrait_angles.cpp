@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 
 namespace daumier::portrait {
@@ -29,8 +28,8 @@ std::array<float, 3> MovedAngles(std::span<const float> angles, const Eigen::Vec
   const Eigen::Matrix3d moved = TurnedAside(to).transpose() *
                                 Eigen::AngleAxisd(-rotation, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
                                 TurnedAside(from) * fitting::RotationOf(pose);
-  return {float(std::atan2(moved(2, 1), moved(2, 2))), float(std::asin(std::clamp(-moved(2, 0), -1.0, 1.0))),
-          float(std::atan2(moved(1, 0), moved(0, 0)))};
+  const fitting::PortraitPose result = fitting::PoseOfRotation(moved);
+  return {float(result[0]), float(result[1]), float(result[2])};
 }
 
 Eigen::Vector2d OffsetOf(std::span<const float> landmarks, double side) {

@@ -109,6 +109,38 @@ TEST_F(EditCommand, APictureWithoutAFaceIsRefused) {
   EXPECT_EQ(Edit({"--picture", In("plain.png"), "--code", In("a.json"), "--out", In("face")}).exit_code, 2);
 }
 
+TEST_F(EditCommand, APictureIsATextureOfEveryFace) {
+  const std::string picture = (SourceRoot() / "docs/examples/portraits/woman.jpg").string();
+  const ProcessResult result = Edit({"--picture", picture, "--texture", "--texture-size", "256", "--handle", "nose=1",
+                                     "--steps", "1", "--out", In("face")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json edit = ReadEdit("face"), texture = edit.at("texture");
+  EXPECT_NEAR(texture.at("seen").get<double>() + texture.at("mirrored").get<double>() +
+                  texture.at("filled").get<double>(),
+              1, 1e-4);
+  EXPECT_GT(texture.at("seen").get<double>(), 0.2);
+  const render::Image atlas = render::ReadImage(folder_ / "face/texture.png");
+  EXPECT_EQ(atlas.width, 256);
+  EXPECT_EQ(atlas.height, 256);
+  const geometry::PolygonMesh start = geometry::ReadObj(folder_ / "face/woman.obj"),
+                              edited = geometry::ReadObj(folder_ / "face/handles_1.obj");
+  ASSERT_TRUE(start.has_uv());
+  EXPECT_EQ(start.uv, edited.uv);  // One atlas.
+  EXPECT_EQ(start.uv_corners, edited.uv_corners);
+  for (const char* name : {"woman.mtl", "handles_1.mtl"})
+    EXPECT_NE(ReadFile(folder_ / "face" / name).find("map_Kd texture.png"), std::string::npos) << name;
+  // A head is a face of the model again, and an edit of its code has the same atlas.
+  const ProcessResult from_head = Edit({"--face", In("face/handles_1.obj"), "--out", In("from_head")});
+  ASSERT_EQ(from_head.exit_code, 0) << from_head.err;
+  EXPECT_LT(ReadEdit("from_head").at("faces")[0].at("mean_error_mm").get<double>(), 0.2);
+  const ProcessResult later = Edit({"--code", In("face/edit.json#handles_1"), "--texture", "--handle", "ears=0.5",
+                                    "--steps", "1", "--out", In("later")});
+  ASSERT_EQ(later.exit_code, 0) << later.err;
+  EXPECT_EQ(render::ReadImage(folder_ / "later/texture.png").pixels, atlas.pixels);
+  EXPECT_EQ(geometry::ReadObj(folder_ / "later/start.obj").vertices, edited.vertices);
+  EXPECT_NE(geometry::ReadObj(folder_ / "later/handles_1.obj").vertices, edited.vertices);
+}
+
 TEST_F(EditCommand, WritesOverNothingThatItReads) {
   ASSERT_EQ(Edit({"--random", "1", "--out", In("first")}).exit_code, 0);
   const std::string before = ReadFile(folder_ / "first/edit.json");
@@ -134,6 +166,7 @@ TEST_F(EditCommand, RefusesWhatItCannotDo) {
   expect({"--handle", "knee=1", "--out", out}, 2, "no landmark, vertex or preset");
   expect({"--face", In("absent.obj"), "--out", out}, 2, "there is no");
   expect({"--label", "smile=1", "--out", out}, 2, "add --labelled FOLDER");
+  expect({"--handle", "nose=1", "--texture", "--out", out}, 2, "--texture needs the picture");
   expect({In("absent"), "--out", out}, 2, "there is no model here");
   WriteFileAtomically(folder_ / "small.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect({"--face", In("small.obj"), "--out", out}, 1, "Add --mesh-landmarks");

@@ -27,6 +27,12 @@ TEST(PortraitView, RotatesAboutXThenYThenZ) {
   EXPECT_TRUE((RotationOf(pose) * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitX()));
 }
 
+TEST(PortraitView, ThePoseOfARotationHasIt) {
+  PortraitPose pose = PortraitPose::Zero();
+  pose.head<3>() << 0.3, -0.7, 1.9;
+  EXPECT_TRUE(PoseOfRotation(RotationOf(pose)).isApprox(pose));
+}
+
 TEST(PortraitView, AngleBetweenPosesIsThatOfTheirRotation) {
   PortraitPose a = PortraitPose::Zero(), b = a;
   b[1] = 0.2;
