@@ -112,8 +112,9 @@ Verb EditVerb() {
         command.add_option("--toward", arguments->toward, "Interpolate to this face, given as --face is");
         command
             .add_option("--handle", arguments->handles,
-                        "Move a point by centimetres: 30=0,0,1 (a landmark), v1200=0,0.5,0 (a vertex), or a preset: "
-                        "nose=1, chin=1, cheeks=1, ears=1. May be repeated")
+                        "Move a point by centimetres: 30=0,0,1 (a landmark), v1200=0,0.5,0 (a vertex), "
+                        "t400:0.2,0.3=0,1,0 (the point of a triangle with these shares of its second and third corner; "
+                        "t400: its middle), or a preset: nose=1, chin=1, cheeks=1, ears=1. May be repeated")
             ->allow_extra_args(false);
         command.add_flag("--local", arguments->is_local, "Hold the parts of the face that have no handle");
         command

@@ -8,6 +8,7 @@
 #include "core/stopwatch.h"
 #include "fitting/code_directions.h"
 #include "fitting/code_handles.h"
+#include "fitting/surface_point_model.h"
 #include "geometry/arap.h"
 #include "systems/deform/edit_points.h"
 #include "systems/deform/labelled_faces.h"
@@ -173,16 +174,17 @@ class EditFaces {
     const faces::FaceTemplate& face_template = model_.face_template();
     std::vector<deform::EditHandles> list;
     for (const std::string& word : arguments_.handles) list.push_back(deform::ParseHandle(face_template, word));
-    const deform::EditHandles handles = deform::JoinHandles(list);
+    const deform::EditHandles handles = deform::JoinHandles(list, face_template.num_vertices());
+    const fitting::SurfacePointModel model(model_, handles.on_surface);
     fitting::HandleOptions options{.deviation_cm = arguments_.soft_cm};
     if (!arguments_.moves_expression) options.fixed = opened_.expression;
-    if (arguments_.is_local) options.outside = deform::OutsideOfPart(face_template, handles.vertices);
+    if (arguments_.is_local) options.outside = deform::OutsideOfPart(face_template, handles);
     constraints_["handles"] = {{"words", arguments_.handles},
-                               {"vertices", handles.vertices},
+                               {"vertices", deform::VerticesOfHandles(face_template, handles)},
                                {"local", arguments_.is_local},
                                {"held", !arguments_.soft_cm.has_value()}};
     const EditedFace first = faces_.front();
-    fitting::HandleEditor editor(model_, first.code, handles.vertices, options);
+    fitting::HandleEditor editor(model, first.code, handles.points, options);
     for (int i = 1; i <= arguments_.steps; ++i) {
       const Stopwatch watch;
       const fitting::HandleEdit edit = editor.MoveBy(ShareOf(i) * handles.displacements);
@@ -210,13 +212,16 @@ class EditFaces {
   void AddArap(const deform::EditHandles& handles, const EditedFace& first, std::vector<int> fixed) {
     const faces::FaceTemplate& face_template = model_.face_template();
     if (fixed.empty()) fixed = faces::RegionFor(face_template.annotation, "neck_border", "--arap");
-    std::erase_if(fixed, [&](int vertex) { return std::ranges::count(handles.vertices, vertex) > 0; });
-    std::vector<int> ids = handles.vertices;
+    std::vector<int> ids;  // Of a point on a triangle the nearest corner.
+    for (const std::vector<int>& vertices : deform::VerticesOfHandles(face_template, handles))
+      ids.push_back(vertices.front());
+    const auto num_handles = std::ssize(ids);
+    std::erase_if(fixed, [&](int vertex) { return std::ranges::count(ids, vertex) > 0; });
     ids.insert(ids.end(), fixed.begin(), fixed.end());
     const geometry::ArapDeformer deformer({first.vertices, face_template.triangles}, ids);
     for (int i = 1; i <= arguments_.steps; ++i) {
       geometry::Points targets = first.vertices(ids, Eigen::all);
-      targets.topRows(std::ssize(handles.vertices)) += ShareOf(i) * handles.displacements;
+      targets.topRows(num_handles) += ShareOf(i) * handles.displacements;
       const geometry::ArapDeformation result = deformer.Solve(targets);
       faces_.push_back({fmt::format("arap_{}", i),
                         fmt::format("ARAP {:.0f} %", 100 * ShareOf(i)),

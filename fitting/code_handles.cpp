@@ -40,7 +40,7 @@ HandleEditor::HandleEditor(const CodeModel& model, Eigen::VectorXd code, std::ve
       options_(std::move(options)),
       points_(handles_),
       code_(first_code_) {
-  const int num_vertices = model.face_template().num_vertices();
+  const int num_vertices = model.num_points();
   DAUMIER_CHECK(!handles_.empty(), "an edit by handles has no handle");
   DAUMIER_CHECK(first_code_.size() == model.num_numbers(), "a code of {} numbers, expected {}", first_code_.size(),
                 model.num_numbers());

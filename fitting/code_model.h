@@ -20,6 +20,8 @@ class CodeModel {
 
   virtual const faces::FaceTemplate& face_template() const = 0;
   virtual int num_numbers() const = 0;  ///< M
+  /// Points that Positions and Derivative have: the V vertices, and those that a model adds to another one.
+  virtual int num_points() const { return face_template().num_vertices(); }
   /// Whether positions are linear in the code: its derivative is the same everywhere.
   virtual bool is_linear() const = 0;
   /// The 99th percentile of |c| over the faces that the model was made of: codes beyond it are unlike these.
@@ -27,7 +29,7 @@ class CodeModel {
 
   /// All vertices, V x 3, cm. @throws Error unless the code has M numbers, as the two below.
   virtual geometry::Points Vertices(const Eigen::VectorXd& code) const = 0;
-  /// Some vertices: 3P numbers x0 y0 z0 x1 ..., cm. Time grows with P, not with V.
+  /// Some vertices (points): 3P numbers x0 y0 z0 x1 ..., cm. Time grows with P, not with V.
   virtual Eigen::VectorXd Positions(const Eigen::VectorXd& code, std::span<const int> vertices) const = 0;
   /// Their derivative by the code, 3P x M.
   virtual Eigen::MatrixXd Derivative(const Eigen::VectorXd& code, std::span<const int> vertices) const = 0;

@@ -115,9 +115,9 @@ TEST_F(EditCommand, APictureIsATextureOfEveryFace) {
                                      "--steps", "1", "--out", In("face")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json edit = ReadEdit("face"), texture = edit.at("texture");
-  EXPECT_NEAR(texture.at("seen").get<double>() + texture.at("mirrored").get<double>() +
-                  texture.at("filled").get<double>(),
-              1, 1e-4);
+  EXPECT_NEAR(
+      texture.at("seen").get<double>() + texture.at("mirrored").get<double>() + texture.at("filled").get<double>(), 1,
+      1e-4);
   EXPECT_GT(texture.at("seen").get<double>(), 0.2);
   const render::Image atlas = render::ReadImage(folder_ / "face/texture.png");
   EXPECT_EQ(atlas.width, 256);
@@ -163,7 +163,7 @@ TEST_F(EditCommand, RefusesWhatItCannotDo) {
   };
   const std::string out = In("out");
   expect({"--random", "1"}, 2, "--out FOLDER is missing");
-  expect({"--handle", "knee=1", "--out", out}, 2, "no landmark, vertex or preset");
+  expect({"--handle", "knee=1", "--out", out}, 2, "no landmark, vertex, triangle or preset");
   expect({"--face", In("absent.obj"), "--out", out}, 2, "there is no");
   expect({"--label", "smile=1", "--out", out}, 2, "add --labelled FOLDER");
   expect({"--handle", "nose=1", "--texture", "--out", out}, 2, "--texture needs the picture");
