@@ -29,8 +29,9 @@ Json ByName(Json result) {
 /// Files and folders that the edit reads.
 std::vector<fs::path> InputsOf(const EditArguments& arguments, const fs::path& model) {
   const EditStartArguments& start = arguments.start;
-  std::vector<fs::path> inputs = {model,         start.face,       start.mesh_landmarks,     start.landmarks,
-                                  start.picture, arguments.toward, arguments.labelled_faces, arguments.label_file};
+  std::vector<fs::path> inputs = {
+      model,         start.face,       start.mesh_landmarks,     start.landmarks,     start.landmark_vertices,
+      start.picture, arguments.toward, arguments.labelled_faces, arguments.label_file};
   if (!start.code.empty()) inputs.push_back(FileOfCode(start.code).file);
   std::erase_if(inputs, [](const fs::path& path) { return path.empty(); });
   return inputs;
@@ -74,8 +75,13 @@ void AddStartArguments(CLI::App& command, EditStartArguments& start) {
       ->check(CLI::ExistingFile);
   command
       .add_option("--landmarks", start.landmarks,
-                  "Begin with the face that has these 68 landmarks in a picture (docs/formats.md lists the forms; nan "
-                  "nan: absent)")
+                  "Begin with the face that has these landmarks in a picture: 68, or 81 with dlib's 13 points of the "
+                  "forehead (docs/formats.md lists the forms; nan nan: absent)")
+      ->check(CLI::ExistingFile);
+  command
+      .add_option("--landmark-vertices", start.landmark_vertices,
+                  "A file with a vertex of the template for each point of --landmarks, which may then be any set; -1: "
+                  "the template has none")
       ->check(CLI::ExistingFile);
   command
       .add_option("--picture", start.picture,

@@ -6,8 +6,8 @@
 #include "datasets/build/registered_faces.h"
 #include "fitting/landmark_head.h"
 #include "fitting/mesh_code.h"
+#include "fitting/pictured_points.h"
 #include "render/draw.h"
-#include "systems/portrait/landmark_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +29,8 @@ void CheckOneStart(const EditStartArguments& arguments) {
         "of them");
   if (!arguments.mesh_landmarks.empty() && arguments.face.empty())
     throw UsageError("--mesh-landmarks are those of the mesh of --face, which is missing");
+  if (!arguments.landmark_vertices.empty() && arguments.landmarks.empty())
+    throw UsageError("--landmark-vertices are those of the points of --landmarks, which are missing");
 }
 
 geometry::Points VerticesOf(const fs::path& face, const fs::path& mesh_landmarks,
@@ -69,13 +71,18 @@ render::Image WithLandmarks(const fs::path& picture, const fitting::CodeLandmark
   return image;
 }
 
-/// The 68 landmarks of the file, or those that the shipped weights find in the picture.
-std::vector<float> LandmarksOf(const EditStartArguments& arguments) {
-  if (!arguments.landmarks.empty()) return portrait::ReadKnownLandmarks(arguments.landmarks);
+/// The points of the file, or the 68 landmarks that the shipped weights find in the picture.
+std::vector<fitting::PicturedPoint> PointsOf(const EditStartArguments& arguments,
+                                             const faces::FaceTemplate& face_template) {
+  if (!arguments.landmarks.empty())
+    return fitting::ReadPicturedPoints(face_template, arguments.landmarks, arguments.landmark_vertices);
   const ShippedLandmarks finder;
   const render::Image picture = render::ReadImage(arguments.picture);
   try {
-    return finder.detector().FindOne(picture).landmarks;
+    const std::vector<float> numbers = finder.detector().FindOne(picture).landmarks;
+    const fitting::PicturePoints landmarks =
+        Eigen::Map<const Eigen::Matrix<float, 68, 2, Eigen::RowMajor>>(numbers.data()).cast<double>();
+    return fitting::PicturedLandmarks(face_template, landmarks);
   } catch (const Error& error) {
     throw Error(
         fmt::format("{}: {}. Name its 68 landmarks by --landmarks FILE", arguments.picture.string(), error.what()));
@@ -84,10 +91,7 @@ std::vector<float> LandmarksOf(const EditStartArguments& arguments) {
 
 EditStart StartOfLandmarks(const EditStartArguments& arguments, const fitting::CodeModel& model) {
   const fs::path& source = arguments.landmarks.empty() ? arguments.picture : arguments.landmarks;
-  const std::vector<float> numbers = LandmarksOf(arguments);
-  const fitting::PicturePoints landmarks =
-      Eigen::Map<const Eigen::Matrix<float, 68, 2, Eigen::RowMajor>>(numbers.data()).cast<double>();
-  const std::vector<fitting::PicturedPoint> points = fitting::PicturedLandmarks(model.face_template(), landmarks);
+  const std::vector<fitting::PicturedPoint> points = PointsOf(arguments, model.face_template());
   fitting::CodeLandmarkFit fit;
   try {
     fit = fitting::FitCodeToLandmarks(model, fitting::ContourPaths(model.face_template()), points);

@@ -13,11 +13,12 @@ namespace daumier::cli {
 
 /// What an edit begins with; at most one of them is given.
 struct EditStartArguments {
-  std::filesystem::path face;            ///< A mesh, or FOLDER/NAME of a face in a database.
-  std::filesystem::path mesh_landmarks;  ///< Of the mesh: it is registered first.
-  std::filesystem::path landmarks;       ///< Of a picture.
-  std::filesystem::path picture;         ///< For the sheet; without landmarks they are found in it.
-  std::filesystem::path code;            ///< edit.json of an earlier edit, or FILE#NAME of one of its faces.
+  std::filesystem::path face;               ///< A mesh, or FOLDER/NAME of a face in a database.
+  std::filesystem::path mesh_landmarks;     ///< Of the mesh: it is registered first.
+  std::filesystem::path landmarks;          ///< Of a picture.
+  std::filesystem::path landmark_vertices;  ///< Those that they show, where they are no usual set.
+  std::filesystem::path picture;            ///< For the sheet; without landmarks they are found in it.
+  std::filesystem::path code;               ///< edit.json of an earlier edit, or FILE#NAME of one of its faces.
 };
 
 /// A face of an edit.

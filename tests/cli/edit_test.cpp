@@ -100,6 +100,24 @@ TEST_F(EditCommand, LandmarksOfAPictureGiveAFace) {
   EXPECT_LT(face.at("mean_distance_share").get<double>(), 0.2);
 }
 
+TEST_F(EditCommand, AnyAnnotatedSetOfPointsGivesAFace) {
+  const fs::path face = folder_ / "mean/mean.obj";
+  ASSERT_EQ(Edit({"--random", "1", "--out", In("mean")}).exit_code, 0);
+  const geometry::Points vertices = geometry::ReadObj(face).vertices;
+  std::string points, numbers;
+  for (int v = 0; v < vertices.rows(); v += 400) {
+    points += fmt::format("{} {}\n", 200 + 12 * vertices(v, 0), 200 - 12 * vertices(v, 1));
+    numbers += fmt::format("{}\n", v % 1600 == 0 ? -1 : v);
+  }
+  WriteFileAtomically(folder_ / "points.txt", points);
+  WriteFileAtomically(folder_ / "vertices.txt", numbers);
+  const ProcessResult result =
+      Edit({"--landmarks", In("points.txt"), "--landmark-vertices", In("vertices.txt"), "--out", In("face")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LT(ReadEdit("face").at("faces")[0].at("mean_distance_share").get<double>(), 0.01);
+  EXPECT_EQ(Edit({"--landmark-vertices", In("vertices.txt"), "--out", In("face")}).exit_code, 2);
+}
+
 TEST_F(EditCommand, APictureWithoutAFaceIsRefused) {
   render::WriteImage(folder_ / "plain.png", render::Image(120, 120, 3, 200));
   const ProcessResult result = Edit({"--picture", In("plain.png"), "--out", In("face")});
