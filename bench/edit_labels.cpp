@@ -5,6 +5,7 @@
 // the meshes (ControlLabels).
 #include "core/error.h"
 #include "core/evenly_spaced.h"
+#include "core/stopwatch.h"
 #include "fitting/mesh_code.h"
 #include "systems/deform/labelled_faces.h"
 
@@ -18,6 +19,8 @@
 
 namespace daumier::deform {
 namespace {
+
+using fitting::CodeDirection, fitting::DirectionMethod;
 
 /// Indices of neutral faces.
 std::vector<int> NeutralFaces(const faces::FaceDatabase& database) {
@@ -34,85 +37,124 @@ Eigen::Index NearestRow(const Eigen::MatrixXd& persons, const Eigen::VectorXd& f
   return nearest;
 }
 
-void Run(const std::string& model_folder, const std::string& labelled_folder, const std::string& unseen_folder,
-         int count) {
-  const OpenedModel opened = OpenCodeModel(model_folder);
-  const fitting::CodeModel& model = *opened.model;
-  const faces::FaceDatabase labelled_faces(labelled_folder), unseen(unseen_folder);
-  const fitting::LabelledCodes labelled = LabelledFaces(opened, labelled_faces, 1200).faces;
-  const ControlLabels controls(labelled_faces);
-  const std::vector<int> chosen = EvenlySpaced(NeutralFaces(unseen), count);
-  const Eigen::MatrixXd codes =
-      fitting::CodesOfMeshes(model, int(chosen.size()), [&](int i) { return unseen.points(chosen[size_t(i)]); });
-  const int num_named = int(controls.names().size());
-  Eigen::MatrixXd before(std::ssize(chosen), num_named);
-  for (Eigen::Index i = 0; i < codes.rows(); ++i)
-    before.row(i) = controls.Of(model.Vertices(codes.row(i).transpose())).transpose();
-
-  std::vector<double> deviations(static_cast<size_t>(num_named));
-  std::vector<Eigen::VectorXd> steps;
-  std::vector<double> accuracies;
-  for (int c = 0; c < num_named; ++c) {
-    const fitting::CodeDirection direction = fitting::DirectionOf(labelled, controls.names()[size_t(c)]);
-    steps.push_back(direction.step);
-    accuracies.push_back(direction.accuracy);
-    double sum = 0, squares = 0;
-    int num_values = 0;
-    for (const double value : labelled.labels.col(c)) {
-      if (!std::isfinite(value)) continue;
-      sum += value, squares += value * value, ++num_values;
-    }
-    deviations[size_t(c)] = std::sqrt(squares / num_values - std::pow(sum / num_values, 2));
+double DeviationOf(const Eigen::VectorXd& values) {
+  double sum = 0, squares = 0;
+  int count = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    sum += value, squares += value * value, ++count;
   }
-  fmt::print(
-      "| edit | own change, deviations | least | controls of 0.8 or more | other controls, mean | accuracy | person "
-      "kept |\n"
-      "|---|---:|---:|---:|---:|---:|---:|\n");
-  for (const bool keeps : {false, true}) {
-    double own = 0, least = 1e9, others = 0, accuracy = 0;
+  return std::sqrt(squares / count - std::pow(sum / count, 2));
+}
+
+/// Controls on unseen faces.
+class UnseenEdits {
+ public:
+  UnseenEdits(const OpenedModel& opened, const faces::FaceDatabase& labelled_faces, const faces::FaceDatabase& unseen,
+              int count)
+      : model_(*opened.model),
+        labelled_(LabelledFaces(opened, labelled_faces, 1200).faces),
+        unseen_classes_(LabelledFaces(opened, unseen, 1200).faces),
+        controls_(labelled_faces) {
+    const std::vector<int> chosen = EvenlySpaced(NeutralFaces(unseen), count);
+    unseen_.names = controls_.names();
+    unseen_.codes =
+        fitting::CodesOfMeshes(model_, int(chosen.size()), [&](int i) { return unseen.points(chosen[size_t(i)]); });
+    unseen_.labels.resize(std::ssize(chosen), num_controls());
+    before_.resize(std::ssize(chosen), num_controls());
+    for (Eigen::Index i = 0; i < before_.rows(); ++i) {
+      unseen_.labels.row(i) = controls_.Of(unseen.points(chosen[size_t(i)])).transpose();
+      before_.row(i) = controls_.Of(model_.Vertices(unseen_.codes.row(i).transpose())).transpose();
+    }
+    deviations_.resize(num_controls());
+    for (Eigen::Index c = 0; c < num_controls(); ++c) deviations_[c] = DeviationOf(labelled_.labels.col(c));
+  }
+
+  /// A row of the table without and one with all other controls kept, and the accuracy of classes.
+  void Print(DirectionMethod method, const std::string& title) const {
+    const Stopwatch watch;
+    std::vector<CodeDirection> directions;
+    for (const std::string& name : controls_.names())
+      directions.push_back(fitting::DirectionOf(labelled_, name, method));
+    const double seconds = watch.seconds() / double(num_controls());
+    for (const bool keeps : {false, true}) PrintRow(directions, keeps, title + (keeps ? ", all others kept" : ""));
+    fmt::print("{}: {:.2f} s a direction", title, seconds);
+    for (const std::string& name : labelled_.names) {
+      if (std::ranges::count(controls_.names(), name) > 0) continue;
+      const CodeDirection direction = fitting::DirectionOf(labelled_, name, method);
+      fmt::print("; {}: held-out faces {:.3f}", name, direction.accuracy);
+      if (std::ranges::count(unseen_classes_.names, name) == 0) continue;
+      if (const auto accuracy = fitting::AccuracyOn(unseen_classes_, name, direction))
+        fmt::print(", unseen persons {:.3f}", *accuracy);
+    }
+    fmt::print("\n");
+  }
+
+ private:
+  Eigen::Index num_controls() const { return std::ssize(controls_.names()); }
+
+  void PrintRow(const std::vector<CodeDirection>& directions, bool keeps, const std::string& title) const {
+    double own = 0, least = 1e9, others = 0, accuracy = 0, unseen_accuracy = 0, length = 0;
     int num_good = 0, num_kept = 0, num_edits = 0;
-    for (int c = 0; c < num_named; ++c) {
-      Eigen::VectorXd step = steps[size_t(c)];
+    for (Eigen::Index c = 0; c < num_controls(); ++c) {
+      const CodeDirection& direction = directions[size_t(c)];
+      Eigen::VectorXd step = direction.step;
       if (keeps) {
         std::vector<Eigen::VectorXd> kept;
-        for (int o = 0; o < num_named; ++o)
-          if (o != c) kept.push_back(steps[size_t(o)]);
+        for (Eigen::Index o = 0; o < num_controls(); ++o)
+          if (o != c) kept.push_back(directions[size_t(o)].step);
         try {
           step = fitting::Keeping(step, kept);
         } catch (const Error&) {
           continue;
         }
       }
-      double change = 0, other = 0;
       constexpr Eigen::Index kMeasured = 20;  // Of the faces, evenly spaced: every fifth of 100.
-      const Eigen::Index stride = std::max<Eigen::Index>(1, codes.rows() / kMeasured);
+      const Eigen::Index stride = std::max<Eigen::Index>(1, unseen_.codes.rows() / kMeasured);
+      double change = 0, other = 0;
       int num_measured = 0;
-      for (Eigen::Index i = 0; i < codes.rows(); i += stride) {
-        const Eigen::VectorXd code = codes.row(i).transpose() + step;
-        const Eigen::VectorXd after = controls.Of(model.Vertices(code));
-        change += (after[c] - before(i, c)) / deviations[size_t(c)];
-        for (int o = 0; o < num_named; ++o)
-          if (o != c) other += std::abs(after[o] - before(i, o)) / deviations[size_t(o)] / (num_named - 1);
-        num_kept += NearestRow(codes, code) == i ? 1 : 0;
+      for (Eigen::Index i = 0; i < unseen_.codes.rows(); i += stride) {
+        const Eigen::VectorXd code = unseen_.codes.row(i).transpose() + step;
+        const Eigen::VectorXd changes =
+            (controls_.Of(model_.Vertices(code)) - before_.row(i).transpose()).cwiseQuotient(deviations_);
+        change += changes[c];
+        other += (changes.cwiseAbs().sum() - std::abs(changes[c])) / double(num_controls() - 1);
+        num_kept += NearestRow(unseen_.codes, code) == i ? 1 : 0;
         ++num_edits;
         ++num_measured;
       }
       change /= num_measured;
       own += change;
+      length += step.norm();
       least = std::min(least, change);
       others += other / num_measured;
-      accuracy += accuracies[size_t(c)];
+      accuracy += direction.accuracy;
+      unseen_accuracy += fitting::AccuracyOn(unseen_, controls_.names()[size_t(c)], direction).value_or(0);
       num_good += change >= 0.8 ? 1 : 0;
     }
-    fmt::print("| {} | {:.2f} | {:.2f} | {} of {} | {:.3f} | {:.2f} | {:.1f} % |\n",
-               keeps ? "conditional: all others kept" : "difference of means", own / num_named, least, num_good,
-               num_named, others / num_named, accuracy / num_named, 100.0 * num_kept / num_edits);
+    const auto num = double(num_controls());
+    fmt::print("| {} | {:.2f} | {:.2f} | {} of {} | {:.3f} | {:.2f} | {:.3f} | {:.3f} | {:.1f} % |\n", title, own / num,
+               least, num_good, num_controls(), others / num, length / num, accuracy / num, unseen_accuracy / num,
+               100.0 * num_kept / num_edits);
   }
-  for (size_t c = 0; c < labelled.names.size(); ++c) {
-    const std::string& name = labelled.names[c];
-    if (std::ranges::count(controls.names(), name) > 0) continue;
-    fmt::print("{}: accuracy {:.3f}\n", name, fitting::DirectionOf(labelled, name).accuracy);
-  }
+
+  const fitting::CodeModel& model_;
+  fitting::LabelledCodes labelled_, unseen_classes_;
+  ControlLabels controls_;
+  fitting::LabelledCodes unseen_;  ///< Controls of neutral faces, measured as those of the labelled ones.
+  Eigen::MatrixXd before_;         ///< Controls of their faces of the model.
+  Eigen::VectorXd deviations_;
+};
+
+void Run(const std::string& model, const std::string& labelled, const std::string& unseen, int count) {
+  const OpenedModel opened = OpenCodeModel(model);
+  const UnseenEdits edits(opened, faces::FaceDatabase(labelled), faces::FaceDatabase(unseen), count);
+  fmt::print(
+      "| edit | own change, deviations | least | controls of 0.8 or more | other controls, mean | length | accuracy, "
+      "held-out faces | accuracy, unseen persons | person kept |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  edits.Print(DirectionMethod::kMeans, "difference of means");
+  edits.Print(DirectionMethod::kSvm, "support vector machine");
 }
 
 }  // namespace

@@ -135,6 +135,12 @@ Verb EditVerb() {
             .add_option("--label", arguments->labels,
                         "Raise a label by deviations: nose_size=1.5. May be repeated. --list-labels prints them")
             ->allow_extra_args(false);
+        command
+            .add_option("--label-method", arguments->label_method,
+                        "How the direction of a label is found: means, the difference of the mean faces with and "
+                        "without it; svm, across the plane that parts them best")
+            ->check(CLI::IsMember({"means", "svm"}))
+            ->capture_default_str();
         command.add_option("--keep", arguments->keep, "Labels that --label is not to change")
             ->delimiter(',')
             ->allow_extra_args(false);

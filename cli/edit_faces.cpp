@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 /// Directions of labels, from faces that carry them.
 class Labels {
  public:
-  Labels(const deform::OpenedModel& opened, const EditArguments& arguments) {
+  Labels(const deform::OpenedModel& opened, const EditArguments& arguments)
+      : method_(arguments.label_method == "svm" ? fitting::DirectionMethod::kSvm : fitting::DirectionMethod::kMeans) {
     const fs::path folder = arguments.labelled_faces.empty() ? opened.faces : arguments.labelled_faces;
     if (folder.empty())
       throw UsageError(fmt::format(
@@ -44,12 +45,13 @@ class Labels {
   }
 
   const std::vector<std::string>& names() const { return faces_.names; }
-  fitting::CodeDirection Of(const std::string& name) const { return fitting::DirectionOf(faces_, name); }
+  fitting::CodeDirection Of(const std::string& name) const { return fitting::DirectionOf(faces_, name, method_); }
   /// What faces are exaggerated from; empty with labels of a file.
   const Eigen::VectorXd& regular_mean() const { return regular_mean_; }
 
  private:
   static constexpr int kMostFaces = 1200;
+  fitting::DirectionMethod method_;
   fitting::LabelledCodes faces_;
   Eigen::VectorXd regular_mean_;
 };
@@ -138,7 +140,7 @@ class EditFaces {
                       {"faces_without", direction.num_low},
                       {"faces_with", direction.num_high}});
     }
-    constraints_["labels"] = {{"edits", list}, {"kept", arguments_.keep}};
+    constraints_["labels"] = {{"method", arguments_.label_method}, {"edits", list}, {"kept", arguments_.keep}};
     for (int i = 1; i <= arguments_.steps; ++i)
       Add(fmt::format("label_{}", i), fmt::format("{} {:.0f} %", title, 100 * ShareOf(i)), start() + ShareOf(i) * step,
           {{"share", ShareOf(i)}});

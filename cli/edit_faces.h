@@ -16,6 +16,7 @@ struct EditArguments {
   std::filesystem::path model, out, toward, labelled_faces, label_file;
   EditStartArguments start;
   std::vector<std::string> handles, labels, keep;
+  std::string label_method = "means";  ///< Or "svm".
   std::optional<double> soft_cm, caricature;
   double spread = 0.5;
   int random = 0, steps = 3, texture_size = 1024;

@@ -62,8 +62,11 @@ target_link_libraries(archive_libraries INTERFACE LibArchive::LibArchive ZLIB::Z
 target_include_directories(archive_libraries SYSTEM INTERFACE ${HDF5_INCLUDE_DIR})
 
 find_package(Ceres REQUIRED)
+find_path(LIBLINEAR_INCLUDE_DIR linear.h PATH_SUFFIXES liblinear REQUIRED)
+find_library(LIBLINEAR_LIBRARY linear REQUIRED)
 add_library(solver_libraries INTERFACE)
-target_link_libraries(solver_libraries INTERFACE blas_libraries Ceres::ceres)
+target_link_libraries(solver_libraries INTERFACE blas_libraries Ceres::ceres ${LIBLINEAR_LIBRARY})
+target_include_directories(solver_libraries SYSTEM INTERFACE ${LIBLINEAR_INCLUDE_DIR})
 
 if(DAUMIER_TRAINING)
   find_package(Torch REQUIRED)

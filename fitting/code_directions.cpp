@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/options.h"
+#include "fitting/linear_svm.h"
 
 #include <fmt/ranges.h>
 #include <Eigen/QR>
@@ -38,9 +39,7 @@ std::vector<int> SidesOf(const Eigen::VectorXd& values) {
   return sides;
 }
 
-}  // namespace
-
-CodeDirection DirectionOf(const LabelledCodes& faces, const std::string& label) {
+Eigen::VectorXd ValuesOf(const LabelledCodes& faces, const std::string& label) {
   const auto found = std::find(faces.names.begin(), faces.names.end(), label);
   if (found == faces.names.end()) {
     const std::string nearest = NearestWord(label, {faces.names.begin(), faces.names.end()});
@@ -48,50 +47,103 @@ CodeDirection DirectionOf(const LabelledCodes& faces, const std::string& label) 
                                  nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
                                  fmt::join(faces.names, ", ")));
   }
-  const Eigen::VectorXd values = faces.labels.col(found - faces.names.begin());
-  const std::vector<int> sides = SidesOf(values);
-  const Eigen::Index num_numbers = faces.codes.cols();
-  Eigen::VectorXd means[2] = {Eigen::VectorXd::Zero(num_numbers), Eigen::VectorXd::Zero(num_numbers)};
-  int counts[2] = {0, 0}, num_labelled = 0;
-  for (size_t i = 0; i < sides.size(); ++i) {
-    if (std::isfinite(values[Eigen::Index(i)])) ++num_labelled;
-    if (sides[i] < 0 || i % kHeldOut == kHeldOut - 1) continue;
-    means[sides[i]] += faces.codes.row(Eigen::Index(i)).transpose();
-    ++counts[sides[i]];
-  }
-  DAUMIER_CHECK(counts[0] >= kFewestOfSide && counts[1] >= kFewestOfSide,
-                "the label '{}' has {} faces without and {} with it, expected {} or more of each", label, counts[0],
-                counts[1], kFewestOfSide);
-  for (int side = 0; side < 2; ++side) means[side] /= counts[side];
-  const Eigen::VectorXd difference = means[1] - means[0];
-  DAUMIER_CHECK(difference.norm() > 0, "the label '{}' does not depend on the code", label);
-  const Eigen::VectorXd direction = difference.normalized();
-  const Eigen::VectorXd places = faces.codes * direction;
-  const double middle = direction.dot(means[0] + means[1]) / 2;
+  return faces.labels.col(found - faces.names.begin());
+}
 
-  CodeDirection result;
-  result.num_low = counts[0], result.num_high = counts[1];
-  int num_held_out = 0, num_right = 0;
-  double mean_value = 0, mean_place = 0;
+/// The faces of both sides that a direction is made of.
+struct TrainedSides {
+  std::vector<Eigen::Index> rows;
+  std::vector<bool> is_high;
+  int counts[2] = {0, 0};
+};
+
+TrainedSides SidesTrained(const std::vector<int>& sides) {
+  TrainedSides trained;
   for (size_t i = 0; i < sides.size(); ++i) {
-    const Eigen::Index row(i);
-    if (std::isfinite(values[row])) mean_value += values[row] / num_labelled, mean_place += places[row] / num_labelled;
-    if (sides[i] < 0 || i % kHeldOut != kHeldOut - 1) continue;
-    ++num_held_out;
-    num_right += (places[row] > middle) == (sides[i] == 1) ? 1 : 0;
+    if (sides[i] < 0 || i % kHeldOut == kHeldOut - 1) continue;
+    trained.rows.push_back(Eigen::Index(i));
+    trained.is_high.push_back(sides[i] == 1);
+    ++trained.counts[sides[i]];
   }
-  result.accuracy = num_held_out > 0 ? double(num_right) / num_held_out : 0;
-  double variance = 0, place_variance = 0, covariance = 0;
+  return trained;
+}
+
+/// A plane across the direction.
+SeparatingPlane PlaneOfMeans(const Eigen::MatrixXd& codes, const TrainedSides& trained) {
+  Eigen::VectorXd means[2] = {Eigen::VectorXd::Zero(codes.cols()), Eigen::VectorXd::Zero(codes.cols())};
+  for (size_t i = 0; i < trained.rows.size(); ++i)
+    means[trained.is_high[i]] += codes.row(trained.rows[i]).transpose() / trained.counts[trained.is_high[i]];
+  const Eigen::VectorXd difference = means[1] - means[0];
+  return {difference, -difference.dot(means[0] + means[1]) / 2};
+}
+
+SeparatingPlane PlaneOfSvm(const Eigen::MatrixXd& codes, const TrainedSides& trained) {
+  const Eigen::MatrixXd points = codes(trained.rows, Eigen::all);
+  return TrainLinearSvm(points, trained.is_high, BestSvmCost(points, trained.is_high));
+}
+
+/// How much a label grows along a place; `deviation` is the label's.
+struct LabelSlope {
+  double slope = 0, deviation = 0;
+};
+
+LabelSlope SlopeOf(const Eigen::VectorXd& values, const Eigen::VectorXd& places) {
+  double count = 0, mean_value = 0, mean_place = 0, variance = 0, place_variance = 0, covariance = 0;
+  for (Eigen::Index row = 0; row < values.size(); ++row) count += std::isfinite(values[row]) ? 1 : 0;
+  for (Eigen::Index row = 0; row < values.size(); ++row)
+    if (std::isfinite(values[row])) mean_value += values[row] / count, mean_place += places[row] / count;
   for (Eigen::Index row = 0; row < values.size(); ++row) {
     if (!std::isfinite(values[row])) continue;
-    variance += std::pow(values[row] - mean_value, 2);
+    variance += std::pow(values[row] - mean_value, 2) / count;
     place_variance += std::pow(places[row] - mean_place, 2);
     covariance += (values[row] - mean_value) * (places[row] - mean_place);
   }
-  const double slope = covariance / place_variance, deviation = std::sqrt(variance / num_labelled);
-  DAUMIER_CHECK(slope > 0, "the label '{}' does not grow with its direction", label);
-  result.step = deviation / slope * direction;
+  return {covariance / place_variance, std::sqrt(variance)};
+}
+
+/// The share of the faces on their side of a threshold, of those that `counts` takes by their place in the list.
+template <class Counts>
+std::optional<double> ShareRight(const std::vector<int>& sides, const Eigen::VectorXd& places, double threshold,
+                                 Counts&& counts) {
+  int num = 0, num_right = 0;
+  for (size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i] < 0 || !counts(i)) continue;
+    ++num;
+    num_right += (places[Eigen::Index(i)] > threshold) == (sides[i] == 1) ? 1 : 0;
+  }
+  if (num == 0) return std::nullopt;
+  return double(num_right) / num;
+}
+
+}  // namespace
+
+CodeDirection DirectionOf(const LabelledCodes& faces, const std::string& label, DirectionMethod method) {
+  const Eigen::VectorXd values = ValuesOf(faces, label);
+  const std::vector<int> sides = SidesOf(values);
+  const TrainedSides trained = SidesTrained(sides);
+  DAUMIER_CHECK(trained.counts[0] >= kFewestOfSide && trained.counts[1] >= kFewestOfSide,
+                "the label '{}' has {} faces without and {} with it, expected {} or more of each", label,
+                trained.counts[0], trained.counts[1], kFewestOfSide);
+  const SeparatingPlane plane =
+      method == DirectionMethod::kSvm ? PlaneOfSvm(faces.codes, trained) : PlaneOfMeans(faces.codes, trained);
+  const double length = plane.normal.norm();
+  DAUMIER_CHECK(length > 0, "the label '{}' does not depend on the code", label);
+  const Eigen::VectorXd direction = plane.normal / length, places = faces.codes * direction;
+  CodeDirection result;
+  result.threshold = -plane.offset / length;
+  result.num_low = trained.counts[0], result.num_high = trained.counts[1];
+  const auto is_held_out = [](size_t i) { return i % kHeldOut == kHeldOut - 1; };
+  result.accuracy = ShareRight(sides, places, result.threshold, is_held_out).value_or(0);
+  const LabelSlope growth = SlopeOf(values, places);
+  DAUMIER_CHECK(growth.slope > 0, "the label '{}' does not grow with its direction", label);
+  result.step = growth.deviation / growth.slope * direction;
   return result;
+}
+
+std::optional<double> AccuracyOn(const LabelledCodes& faces, const std::string& label, const CodeDirection& direction) {
+  const std::vector<int> sides = SidesOf(ValuesOf(faces, label));
+  if (std::ranges::count(sides, 0) == 0 || std::ranges::count(sides, 1) == 0) return std::nullopt;
+  return ShareRight(sides, faces.codes * direction.step.normalized(), direction.threshold, [](size_t) { return true; });
 }
 
 Eigen::VectorXd Keeping(const Eigen::VectorXd& step, const std::vector<Eigen::VectorXd>& steps) {
