@@ -1,12 +1,15 @@
 // Not a benchmark: the table of docs/results/edit.md on landmarks of pictures.
-//   edit_landmarks PICTURES OUT MODEL... [deviation=SHARE]
+//   edit_landmarks PICTURES OUT MODEL... [deviation=SHARE] [registered=FACES]
 // PICTURES: a folder of NAME.jpg with NAME.txt, 68 landmarks each. MODEL: as `daumier edit MODEL`. OUT: a folder for
-// table.md and a picture of each fit by the first model.
+// table.md and a picture of each fit by the first model. FACES: a database of the topology whose persons are these names
+// (daumier register NAME.obj ...): the mean distance of the face region from it after a similarity.
 #include "core/error.h"
 #include "core/files.h"
 #include "core/stopwatch.h"
+#include "eval/mesh_score.h"
 #include "faces/landmark_parts.h"
 #include "fitting/code_landmarks.h"
+#include "fitting/mesh_code.h"
 #include "geometry/flips.h"
 #include "geometry/self_intersections.h"
 #include "render/draw.h"
@@ -25,6 +28,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +42,22 @@ struct Subject {
   fs::path picture;
   fitting::PicturePoints landmarks;  ///< 68 x 2
   double eye_px = 0;                 ///< Distance of the outer eye corners in the picture.
+  geometry::Points mesh = {};        ///< Registered onto the template; empty: not given.
 };
+
+/// Mean distance of the face region from the subject's mesh after a similarity, mm.
+double MeshDistance(const Subject& subject, const fitting::CodeModel& model, const Eigen::VectorXd& code) {
+  return eval::ScoreMesh(subject.name, model.Vertices(code), subject.mesh, model.face_template()).aligned;
+}
+
+void AddMeshes(const fs::path& folder, std::vector<Subject>& subjects) {
+  const faces::FaceDatabase database(folder);
+  for (Subject& subject : subjects) {
+    const std::optional<int> face = eval::FaceNamed(database, subject.name);
+    DAUMIER_CHECK(face, "{} has no person '{}'", folder.string(), subject.name);
+    subject.mesh = database.points(*face);
+  }
+}
 
 std::vector<Subject> ReadSubjects(const fs::path& folder) {
   std::vector<Subject> subjects;
@@ -84,6 +103,7 @@ struct TrialResult {
   double ms = 0, radius = 0;
   int num_unusual = 0;
   double flips = 0, intersections = 0;
+  double mesh_mm = 0, worst_mesh_mm = 0;  ///< MeshDistance.
 };
 
 /// Scores of a model in a trial; `each` gets every fit.
@@ -113,6 +133,11 @@ TrialResult Measure(const fitting::CodeModel& model, const std::vector<Subject>&
     if (error > result.worst) result.worst = error, result.worst_name = subject.name;
     result.radius += fit.code.norm() / double(subjects.size());
     result.num_unusual += fit.is_usual ? 0 : 1;
+    if (subject.mesh.rows() > 0) {
+      const double distance = MeshDistance(subject, model, fit.code);
+      result.mesh_mm += distance / double(subjects.size());
+      result.worst_mesh_mm = std::max(result.worst_mesh_mm, distance);
+    }
     if (each) {
       each(subject, fit);
       const faces::FaceTemplate& face_template = model.face_template();
@@ -150,12 +175,27 @@ render::Image PictureOf(const fitting::CodeModel& model, const faces::FinishedHe
       3, {.gap = 2});
 }
 
-void Run(const fs::path& pictures, const fs::path& out, const std::vector<fs::path>& folders, double deviation) {
-  const std::vector<Subject> subjects = ReadSubjects(pictures);
+/// How near the model comes to the meshes by the codes of these.
+std::string NearestFaces(const OpenedModel& opened, const std::vector<Subject>& subjects) {
+  double mean = 0, worst = 0;
+  for (const Subject& subject : subjects) {
+    const double distance = MeshDistance(subject, *opened.model, fitting::CodeOfMesh(*opened.model, subject.mesh).code);
+    mean += distance / double(subjects.size());
+    worst = std::max(worst, distance);
+  }
+  return fmt::format("{}, {}: codes of the meshes themselves {:.2f} mm (worst {:.2f})\n", opened.name, opened.kind,
+                     mean, worst);
+}
+
+void Run(const fs::path& pictures, const fs::path& out, const std::vector<fs::path>& folders, double deviation,
+         const fs::path& registered) {
+  std::vector<Subject> subjects = ReadSubjects(pictures);
+  if (!registered.empty()) AddMeshes(registered, subjects);
   MakeDirectory(out);
   std::string table =
-      "| model | given | mean, % | worst, % | picture | ms | code's length | beyond usual | flips | intersections |\n"
-      "|---|---|---:|---:|---|---:|---:|---:|---:|---:|\n";
+      "| model | given | mean, % | worst, % | picture | ms | code's length | beyond usual | flips | intersections | "
+      "to the mesh, mm | worst, mm |\n"
+      "|---|---|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|\n";
   for (size_t f = 0; f < folders.size(); ++f) {
     const OpenedModel opened = OpenCodeModel(folders[f]);
     const fitting::CodeModel& model = *opened.model;
@@ -172,16 +212,21 @@ void Run(const fs::path& pictures, const fs::path& out, const std::vector<fs::pa
         const TrialResult result =
             Measure(model, subjects, trial, {.deviation = deviation, .adjusts_code = adjusts_code},
                     is_first ? each : std::function<void(const Subject&, const fitting::CodeLandmarkFit&)>());
-        const std::string row =
-            fmt::format("| {} | {} | {:.2f} | {:.2f} | {} | {:.1f} | {:.1f} of {:.1f} | {} | {:.1f} | {:.1f} |\n",
-                        adjusts_code ? opened.name + ", " + opened.kind : "mean face, view alone", trial.name,
-                        100 * result.mean, 100 * result.worst, result.worst_name, result.ms, result.radius,
-                        model.usual_radius(), result.num_unusual, result.flips, result.intersections);
+        const std::string row = fmt::format(
+            "| {} | {} | {:.2f} | {:.2f} | {} | {:.1f} | {:.1f} of {:.1f} | {} | {:.1f} | {:.1f} | {:.2f} | "
+            "{:.2f} |\n",
+            adjusts_code ? opened.name + ", " + opened.kind : "mean face, view alone", trial.name, 100 * result.mean,
+            100 * result.worst, result.worst_name, result.ms, result.radius, model.usual_radius(), result.num_unusual,
+            result.flips, result.intersections, result.mesh_mm, result.worst_mesh_mm);
         fmt::print("{}", row);
         std::fflush(stdout);
         table += row;
       }
     }
+    if (registered.empty()) continue;
+    const std::string nearest = NearestFaces(opened, subjects);
+    fmt::print("{}", nearest);
+    table += nearest;
   }
   WriteFileAtomically(out / "table.md", table);
 }
@@ -192,17 +237,21 @@ void Run(const fs::path& pictures, const fs::path& out, const std::vector<fs::pa
 int main(int argc, char** argv) {
   try {
     std::vector<std::filesystem::path> folders;
+    std::filesystem::path registered;
     double deviation = daumier::fitting::CodeLandmarkOptions().deviation;
     for (int i = 3; i < argc; ++i) {
       const std::string word = argv[i];
       if (word.starts_with("deviation=")) {
         deviation = std::stod(word.substr(word.find('=') + 1));
+      } else if (word.starts_with("registered=")) {
+        registered = word.substr(word.find('=') + 1);
       } else {
         folders.emplace_back(word);
       }
     }
-    if (folders.empty()) throw daumier::UsageError("edit_landmarks PICTURES OUT MODEL... [deviation=SHARE]");
-    daumier::deform::Run(argv[1], argv[2], folders, deviation);
+    if (folders.empty())
+      throw daumier::UsageError("edit_landmarks PICTURES OUT MODEL... [deviation=SHARE] [registered=FACES]");
+    daumier::deform::Run(argv[1], argv[2], folders, deviation, registered);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "edit_landmarks: {}\n", error.what());
