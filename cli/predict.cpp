@@ -197,8 +197,11 @@ void Predict(const PredictArguments& arguments) {
 
 /// By the run, or the weights, that are named, else by the shipped ones of drawings.
 void PredictSession(const PredictArguments& arguments) {
-  if (!arguments.inputs.empty() || IsInput(arguments.run) || (!arguments.run.empty() && !arguments.weights.empty()))
-    throw UsageError("--session takes at most one run or one --weights, and no inputs");
+  const bool has_inputs = !arguments.inputs.empty() || IsOption(arguments.run) || IsInput(arguments.run);
+  if (has_inputs || (!arguments.run.empty() && !arguments.weights.empty()))
+    throw UsageError("--session takes at most one run or one --weights, and neither inputs nor key=value");
+  if (arguments.keep_frame || arguments.all || arguments.no_refine || arguments.no_fit)
+    throw UsageError("--session takes none of --keep-frame, --all, --no-refine and --no-fit");
   SessionArguments session{arguments.session, arguments.run, arguments.out, ParseDevice(arguments.device)};
   if (session.run.empty()) {
     const std::vector<fs::path> places = systems::WeightsPlaces();

@@ -65,6 +65,19 @@ render::Image SheetOfSession(const std::vector<RecordedState>& states, const fac
   return render::MakeSheet(cells, 6);
 }
 
+/// sketch::Replay. @throws Error naming the file and the repair, too.
+template <class Report>
+void ReplayNaming(const fs::path& file, const sketch::SessionScript& script, sketch::SketchSession& session,
+                  const Report& report, const Task& task) {
+  try {
+    sketch::Replay(script, session, report, task);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}. {}", file.string(), error.what(), sketch::kRepairSession));
+  }
+}
+
 }  // namespace
 
 void ReplaySession(const SessionArguments& arguments) {
@@ -75,8 +88,8 @@ void ReplaySession(const SessionArguments& arguments) {
   sketch::SketchSession session(predictor, script.width, script.height);
   const Task task = TaskOfProcess();
   std::vector<RecordedState> states;
-  sketch::Replay(
-      script, session,
+  ReplayNaming(
+      arguments.session, script, session,
       [&](size_t number, std::shared_ptr<const sketch::SketchState> state) {
         const std::string what = sketch::NameOf(script.events[number - 1].what);
         std::vector<render::Stroke> lines = LinesOnCanvas(*state, script);

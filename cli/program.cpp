@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -107,6 +108,19 @@ std::vector<std::string> ReversedWords(int argc, char** argv) {
   return words;
 }
 
+/// Libraries that cannot have the memory that they ask for end the program or spoil it, oneDNN among them.
+constexpr rlim_t kLeastAddressSpace = rlim_t{1} << 30;
+
+/// @throws Error if the limit of the address space (ulimit -v) is too low.
+void CheckAddressSpace() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= kLeastAddressSpace)
+    return;
+  throw Error(fmt::format(
+      "there is not enough memory: the limit of the address space is {} MB, and {} are needed. Raise it: ulimit -v {}",
+      limit.rlim_cur >> 20, kLeastAddressSpace >> 20, kLeastAddressSpace >> 10));
+}
+
 }  // namespace
 
 int RunProgram(int argc, char** argv) {
@@ -134,6 +148,7 @@ int RunProgram(int argc, char** argv) {
   try {
     app.parse(ReversedWords(argc, argv));
     if (quiet) log::SetLevel(log::Level::kWarning);
+    CheckAddressSpace();
     SetUpRuntime(threads);
     CatchInterrupts();
     action();
@@ -144,7 +159,7 @@ int RunProgram(int argc, char** argv) {
     fmt::print(stderr, "daumier: {}\n", error.what());
     return kMisused;
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "daumier: cannot access {}: {}. Change its permissions, or name another one\n",
+    fmt::print(stderr, "daumier: cannot access {}: {}. Check its name and permissions, or name another one\n",
                error.path1().string(), error.code().message());
     return kFailed;
   } catch (const std::bad_alloc&) {

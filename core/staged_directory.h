@@ -1,11 +1,14 @@
 #pragma once
+#include "core/folder_lock.h"
+
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace daumier {
 
-/// A folder that is written under a temporary name next to its target and renamed on Commit. Without Commit it is
-/// deleted.
+/// A folder that is written under a temporary name next to its target, .NAME.daumier-partial, and takes its place on
+/// Commit. Without Commit it is deleted. One writer at a time: others wait (FolderLock).
 class StagedDirectory {
  public:
   /// `kind` is the manifest kind of a folder that may be replaced. @throws UsageError as CheckReplacedFolder.
@@ -21,6 +24,8 @@ class StagedDirectory {
 
  private:
   std::filesystem::path target_, path_;
+  std::optional<FolderLock> lock_;
+  bool is_committed_ = false;
 };
 
 }  // namespace daumier

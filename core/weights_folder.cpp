@@ -40,7 +40,9 @@ bool IsWeightsFolder(const fs::path& directory) {
 void CheckNotDamaged(const fs::path& directory) {
   std::error_code ignored;
   const fs::path file = directory / "manifest.json";
-  if (fs::is_regular_file(file, ignored) && TryParseJson(ReadFile(file))) return;
+  const Json manifest = fs::is_regular_file(file, ignored) ? TryParseJson(ReadFile(file)).value_or(Json()) : Json();
+  const bool has_kind = manifest.is_object() && manifest.contains("kind");
+  if (has_kind && (manifest.at("kind") == kWeightsKind || !fs::exists(directory / kWeightsNetwork, ignored))) return;
   for (fs::directory_iterator entry(directory, ignored), end; !ignored && entry != end; entry.increment(ignored))
     DAUMIER_CHECK(entry->path().extension() != ".safetensors",
                   "{}: weights whose manifest.json is missing or malformed. {}, or remove it", directory.string(),

@@ -35,7 +35,8 @@ struct WeightsParts {
 /// Whether the folder has a manifest.json of weights.
 bool IsWeightsFolder(const std::filesystem::path& directory);
 
-/// @throws Error if the folder holds numbers of weights (.safetensors), but its manifest.json is missing or no JSON.
+/// @throws Error if the folder holds numbers (.safetensors), but its manifest.json is missing or names no kind; or if it
+/// holds those of a network and is of another kind.
 void CheckNotDamaged(const std::filesystem::path& directory);
 
 /// The manifest of shipped weights, with every file compared with its checksum.

@@ -1,6 +1,7 @@
 #include "systems/sketch/session_file.h"
 
 #include "core/error.h"
+#include "core/files.h"
 
 #include <algorithm>
 #include <array>
@@ -22,13 +23,20 @@ bool HasPoints(What what) {
   return what == What::kDraw || what == What::kErase;
 }
 
+/// The value in a message: of a long one the beginning.
+std::string Shown(const Json& json) {
+  constexpr size_t kMostShown = 60;
+  const std::string text = json.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
+  return text.size() <= kMostShown ? text : text.substr(0, kMostShown) + "...";
+}
+
 double FiniteNumber(const Json& json) {
-  DAUMIER_CHECK(json.is_number() && std::isfinite(json.get<double>()), "{} is no number", json.dump());
+  DAUMIER_CHECK(json.is_number() && std::isfinite(json.get<double>()), "{} is no number", Shown(json));
   return json.get<double>();
 }
 
 Eigen::Vector2d PointFrom(const Json& json) {
-  DAUMIER_CHECK(json.is_array() && json.size() == 2, "a point is {}, expected [x, y]", json.dump());
+  DAUMIER_CHECK(json.is_array() && json.size() == 2, "{} is no pair [x, y]", Shown(json));
   return {FiniteNumber(json[0]), FiniteNumber(json[1])};
 }
 
@@ -36,7 +44,8 @@ SessionEvent EventFrom(const Json& json) {
   DAUMIER_CHECK(json.is_object() && json.contains("do") && json.at("do").is_string(), "it has no text 'do'");
   const auto name = json.at("do").get<std::string>();
   const auto known = std::ranges::find_if(kEventNames, [&](const auto& entry) { return name == entry.first; });
-  DAUMIER_CHECK(known != kEventNames.end(), "'{}' is unknown (expected draw, erase, follow_up, undo or redo)", name);
+  DAUMIER_CHECK(known != kEventNames.end(), "{} is unknown (expected draw, erase, follow_up, undo or redo)",
+                Shown(json.at("do")));
   SessionEvent event{known->second, {}};
   const Json points = json.value("points", Json::array());
   DAUMIER_CHECK(points.is_array() && points.empty() != HasPoints(event.what), "'{}' has {} points", name,
@@ -48,11 +57,11 @@ SessionEvent EventFrom(const Json& json) {
 SessionScript ScriptFrom(const Json& json) {
   DAUMIER_CHECK(json.is_object() && json.contains("version"), "it has no 'version'");
   DAUMIER_CHECK(json.at("version") == SessionScript::kVersion, "version {} (this program reads {})",
-                json.at("version").dump(), SessionScript::kVersion);
+                Shown(json.at("version")), SessionScript::kVersion);
   SessionScript script;
   const Json sheet = json.value("sheet", Json());
+  DAUMIER_CHECK(sheet.is_array() && sheet.size() == 2, "'sheet' is {}, expected [width, height]", Shown(sheet));
   const Eigen::Vector2d size = PointFrom(sheet);
-  DAUMIER_CHECK(size.minCoeff() > 0, "the sheet is {}, expected positive sizes", sheet.dump());
   script.width = size.x(), script.height = size.y();
   const Json events = json.value("events", Json());
   DAUMIER_CHECK(events.is_array() && !events.empty() && events.size() <= kMostEvents,
@@ -91,12 +100,12 @@ void Do(const SessionEvent& event, SketchSession& session, const Task& task) {
 }  // namespace
 
 SessionScript ReadSession(const std::filesystem::path& file) {
-  const Json json = ReadJson(file);
+  DAUMIER_CHECK(std::filesystem::is_regular_file(file), "{}: no regular file. Name a recorded session", file.string());
+  const std::string text = ReadFile(file);
   try {
-    return ScriptFrom(json);
+    return ScriptFrom(ParseJson(text, "the session"));
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}. Repair the file (docs/sketching.md), or record the session again", file.string(),
-                            error.what()));
+    throw Error(fmt::format("{}: {}. {}", file.string(), error.what(), kRepairSession));
   }
 }
 

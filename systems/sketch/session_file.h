@@ -26,6 +26,9 @@ struct SessionScript {
   std::vector<SessionEvent> events;
 };
 
+/// What to do about a session that cannot be replayed.
+inline constexpr const char* kRepairSession = "Repair the file (docs/sketching.md), or record the session again";
+
 /// At most kMostEvents events and kMostSessionPoints points in all are read.
 inline constexpr size_t kMostEvents = 2'000, kMostSessionPoints = 1'000'000;
 

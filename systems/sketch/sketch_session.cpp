@@ -65,10 +65,19 @@ render::Placement WholeSheet(double width, double height) {
 
 SketchSession::SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height)
     : follower_(std::move(predictor)), width_(width), height_(height) {
-  DAUMIER_CHECK(width_ > 0 && height_ > 0, "a sheet of {} x {} pixels, expected positive sizes", width_, height_);
+  DAUMIER_CHECK(std::min(width_, height_) >= 1 && std::max(width_, height_) <= kMostSheet,
+                "a sheet of {} x {} pixels, expected sizes from 1 to {}", width_, height_, kMostSheet);
   SketchState blank;
   blank.frame = WholeSheet(width_, height_);
   history_.push_back(std::make_shared<const SketchState>(std::move(blank)));
+}
+
+void SketchSession::CheckOnSheet(const CanvasPoints& points) const {
+  const double farthest = kFarthest * std::max(width_, height_);
+  for (const Eigen::Vector2d& point : points)
+    DAUMIER_CHECK(point.cwiseAbs().maxCoeff() <= farthest,
+                  "the point ({:g}, {:g}) lies far outside the sheet of {:g} x {:g}", point.x(), point.y(), width_,
+                  height_);
 }
 
 std::shared_ptr<const SketchState> SketchSession::state() const {
@@ -117,6 +126,7 @@ SketchState SketchSession::Predicted(std::vector<render::Stroke> strokes, const 
 }
 
 void SketchSession::Draw(const CanvasPoints& stroke, const Task& task) {
+  CheckOnSheet(stroke);
   const std::scoped_lock lock(calls_);
   const StatePointer now = state();
   if (now->is_follow_up()) {
@@ -133,6 +143,7 @@ void SketchSession::Draw(const CanvasPoints& stroke, const Task& task) {
 
 bool SketchSession::Erase(const CanvasPoints& path, const Task& task) {
   DAUMIER_CHECK(!path.empty(), "the eraser's path has no point");
+  CheckOnSheet(path);
   const std::scoped_lock lock(calls_);
   const StatePointer now = state();
   if (now->is_follow_up()) {

@@ -29,13 +29,16 @@ struct SketchState {
 /// nothing. May be used from several threads: calls wait for each other, and state() for none of them.
 class SketchSession {
  public:
-  /// sheet: width x height, pixels. @throws Error if a size is not positive, or the predictor has no parser.
+  static constexpr double kMostSheet = 100'000;  ///< Pixels a side.
+  static constexpr double kFarthest = 10;        ///< Sheets' longer sides that a point may be away from the origin.
+
+  /// sheet: width x height, pixels. @throws Error if a size is not from 1 to kMostSheet, or the predictor has no parser.
   SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height);
 
   std::shared_ptr<const SketchState> state() const;
 
   /// A stroke, in pixels of the sheet. In initial mode a sheet that shows no face has a state without a face.
-  /// @throws Error as sketch::Draw; Cancelled if the task is.
+  /// @throws Error as sketch::Draw, or if a point lies farther away than kFarthest; Cancelled if the task is.
   void Draw(const CanvasPoints& stroke, const Task& task = {});
   /// In initial mode what lies within kEraserReach of the path, in follow-up mode as sketch::Erase, in pixels of the
   /// canvas in both. False, without a new state, if that is nothing.
@@ -56,6 +59,8 @@ class SketchSession {
   static std::vector<render::Stroke> OnSheet(const SketchState& state);
 
  private:
+  void CheckOnSheet(const CanvasPoints& points) const;
+
   using StatePointer = std::shared_ptr<const SketchState>;
 
   void Add(SketchState state);

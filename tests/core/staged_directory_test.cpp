@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <thread>
+#include <vector>
+
 namespace daumier {
 namespace {
 
@@ -49,12 +53,37 @@ TEST(StagedDirectory, WithoutCommitLeavesWhatWasThere) {
 TEST(StagedDirectory, ReplacesAnEarlierOneAndWhatAKillLeft) {
   const TempDir folder;
   WriteExport(folder / "out", "old");
-  WriteExport(folder / ".out.partial", "half");
+  WriteExport(folder / ".out.daumier-partial", "half");
   StagedDirectory staged(folder / "out", "export");
   EXPECT_EQ(NumFiles(staged.path()), 0);
   WriteExport(staged.path(), "new");
   staged.Commit();
   EXPECT_EQ(ReadFile(folder / "out/text"), "new");
+  EXPECT_EQ(NumFiles(folder.path()), 1);
+}
+
+TEST(StagedDirectory, FoldersOfSimilarNamesStay) {
+  const TempDir folder;
+  WriteExport(folder / "out", "old");
+  for (const char* name : {".out.partial", ".out.old"}) WriteExport(folder / name, "precious");
+  StagedDirectory staged(folder / "out", "export");
+  WriteExport(staged.path(), "new");
+  staged.Commit();
+  EXPECT_EQ(NumFiles(folder.path()), 3);
+  EXPECT_EQ(ReadFile(folder / ".out.old/text"), "precious");
+}
+
+TEST(StagedDirectory, OneWriterAtATimeAndTheLastOneStays) {
+  const TempDir folder;
+  std::vector<std::jthread> writers;
+  for (int i = 0; i < 4; ++i)
+    writers.emplace_back([&, i] {
+      StagedDirectory staged(folder / "out", "export");
+      WriteExport(staged.path(), std::to_string(i));
+      staged.Commit();
+    });
+  writers.clear();
+  EXPECT_NO_THROW(VerifyChecksums(folder / "out", ReadManifest(folder / "out", "export")));
   EXPECT_EQ(NumFiles(folder.path()), 1);
 }
 

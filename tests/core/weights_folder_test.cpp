@@ -61,6 +61,10 @@ TEST_F(WeightsFolderTest, NumbersWithoutAReadableManifestAreDamaged) {
     EXPECT_NO_THROW(CheckNotDamaged(sound));
   WriteFileAtomically(folder / "manifest.json", "{\"kind\": \"wei");
   ExpectError([&] { CheckNotDamaged(folder); }, "landmarks: weights whose manifest.json is missing or malformed");
+  for (const char* other : {"{}", "[1]", R"({"kind": "run"})"}) {
+    WriteFileAtomically(folder / "manifest.json", other);
+    ExpectError([&] { CheckNotDamaged(folder); }, "is missing or malformed");
+  }
   fs::remove(folder / "manifest.json");
   ExpectError([&] { CheckNotDamaged(folder); }, "Restore the folder from the release");
 }

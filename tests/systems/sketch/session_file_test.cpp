@@ -49,21 +49,22 @@ TEST_F(SessionFileTest, AMalformedEventIsNamedByItsNumber) {
     ExpectError([&] { ReadEvents(good + event); }, "session.json");
   };
   refused("3", "it has no text 'do'");
-  refused(R"({"do": "paint"})", "'paint' is unknown (expected draw, erase");
+  refused(R"({"do": "paint"})", "\"paint\" is unknown (expected draw, erase");
   refused(R"({"do": "draw"})", "'draw' has 0 points");
   refused(R"({"do": "undo", "points": [[1, 2]]})", "'undo' has 1 points");
   refused(R"({"do": "draw", "points": 7})", "'draw' has malformed points");
-  refused(R"({"do": "draw", "points": [[1]]})", "a point is [1], expected [x, y]");
+  refused(R"({"do": "draw", "points": [[1]]})", "[1] is no pair [x, y]");
   refused(R"({"do": "draw", "points": [[1, "a"]]})", "\"a\" is no number");
 }
 
 TEST_F(SessionFileTest, RefusesOtherFiles) {
-  ExpectError([&] { Read("{"); }, "session.json");
+  ExpectError([&] { Read("{"); }, "record the session again");
+  ExpectError([&] { ReadSession(folder_.path()); }, "no regular file");
+  ExpectError([&] { ReadEvents(R"({"do": ")" + std::string(100'000, 'x') + "\"}"); }, "xxx... is unknown");
   ExpectError([&] { Read("[]"); }, "it has no 'version'");
   ExpectError([&] { Read(R"({"version": 2})"); }, "version 2 (this program reads 1)");
-  ExpectError([&] { Read(R"({"version": 1, "sheet": [0, 3], "events": []})"); }, "expected positive sizes");
   ExpectError([&] { Read(R"({"version": 1, "sheet": [3, 3], "events": []})"); }, "no list of 1 to");
-  ExpectError([&] { Read(R"({"version": 1, "sheet": 3, "events": []})"); }, "a point is 3");
+  ExpectError([&] { Read(R"({"version": 1, "sheet": 3, "events": []})"); }, "'sheet' is 3, expected [width, height]");
 }
 
 }  // namespace

@@ -146,7 +146,9 @@ TEST_F(SketchSessionTest, AFailedCallChangesNothing) {
   EXPECT_THROW(session.Draw({{5, 5}, {9, 9}}, Task(stop.get_token())), Cancelled);
   EXPECT_TRUE(session.Undo());
   EXPECT_EQ(session.state(), before);
-  ExpectError([&] { SketchSession(predictor_, 0, 10); }, "expected positive sizes");
+  ExpectError([&] { SketchSession(predictor_, 0, 10); }, "expected sizes from 1 to");
+  ExpectError([&] { session.Draw({{1, 1}, {1e9, 1}}); }, "lies far outside the sheet");
+  ExpectError([&] { session.Erase({{1, -1e300}}); }, "lies far outside the sheet");
 }
 
 TEST_F(SketchSessionTest, AReplayGivesTheStatesOfTheCalls) {
