@@ -1,8 +1,8 @@
 // Not a benchmark: the table of docs/results/edit.md on landmarks of pictures.
 //   edit_landmarks PICTURES OUT MODEL... [deviation=SHARE] [registered=FACES]
 // PICTURES: a folder of NAME.jpg with NAME.txt, 68 landmarks each. MODEL: as `daumier edit MODEL`. OUT: a folder for
-// table.md and a picture of each fit by the first model. FACES: a database of the topology whose persons are these names
-// (daumier register NAME.obj ...): the mean distance of the face region from it after a similarity.
+// table.md and a picture of each fit by the first model. FACES: a database of the meshes NAME.obj
+// (daumier register): the mean distance of the face region from it after a similarity.
 #include "core/error.h"
 #include "core/files.h"
 #include "core/stopwatch.h"
@@ -28,7 +28,6 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,10 +51,11 @@ double MeshDistance(const Subject& subject, const fitting::CodeModel& model, con
 
 void AddMeshes(const fs::path& folder, std::vector<Subject>& subjects) {
   const faces::FaceDatabase database(folder);
+  const auto meshes = database.manifest().details.value("meshes", std::vector<std::string>{});
   for (Subject& subject : subjects) {
-    const std::optional<int> face = eval::FaceNamed(database, subject.name);
-    DAUMIER_CHECK(face, "{} has no person '{}'", folder.string(), subject.name);
-    subject.mesh = database.points(*face);
+    const auto found = std::ranges::find(meshes, subject.name);
+    DAUMIER_CHECK(found != meshes.end(), "{} has no mesh '{}'", folder.string(), subject.name);
+    subject.mesh = database.points(database.index({int(found - meshes.begin()), 0, 0}));
   }
 }
 
