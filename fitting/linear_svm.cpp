@@ -99,12 +99,15 @@ double BestSvmCost(const Eigen::MatrixXd& points, const std::vector<bool>& is_se
     Eigen::MatrixXd trained, held_out;
     std::vector<bool> of_trained, of_held_out;
   };
+  std::vector<int> part_of;  // Each kind in turn, so that every part has both.
+  std::array<int, 2> counts = {0, 0};
+  for (const bool second : is_second) part_of.push_back(counts[second]++ % kParts);
   std::vector<Part> parts;
   for (int part = 0; part < kParts; ++part) {
     std::vector<Eigen::Index> trained, held_out;
     Part& some = parts.emplace_back();
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      const bool is_held_out = i % kParts == part;
+      const bool is_held_out = part_of[size_t(i)] == part;
       (is_held_out ? held_out : trained).push_back(i);
       (is_held_out ? some.of_held_out : some.of_trained).push_back(is_second[size_t(i)]);
     }

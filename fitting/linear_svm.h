@@ -23,8 +23,9 @@ SeparatingPlane TrainLinearSvm(const Eigen::MatrixXd& points, const std::vector<
 double BalancedAccuracy(const SeparatingPlane& plane, const Eigen::MatrixXd& points,
                         const std::vector<bool>& is_second);
 
-/// Of 1e-4, 1e-3 ... 1 the cost of the greatest balanced accuracy in cross-validation (point i is held out in part
-/// i mod 4), of equals the least. @throws Error as TrainLinearSvm, also of a part.
+/// Of 1e-4, 1e-3 ... 1 the cost of the greatest balanced accuracy in cross-validation over four parts (the i-th point of
+/// each kind is held out in part i mod 4), of equals the least. @throws Error as TrainLinearSvm, also of a part: with
+/// fewer than two points of a kind.
 double BestSvmCost(const Eigen::MatrixXd& points, const std::vector<bool>& is_second);
 
 }  // namespace daumier::fitting

@@ -69,6 +69,16 @@ TEST(LinearSvm, FindsThePlaneBetweenTheKinds) {
   EXPECT_GT(fitting::BalancedAccuracy(plane, kinds.points, kinds.is_second), 0.9);
 }
 
+/// Faces come in the order of their persons, levels and expressions: each fourth is of the second kind.
+TEST(LinearSvm, KindsMayComeInAnyOrder) {
+  TwoKinds kinds = SomeTwoKinds(80);
+  for (size_t i = 0; i < kinds.is_second.size(); ++i) {
+    kinds.is_second[i] = i % 4 == 3;
+    kinds.points(Eigen::Index(i), 0) = kinds.is_second[i] ? 1 : -1;
+  }
+  EXPECT_GT(fitting::BestSvmCost(kinds.points, kinds.is_second), 0);
+}
+
 TEST(LinearSvm, RefusesWhatItCannotSeparate) {
   const Eigen::MatrixXd points = Eigen::MatrixXd::Identity(2, 2);
   ExpectError([&] { fitting::TrainLinearSvm(points, {true, true}, 1); }, "expected both kinds");
