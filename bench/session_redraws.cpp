@@ -1,6 +1,6 @@
 // Not a benchmark: does the network help a person who redraws curves? The figures of docs/results/sketching.md.
 //   session_redraws WEIGHTS FACES [count [deviation]]
-// WEIGHTS: of sketches. FACES: a folder of faces of their topology that the network has not seen. From the mean face, 1, 2,
+// WEIGHTS: of sketches. FACES: a folder of faces of their topology that the network has not seen. From the mean neutral face, 1, 2,
 // 4, 8 and all curves are replaced by those of each of `count` (200) neutral faces, the one that is farthest from its
 // own first; the face that follows is compared with the true one. deviation: by how many pixels of 256 a line is missed.
 #include "core/error.h"
@@ -10,7 +10,6 @@
 #include "core/statistics.h"
 #include "core/stopwatch.h"
 #include "faces/face_database.h"
-#include "geometry/coordinates.h"
 #include "geometry/flips.h"
 #include "geometry/operators.h"
 #include "geometry/pinned_deformation.h"
@@ -134,8 +133,7 @@ void Run(const std::string& weights, const std::string& faces_folder, int count,
   const CurveFollower follower(predictor);
   fmt::print("first factorisation: {:.0f} ms\n", 1e3 * watch.seconds());
   const faces::FaceDatabase database(faces_folder);
-  const Eigen::VectorXf& mean_numbers = predictor->run().models.gaussian.mean;
-  const geometry::Points mean = geometry::PointsFrom(std::span(mean_numbers.data(), size_t(mean_numbers.size())));
+  const geometry::Points& mean = face_template.neutral;
   const SessionLines of_mean = follower.CurvesOf(mean);
 
   const size_t num_rows = std::size(kNumCurves);

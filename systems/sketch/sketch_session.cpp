@@ -1,7 +1,6 @@
 #include "systems/sketch/sketch_session.h"
 
 #include "core/error.h"
-#include "geometry/coordinates.h"
 
 #include <algorithm>
 #include <utility>
@@ -169,8 +168,7 @@ void SketchSession::FollowUp() {
   const StatePointer now = state();
   if (now->is_follow_up()) return;
   if (now->vertices.rows() > 0) return FollowUpFrom(now->vertices);
-  const Eigen::VectorXf& mean = follower_.predictor().run().models.gaussian.mean;
-  FollowUpFrom(geometry::PointsFrom(std::span(mean.data(), size_t(mean.size()))), Untouched::kFollow);
+  FollowUpFrom(follower_.predictor().run().face_template.neutral, Untouched::kFollow);
 }
 
 void SketchSession::FollowUpFrom(const geometry::Points& vertices, Untouched untouched) {

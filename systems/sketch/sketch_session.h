@@ -44,7 +44,7 @@ class SketchSession {
   /// canvas in both. False, without a new state, if that is nothing.
   bool Erase(const CanvasPoints& path, const Task& task = {});
   /// Follow-up mode, from the current face, whose lines stay where they were drawn, or, where there is none, from the
-  /// mean face, whose lines follow until they are redrawn.
+  /// mean neutral face, whose lines follow until they are redrawn.
   void FollowUp();
   /// The same from a given face, V x 3, cm. @throws Error if it has other vertices.
   void FollowUpFrom(const geometry::Points& vertices, Untouched untouched = Untouched::kStay);
