@@ -145,8 +145,8 @@ struct HandleCase {
 
 fitting::HandleEditor EditorOf(const Subject& subject, const HandleCase& edit, const EditHandles& handles) {
   fitting::HandleOptions options{.fixed = subject.expression};
-  if (edit.is_local) options.outside = OutsideOfPart(subject.model->face_template(), handles.vertices);
-  return {*subject.model, Eigen::VectorXd::Zero(subject.model->num_numbers()), handles.vertices, options};
+  if (edit.is_local) options.outside = OutsideOfPart(subject.model->face_template(), handles);
+  return {*subject.model, Eigen::VectorXd::Zero(subject.model->num_numbers()), handles.points, options};
 }
 
 void HandleSetUp(benchmark::State& state, const Subject& subject, const HandleCase& edit) {
@@ -179,13 +179,13 @@ void Drag(benchmark::State& state, const Subject& subject, const HandleCase& edi
 struct ArapCase {
   ArapCase(const faces::FaceTemplate& face_template, const std::string& preset)
       : mesh{face_template.neutral, face_template.triangles}, handles(PresetHandles(face_template, preset, 1)) {
-    ids = handles.vertices;
-    const std::vector<int> outside = OutsideOfPart(face_template, handles.vertices);
+    ids = handles.points;
+    const std::vector<int> outside = OutsideOfPart(face_template, handles);
     ids.insert(ids.end(), outside.begin(), outside.end());
   }
   geometry::Points Targets(double share) const {
     geometry::Points targets = mesh.vertices(ids, Eigen::all);
-    targets.topRows(std::ssize(handles.vertices)) += share * handles.displacements;
+    targets.topRows(std::ssize(handles.points)) += share * handles.displacements;
     return targets;
   }
   geometry::TriangleMesh mesh;
