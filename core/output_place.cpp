@@ -72,10 +72,12 @@ void CheckCanBeMade(const fs::path& out) {
   if (!fs::is_directory(parent))
     throw UsageError(
         fmt::format("{} cannot be a folder, for {} is a file. Name another folder", out.string(), parent.string()));
-  // Whether it can be made is known for certain only by making it: some file systems refuse whatever the permissions say.
-  const bool is_made = fs::create_directory(missing, error);
+  // Whether it can be made is known for certain only by making one: some file systems refuse whatever the permissions
+  // say. Not of its own name, which another program may be making.
+  const fs::path probe = fmt::format("{}.{}", missing.string(), getpid());
+  const bool is_made = fs::create_directory(probe, error);
   DAUMIER_CHECK(!error, "cannot write into {}: {}. Name another folder", parent.string(), error.message());
-  if (is_made) fs::remove(missing, error);
+  if (is_made) fs::remove(probe, error);
 }
 
 bool IsBegun(const fs::path& folder, const OutputKind& kind) {

@@ -40,10 +40,15 @@ StagedDirectory::StagedDirectory(const fs::path& target, const std::string& kind
   target_ = fs::weakly_canonical(fs::absolute(target)).lexically_normal();
   if (target_.filename().empty()) target_ = target_.parent_path();
   path_ = SiblingPath(target_, ".daumier-partial");
-  CheckReplacedFolder(target_, kind);
   lock_.emplace(path_);
-  CheckReplacedFolder(target_, kind);  // Another program may have written it since.
-  RemoveContent(path_);                // Of a program that was killed.
+  try {
+    CheckReplacedFolder(target_, kind);  // Locked, for another program may just have written it.
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    throw;
+  }
+  RemoveContent(path_);  // Of a program that was killed.
 }
 
 StagedDirectory::~StagedDirectory() {
