@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/parallel.h"
 #include "render/camera.h"
 #include "render/shading.h"
 #include "render/sheet.h"
@@ -14,6 +15,7 @@
 
 #include <fmt/ranges.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,8 +36,12 @@ render::Image SheetOf(const faces::FinishedHead* head, const FaceResult& face) {
   if (head == nullptr) return render::MakeSheet(cells, int(cells.size()));
   const render::RenderInput surface = reports::InputOf(*head, face.vertices);
   const auto frame = render::FrameOf(face.vertices);
-  add("front", RenderMesh(surface, render::FrontalCamera(frame.centre, frame.half_height, kPictureSide)));
-  add("side", RenderMesh(surface, render::SideCamera(frame.centre, frame.half_height, kPictureSide)));
+  const std::array<render::Camera, 2> cameras = {render::FrontalCamera(frame.centre, frame.half_height, kPictureSide),
+                                                 render::SideCamera(frame.centre, frame.half_height, kPictureSide)};
+  std::array<render::Image, 2> views;
+  OnAllCores(2, [&](int64_t view) { views[size_t(view)] = RenderMesh(surface, cameras[size_t(view)]); });
+  add("front", std::move(views[0]));
+  add("side", std::move(views[1]));
   return render::MakeSheet(cells, int(cells.size()));
 }
 
