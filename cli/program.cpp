@@ -108,7 +108,7 @@ std::vector<std::string> ReversedWords(int argc, char** argv) {
   return words;
 }
 
-/// Libraries that cannot have the memory that they ask for end the program or spoil it, oneDNN among them.
+/// Libraries that cannot have the memory that they need end the program or spoil it, oneDNN among them.
 constexpr rlim_t kLeastAddressSpace = rlim_t{1} << 30;
 
 /// @throws Error if the limit of the address space (ulimit -v) is too low.
