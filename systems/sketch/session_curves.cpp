@@ -113,7 +113,7 @@ CanvasPoints LoopLike(const SessionCurve& curve, CanvasPoints stroke) {
       sum += (loop[size_t((start + i) % kPoints)] + shift - old[size_t(i)]).squaredNorm();
     if (sum < least) least = sum, best = start;
   }
-  std::ranges::rotate(loop, loop.begin() + best);
+  std::rotate(loop.begin(), loop.begin() + best, loop.end());
   loop.push_back(loop.front());
   return loop;
 }
