@@ -11,12 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::vector<double> ArcLengths(const Polyline& line) {
-  std::vector<double> lengths(line.size(), 0);
-  for (size_t i = 1; i < line.size(); ++i) lengths[i] = lengths[i - 1] + (line[i] - line[i - 1]).norm();
-  return lengths;
-}
-
 Vector2d AtArc(const Polyline& line, const std::vector<double>& arcs, double arc) {
   const auto next = std::upper_bound(arcs.begin(), arcs.end(), arc);
   if (next == arcs.begin()) return line.front();
@@ -109,6 +103,12 @@ std::vector<LinePiece> PiecesOn(Side side, const Polyline& line, const Polyline&
 }
 
 }  // namespace
+
+std::vector<double> ArcLengths(const Polyline& line) {
+  std::vector<double> lengths(line.size(), 0);
+  for (size_t i = 1; i < line.size(); ++i) lengths[i] = lengths[i - 1] + (line[i] - line[i - 1]).norm();
+  return lengths;
+}
 
 double LengthOf(const Polyline& line) {
   double length = 0;

@@ -12,6 +12,8 @@ namespace daumier::datasets {
 using Polyline = std::vector<Eigen::Vector2d>;
 
 double LengthOf(const Polyline& line);
+/// From the first point to each.
+std::vector<double> ArcLengths(const Polyline& line);
 Eigen::AlignedBox2d BoxOf(const Polyline& line);
 Polyline Reversed(Polyline line);
 /// The lines end to end.

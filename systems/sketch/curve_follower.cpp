@@ -82,7 +82,7 @@ geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const 
     const size_t first = point;
     point += curve.points.size();
     if (curve.drawn == 0) continue;
-    const double num_independent = std::max(1.0, LengthOf(curve.points) / kIndependent);
+    const double num_independent = std::max(1.0, datasets::LengthOf(curve.points) / kIndependent);
     const double weight = num_independent / double(curve.points.size()) / (kLineDeviation * kLineDeviation);
     for (size_t i = 0; i < curve.points.size(); ++i) {
       const int pin = pin_of_point_[first + i];
@@ -92,7 +92,7 @@ geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const 
       rhs += weight * (rows.transpose() * moved);
     }
   }
-  if (point == 0 || rhs.isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
+  if (rhs.isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
   const Eigen::VectorXf weights = normal.selfadjointView<Eigen::Lower>().llt().solve(rhs).cast<float>();
   const Eigen::VectorXf change = gaussian.rows.transpose() * weights;
   return geometry::PointsFrom(std::span(change.data(), size_t(change.size())));

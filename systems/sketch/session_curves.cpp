@@ -16,38 +16,13 @@ constexpr double kSegmentLength = 20;
 constexpr double kLeastStroke = 1;
 constexpr const char* kSilhouette = "silhouette";
 
-/// Lengths from the first point to each.
-std::vector<double> ArcLengths(const CanvasPoints& line) {
-  std::vector<double> lengths(line.size(), 0);
-  for (size_t i = 1; i < line.size(); ++i) lengths[i] = lengths[i - 1] + (line[i] - line[i - 1]).norm();
-  return lengths;
-}
-
-/// The point at a share of the line's length.
-Eigen::Vector2d AtShare(const CanvasPoints& line, const std::vector<double>& lengths, double share) {
-  const double at = std::clamp(share, 0.0, 1.0) * lengths.back();
-  const auto next = std::ranges::lower_bound(lengths, at);
-  const auto i = size_t(std::clamp<ptrdiff_t>(next - lengths.begin(), 1, std::ssize(lengths) - 1));
-  const double step = lengths[i] - lengths[i - 1];
-  const double part = step > 0 ? (at - lengths[i - 1]) / step : 0;
-  return line[i - 1] + part * (line[i] - line[i - 1]);
-}
-
-double DistanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
-}
-
 bool IsErased(const SessionCurve& curve, size_t point) {
   return curve.gap && point >= curve.gap->first && point <= curve.gap->last;
 }
 
 /// The segment of a feature curve, of about kSegmentLength, that holds a point.
 CurveGap SegmentAt(const SessionCurve& curve, size_t point) {
-  const std::vector<double> lengths = ArcLengths(curve.points);
-  const auto count = std::max<size_t>(1, size_t(std::lround(lengths.back() / kSegmentLength)));
+  const auto count = std::max<size_t>(1, size_t(std::lround(datasets::LengthOf(curve.points) / kSegmentLength)));
   const size_t n = curve.points.size(), segment = std::min(count - 1, point * count / n);
   const auto begin = [&](size_t s) { return (s * n + count - 1) / count; };
   return {begin(segment), begin(segment + 1) - 1};
@@ -86,9 +61,8 @@ double SignedArea(const CanvasPoints& loop) {
 /// Points at equal steps of a loop's length, the first not repeated at the end.
 CanvasPoints ResampledLoop(CanvasPoints loop, int count) {
   loop.push_back(loop.front());
-  const std::vector<double> lengths = ArcLengths(loop);
-  CanvasPoints points;
-  for (int i = 0; i < count; ++i) points.push_back(AtShare(loop, lengths, double(i) / count));
+  CanvasPoints points = datasets::Resampled(loop, count + 1);
+  points.pop_back();
   return points;
 }
 
@@ -121,7 +95,7 @@ CanvasPoints LoopLike(const SessionCurve& curve, CanvasPoints stroke) {
 /// How far a stroke's ends are from those of a gap: the larger of both distances; of a curve that is a loop, the least
 /// distance from its beginning.
 double EndDistance(const CanvasPoints& stroke, const SessionCurve& curve) {
-  if (curve.closed && IsErasedWhole(curve)) return DistanceToLine(curve.points.front(), stroke);
+  if (curve.closed && IsErasedWhole(curve)) return datasets::DistanceTo(stroke, curve.points.front());
   return std::max((stroke.front() - EndBefore(curve).place).norm(), (stroke.back() - EndBehind(curve).place).norm());
 }
 
@@ -132,7 +106,7 @@ CanvasPoints Snapped(CanvasPoints stroke, const SessionCurve& curve) {
       before.is_open ? Eigen::Vector2d(before.place - stroke.front()) : Eigen::Vector2d(Eigen::Vector2d::Zero());
   const Eigen::Vector2d at_end =
       behind.is_open ? Eigen::Vector2d(behind.place - stroke.back()) : Eigen::Vector2d(Eigen::Vector2d::Zero());
-  const std::vector<double> lengths = ArcLengths(stroke);
+  const std::vector<double> lengths = datasets::ArcLengths(stroke);
   for (size_t i = 0; i < stroke.size(); ++i) {
     const double share = lengths[i] / lengths.back();
     stroke[i] += (1 - share) * at_start + share * at_end;
@@ -146,12 +120,11 @@ void Fill(SessionCurve& curve, const CanvasPoints& drawn) {
   const size_t first = curve.gap->first, last = curve.gap->last;
   const size_t from = EndBefore(curve).is_open ? first - 1 : first, to = EndBehind(curve).is_open ? last + 1 : last;
   const std::vector<double> old =
-      ArcLengths({curve.points.begin() + ptrdiff_t(from), curve.points.begin() + ptrdiff_t(to) + 1});
-  const std::vector<double> lengths = ArcLengths(stroke);
+      datasets::ArcLengths({curve.points.begin() + ptrdiff_t(from), curve.points.begin() + ptrdiff_t(to) + 1});
   for (size_t i = first; i <= last; ++i) {
     const double share =
         old.back() > 0 ? old[i - from] / old.back() : double(i - from) / double(std::max<size_t>(1, to - from));
-    curve.points[i] = AtShare(stroke, lengths, share);
+    curve.points[i] = datasets::AtShare(stroke, share);
   }
   curve.gap.reset();
 }
@@ -181,7 +154,7 @@ Nearest NearestCurve(const SessionLines& lines, const CanvasPoints& path) {
     const SessionCurve& curve = lines.curves[c];
     for (size_t i = 0; i < curve.points.size(); ++i) {
       if (IsErased(curve, i)) continue;
-      if (const double distance = DistanceToLine(curve.points[i], path); distance < nearest.distance)
+      if (const double distance = datasets::DistanceTo(path, curve.points[i]); distance < nearest.distance)
         nearest = {distance, c, i};
     }
   }
@@ -200,7 +173,8 @@ CurveGap KeepingBeginning(const SessionCurve& curve, const CurveGap& gap) {
 CurveGap WithinReach(const SessionCurve& curve, const CanvasPoints& path, size_t point) {
   CurveGap gap{point, point};
   for (size_t i = 0; i < curve.points.size(); ++i)
-    if (DistanceToLine(curve.points[i], path) <= kEraserReach) gap = {std::min(gap.first, i), std::max(gap.last, i)};
+    if (datasets::DistanceTo(path, curve.points[i]) <= kEraserReach)
+      gap = {std::min(gap.first, i), std::max(gap.last, i)};
   return gap;
 }
 
@@ -229,20 +203,10 @@ std::string PartnerOf(const std::string& name) {
   return "";
 }
 
-double LengthOf(const CanvasPoints& line) {
-  return line.empty() ? 0 : ArcLengths(line).back();
-}
-
-double DistanceToLine(const Eigen::Vector2d& p, const CanvasPoints& line) {
-  double least = (p - line.front()).norm();
-  for (size_t i = 1; i < line.size(); ++i) least = std::min(least, DistanceToSegment(p, line[i - 1], line[i]));
-  return least;
-}
-
 void CheckStroke(const CanvasPoints& stroke) {
   DAUMIER_CHECK(std::ranges::all_of(stroke, [](const Eigen::Vector2d& p) { return p.allFinite(); }),
                 "a stroke has a point that is not finite");
-  DAUMIER_CHECK(stroke.size() > 1 && ArcLengths(stroke).back() >= kLeastStroke,
+  DAUMIER_CHECK(stroke.size() > 1 && datasets::ArcLengths(stroke).back() >= kLeastStroke,
                 "a stroke is shorter than a pixel of the canvas");
 }
 
@@ -251,7 +215,8 @@ bool Erase(SessionLines& lines, const CanvasPoints& path) {
   Nearest wrinkle;
   for (size_t w = 0; w < lines.wrinkles.size(); ++w)
     for (const Eigen::Vector2d& point : lines.wrinkles[w])
-      if (const double distance = DistanceToLine(point, path); distance < wrinkle.distance) wrinkle = {distance, w, 0};
+      if (const double distance = datasets::DistanceTo(path, point); distance < wrinkle.distance)
+        wrinkle = {distance, w, 0};
   const Nearest curve = NearestCurve(lines, path);
   if (std::min(wrinkle.distance, curve.distance) > kEraserReach) return false;
   if (wrinkle.distance < curve.distance) {
@@ -267,7 +232,7 @@ bool Erase(SessionLines& lines, const CanvasPoints& path) {
 
 std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke) {
   CheckStroke(stroke);
-  const CanvasPoints reversed(stroke.rbegin(), stroke.rend());
+  const CanvasPoints reversed = datasets::Reversed(stroke);
   std::optional<size_t> filled;
   const CanvasPoints* direction = nullptr;
   double least = kSnapReach;

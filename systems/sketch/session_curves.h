@@ -1,4 +1,5 @@
 #pragma once
+#include "datasets/styles/polylines.h"
 #include "faces/face_model.h"
 #include "fitting/projected_curves.h"
 #include "render/strokes.h"
@@ -14,7 +15,7 @@
 /// person erases a part and draws it again. All lengths are pixels of the canvas.
 namespace daumier::sketch {
 
-using CanvasPoints = std::vector<Eigen::Vector2d>;
+using CanvasPoints = datasets::Polyline;
 
 /// Points of a curve that are erased, first..last, both included.
 struct CurveGap {
@@ -45,9 +46,6 @@ std::string PartnerOf(const std::string& name);
 
 /// Farthest from a line that an eraser still meets it, and that the ends of a stroke may be from the ends of a gap.
 inline constexpr double kEraserReach = 5, kSnapReach = 48;
-
-double LengthOf(const CanvasPoints& line);
-double DistanceToLine(const Eigen::Vector2d& point, const CanvasPoints& line);
 
 /// @throws Error if the stroke is shorter than a pixel or not finite.
 void CheckStroke(const CanvasPoints& stroke);

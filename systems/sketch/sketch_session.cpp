@@ -47,7 +47,7 @@ std::vector<render::Stroke> LeftOf(const render::Stroke& stroke, const CanvasPoi
     part.clear();
   };
   for (const Eigen::Vector2d& point : dense) {
-    const bool is_erased = DistanceToLine(point, path) <= reach;
+    const bool is_erased = datasets::DistanceTo(path, point) <= reach;
     is_cut = is_cut || is_erased;
     is_erased ? end_part() : part.push_back(point);
   }

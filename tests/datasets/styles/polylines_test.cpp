@@ -16,6 +16,7 @@ const Polyline kSquare = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
 TEST(Polylines, LengthsAndPlacesAlongALine) {
   EXPECT_EQ(LengthOf(kCorner), 7);
+  EXPECT_EQ(ArcLengths(kCorner), (std::vector<double>{0, 3, 7}));
   EXPECT_TRUE(AtShare(kCorner, 3.0 / 7).isApprox(Vector2d(3, 0)));
   EXPECT_TRUE(AtShare(kCorner, 5.0 / 7).isApprox(Vector2d(3, 2)));
   EXPECT_NEAR(ShareNearest(kCorner, {5, 2}), 5.0 / 7, 1e-12);

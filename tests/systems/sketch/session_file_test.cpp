@@ -60,7 +60,7 @@ TEST_F(SessionFileTest, AMalformedEventIsNamedByItsNumber) {
 TEST_F(SessionFileTest, RefusesOtherFiles) {
   ExpectError([&] { Read("{"); }, "record the session again");
   ExpectError([&] { ReadSession(folder_.path()); }, "no regular file");
-  ExpectError([&] { ReadEvents(R"({"do": ")" + std::string(100'000, 'x') + "\"}"); }, "xxx... is unknown");
+  ExpectError([&] { ReadEvents(R"({"do": ")" + std::string(100'000, 'z') + "\"}"); }, "zzz... is unknown");
   ExpectError([&] { Read("[]"); }, "it has no 'version'");
   ExpectError([&] { Read(R"({"version": 2})"); }, "version 2 (this program reads 1)");
   ExpectError([&] { Read(R"({"version": 1, "sheet": [3, 3], "events": []})"); }, "no list of 1 to");
