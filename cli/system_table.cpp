@@ -53,7 +53,7 @@ const systems::System& SystemOfRun(const std::filesystem::path& run) {
 }
 
 const systems::System& SystemOfRunOrWeights(const std::filesystem::path& folder) {
-  return IsWeightsFolder(folder) ? SystemIn(folder, SystemOf(ReadWeights(folder))) : SystemOfRun(folder);
+  return IsWeightsFolder(folder) ? SystemIn(folder, SystemOf(ReadWeightsManifest(folder))) : SystemOfRun(folder);
 }
 
 }  // namespace daumier::cli

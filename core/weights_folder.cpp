@@ -49,7 +49,7 @@ void CheckNotDamaged(const fs::path& directory) {
                   kRestoreWeights);
 }
 
-Manifest ReadWeights(const fs::path& directory, const std::string& system, const std::vector<std::string>& files) {
+Manifest ReadWeightsManifest(const fs::path& directory, const std::string& system) {
   Manifest manifest = ReadManifest(directory, kWeightsKind);
   const std::string file = (directory / "manifest.json").string();
   const Json version = manifest.details.value("weights_version", Json());
@@ -61,6 +61,12 @@ Manifest ReadWeights(const fs::path& directory, const std::string& system, const
   const std::string found = SystemOf(manifest);
   DAUMIER_CHECK(system.empty() || found == system, "{}: these are weights of '{}' (expected of '{}'). Name others",
                 directory.string(), found, system);
+  return manifest;
+}
+
+Manifest ReadWeights(const fs::path& directory, const std::string& system, const std::vector<std::string>& files) {
+  Manifest manifest = ReadWeightsManifest(directory, system);
+  const std::string file = (directory / "manifest.json").string();
   std::vector<std::string> required = files;
   required.emplace_back(kWeightsCard);
   for (const std::string& name : required)

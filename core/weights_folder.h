@@ -39,6 +39,9 @@ bool IsWeightsFolder(const std::filesystem::path& directory);
 /// holds those of a network and is of another kind.
 void CheckNotDamaged(const std::filesystem::path& directory);
 
+/// The manifest of shipped weights, of which no file is read. @throws Error as ReadWeights, but for what it says of files.
+Manifest ReadWeightsManifest(const std::filesystem::path& directory, const std::string& system = "");
+
 /// The manifest of shipped weights, with every file compared with its checksum.
 /// @throws Error naming file, cause and repair if there are none, if they are of another version or (unless `system` is
 /// empty) of another task, if the card or one of `files` is not listed, or if a file is missing or has changed.

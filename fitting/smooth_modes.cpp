@@ -1,10 +1,12 @@
 #include "fitting/smooth_modes.h"
 
 #include "core/error.h"
+#include "core/parallel.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -58,8 +60,14 @@ SmoothModes MakeSmoothModes(const geometry::Points& positions, const geometry::P
     int axis;
   };
   std::vector<Mode> modes;
-  for (const double sign : {-1.0, 1.0}) {
-    const ScalarModes scalar = ModesOfKernel(centres, positions, options.length_cm, sign, options.least_share);
+  constexpr std::array<double, 2> kSigns = {-1, 1};
+  std::array<ScalarModes, 2> of_sign;
+  OnAllCores(2, [&](int64_t i) {
+    of_sign[size_t(i)] = ModesOfKernel(centres, positions, options.length_cm, kSigns[size_t(i)], options.least_share);
+  });
+  for (size_t i = 0; i < 2; ++i) {
+    const double sign = kSigns[i];
+    const ScalarModes& scalar = of_sign[i];
     for (const int axis : {0, 1}) {
       // Symmetric: x of the image is -x, y is y.
       const bool is_symmetric = (axis == 0) == (sign < 0);

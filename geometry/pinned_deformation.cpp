@@ -45,8 +45,8 @@ PinnedDeformation::PinnedDeformation(const SparseMatrix& laplacian, std::vector<
   from_pins_ = -Selected(energy, free_of, pin_of, Eigen::Index(free_.size()), Eigen::Index(pins_.size()));
   const SparseMatrix of_free =
       Selected(energy, free_of, free_of, Eigen::Index(free_.size()), Eigen::Index(free_.size()));
-  auto factor = std::make_unique<Eigen::SimplicialLLT<SparseMatrix>>(of_free);
-  DAUMIER_CHECK(factor->info() == Eigen::Success,
+  auto factor = std::make_unique<SparseFactor>(of_free);
+  DAUMIER_CHECK(factor->is_positive(),
                 "{} pins do not hold the surface: each part of it needs one, and each vertex a triangle", pins_.size());
   factor_ = std::move(factor);
 }
@@ -54,8 +54,7 @@ PinnedDeformation::PinnedDeformation(const SparseMatrix& laplacian, std::vector<
 Points PinnedDeformation::Solve(const Points& moves) const {
   DAUMIER_CHECK(moves.rows() == Eigen::Index(pins_.size()), "{} moves for {} pins", moves.rows(), pins_.size());
   DAUMIER_CHECK(moves.allFinite(), "a pin's move is not finite");
-  const Eigen::MatrixX3d rhs = from_pins_ * moves;
-  const Eigen::MatrixX3d solution = factor_->solve(rhs);
+  const Points solution = factor_->Solve(from_pins_ * moves);
   Points displacement(Eigen::Index(free_.size() + pins_.size()), 3);
   for (size_t f = 0; f < free_.size(); ++f) displacement.row(free_[f]) = solution.row(Eigen::Index(f));
   for (size_t k = 0; k < pins_.size(); ++k) displacement.row(pins_[k]) = moves.row(Eigen::Index(k));

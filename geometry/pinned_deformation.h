@@ -1,7 +1,6 @@
 #pragma once
 #include "geometry/operators.h"
-
-#include <Eigen/SparseCholesky>
+#include "geometry/sparse_factor.h"
 
 #include <memory>
 #include <vector>
@@ -27,7 +26,7 @@ class PinnedDeformation {
  private:
   std::vector<int> pins_, free_;
   SparseMatrix from_pins_;  ///< F x K: right-hand side by moves of pins.
-  std::unique_ptr<const Eigen::SimplicialLLT<SparseMatrix>> factor_;
+  std::unique_ptr<const SparseFactor> factor_;
 };
 
 }  // namespace daumier::geometry

@@ -3,13 +3,14 @@
 #include "core/error.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <vector>
 
 namespace daumier::render {
 namespace {
 
-constexpr int kLevel = 6;
+constexpr int kLevel = 1;
 
 struct Output {
   std::string bytes;
@@ -32,7 +33,8 @@ bool Write(png_structp png, png_infop info, const Image& image, png_bytepp rows,
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_write_fn(png, &output, Append, nullptr);
   png_set_compression_level(png, kLevel);
-  png_set_compression_strategy(png, 0);
+  png_set_compression_strategy(png, Z_RLE);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
   png_set_IHDR(png, info, png_uint_32(image.width), png_uint_32(image.height), 8,
                image.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -16,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -61,15 +62,25 @@ std::vector<std::string> WriteResult(const fs::path& folder, const std::string& 
   return files;
 }
 
-/// The finished head of the template of the last face: a predictor has one template.
+/// The finished head of the template of the last face. A predictor has one template, whose head is made while the
+/// first face is predicted.
 class LastHead {
  public:
+  explicit LastHead(std::shared_ptr<const faces::FaceTemplate> face_template)
+      : face_template_(std::move(face_template)) {
+    if (face_template_ == nullptr) return;
+    ready_ = std::async(std::launch::async,
+                        [face_template = face_template_] { return faces::FinishedHead(*face_template); });
+  }
+
   /// Null for a result without a mesh.
   const faces::FinishedHead* Of(const FaceResult& face) {
     if (face.face_template == nullptr) return nullptr;
     if (face_template_ != face.face_template) {
       head_.emplace(*face.face_template);
       face_template_ = face.face_template;
+    } else if (!head_.has_value()) {
+      head_ = ready_.get();
     }
     return &*head_;
   }
@@ -77,6 +88,7 @@ class LastHead {
  private:
   std::shared_ptr<const faces::FaceTemplate> face_template_;
   std::optional<faces::FinishedHead> head_;
+  std::future<faces::FinishedHead> ready_;
 };
 
 }  // namespace
@@ -93,7 +105,7 @@ PredictionSummary PredictFiles(const System& system, const Predictor& predictor,
                                                           : fmt::format("{} holds the results of {}",
                                                                         out_directory.string(), summary.num_results)));
   };
-  LastHead head;
+  LastHead head(inputs.inputs.empty() ? nullptr : predictor.face_template());
   const Task silent(task.stop);  // What a predictor reports of one input is no progress of them all.
   for (int64_t i = 0; i < num_inputs; ++i) {
     const PredictionInput& named = inputs.inputs[i];

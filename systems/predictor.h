@@ -57,6 +57,8 @@ class Predictor {
   virtual ~Predictor() = default;
   /// The inputs that an input is predicted as: itself alone, or those of the faces that it holds, in their order.
   virtual std::vector<Input> Separate(Input input) const { return {std::move(input)}; }
+  /// The template of all its faces; null if it makes no meshes, or has several templates.
+  virtual std::shared_ptr<const faces::FaceTemplate> face_template() const { return nullptr; }
   /// One face an input, in order. @throws Error if the system does not take an input's kind, or finds no face in it, of
   /// several inputs with the position in the list ("input 2 of 5: ..."); Cancelled if the task is.
   virtual std::vector<FaceResult> Predict(std::span<const Input> inputs, const Task& task = {}) const = 0;

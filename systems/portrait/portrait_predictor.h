@@ -63,6 +63,7 @@ class PortraitPredictor : public systems::Predictor {
   PortraitPredictor(PortraitRunFolder run, std::shared_ptr<const runtime::NetworkRunner> network,
                     std::unique_ptr<const LandmarkPredictor> landmarks, const PortraitPredictOptions& options = {});
 
+  std::shared_ptr<const faces::FaceTemplate> face_template() const override { return face_template_; }
   /// One face a picture, the one of highest confidence: vertices in the source's frame and cm, not posed; identity and
   /// expression of the 3DMM, to which a fine face is aligned further; landmarks of the mesh; record {stage: "fine" or "coarse", coefficients:
   /// {identity, expression, albedo, light, pose}, crop: {linear, shift}, landmarks: [[x, y], ...] in pixels of the

@@ -5,6 +5,7 @@
 #include "geometry/operators.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace daumier::sketch {
@@ -30,11 +31,11 @@ CurveFollower::CurveFollower(std::shared_ptr<const SketchPredictor> predictor, I
   const faces::FaceGaussian& gaussian = predictor_->run().models.gaussian;
   DAUMIER_CHECK(gaussian.size() > 0, "{}: the run has no normal distribution of faces",
                 predictor_->run().directory.string());
-  curve_rows_.resize(2 * std::ssize(pins), gaussian.size());
+  curve_effects_.resize(gaussian.size(), 2 * std::ssize(pins));
   const Eigen::Matrix<double, 2, 3> pixels_from_cm = curves.camera.scale * curves.camera.camera_from_world.topRows<2>();
   for (Eigen::Index pin = 0; pin < std::ssize(pins); ++pin)
-    curve_rows_.middleRows<2>(2 * pin) =
-        pixels_from_cm * gaussian.rows.middleCols<3>(3 * Eigen::Index(pins[size_t(pin)])).transpose().cast<double>();
+    curve_effects_.middleCols<2>(2 * pin) =
+        gaussian.rows.middleCols<3>(3 * Eigen::Index(pins[size_t(pin)])).cast<double>() * pixels_from_cm.transpose();
   deformation_ = std::make_unique<geometry::PinnedDeformation>(
       geometry::UniformLaplacian(face_template.triangles, face_template.num_vertices()), std::move(pins));
 }
@@ -75,24 +76,28 @@ geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const 
   const faces::FaceGaussian& gaussian = predictor_->run().models.gaussian;
   const geometry::Points seen =
       render::Project(predictor_->curves().camera, start.vertices(deformation_->pins(), Eigen::all));
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(gaussian.size(), gaussian.size());
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(gaussian.size());
+  // Of redrawn points: what components do to them, and how far they are to move, over their deviation.
+  Eigen::MatrixXd effects(gaussian.size(), 2 * std::ssize(pin_of_point_));
+  Eigen::VectorXd moved(2 * std::ssize(pin_of_point_));
+  Eigen::Index size = 0;
   size_t point = 0;
   for (const SessionCurve& curve : lines.curves) {
     const size_t first = point;
     point += curve.points.size();
     if (curve.drawn == 0) continue;
     const double num_independent = std::max(1.0, datasets::LengthOf(curve.points) / kIndependent);
-    const double weight = num_independent / double(curve.points.size()) / (kLineDeviation * kLineDeviation);
+    const double share = std::sqrt(num_independent / double(curve.points.size())) / kLineDeviation;
     for (size_t i = 0; i < curve.points.size(); ++i) {
       const int pin = pin_of_point_[first + i];
-      const auto rows = curve_rows_.middleRows<2>(2 * Eigen::Index(pin));
-      const Eigen::Vector2d moved = curve.points[i] - seen.row(pin).head<2>().transpose();
-      normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose(), weight);
-      rhs += weight * (rows.transpose() * moved);
+      effects.middleCols<2>(size) = share * curve_effects_.middleCols<2>(2 * Eigen::Index(pin));
+      moved.segment<2>(size) = share * (curve.points[i] - seen.row(pin).head<2>().transpose());
+      size += 2;
     }
   }
-  if (rhs.isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
+  if (moved.head(size).isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(gaussian.size(), gaussian.size());
+  normal.selfadjointView<Eigen::Lower>().rankUpdate(effects.leftCols(size));
+  const Eigen::VectorXd rhs = effects.leftCols(size) * moved.head(size);
   const Eigen::VectorXf weights = normal.selfadjointView<Eigen::Lower>().llt().solve(rhs).cast<float>();
   const Eigen::VectorXf change = gaussian.rows.transpose() * weights;
   return geometry::PointsFrom(std::span(change.data(), size_t(change.size())));

@@ -63,7 +63,7 @@ class CurveFollower {
   Inference inference_;
   std::vector<int> pin_of_point_;  ///< K: which pin the vertex of each curve point is.
   std::unique_ptr<const geometry::PinnedDeformation> deformation_;
-  Eigen::MatrixXd curve_rows_;  ///< 2P x K: what components of faces do to pins on the canvas, pixels.
+  Eigen::MatrixXd curve_effects_;  ///< K x 2P: what components of faces do to pins on the canvas, pixels.
 };
 
 }  // namespace daumier::sketch

@@ -191,11 +191,10 @@ std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::p
   std::optional<SketchRunFolder> folder;
   std::unique_ptr<runtime::NetworkRunner> network;
   std::shared_ptr<const DrawingParser> parser;
-  OnAllCores(2, [&](int64_t part) {
-    if (part == 0) {
-      folder = ReadSketchFolder(run);
-      network = systems::OpenNetwork(run, device);
-    } else if (is_framed) {
+  OnAllCores(3, [&](int64_t part) {  // On two cores the first beside the others, which take as long.
+    if (part == 0) folder = ReadSketchFolder(run);
+    if (part == 1) network = systems::OpenNetwork(run, device);
+    if (part == 2 && is_framed) {
       parser = std::make_shared<DrawingParser>(OpenDrawingParser(of_parser, device, parsed.parsing));
     }
   });

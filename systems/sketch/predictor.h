@@ -62,6 +62,7 @@ class SketchPredictor : public systems::Predictor {
 
   /// Several faces on one sheet are predicted with faces=all, and else the largest, with a warning (FacesOnSheet).
   std::vector<systems::Input> Separate(systems::Input input) const override;
+  std::shared_ptr<const faces::FaceTemplate> face_template() const override { return face_template_; }
   /// Drawings, and images of line drawings (render::TraceLineDrawing). record holds the frame; of a parsed drawing states
   /// and view, the turn of the head and how well the face fits. @throws Error if the drawing shows a profile.
   std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs,
