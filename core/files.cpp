@@ -43,6 +43,16 @@ std::string Cause(int error_number) {
       return "no space left on the disk; free some or choose another folder";
     case EDQUOT:
       return "disk quota exceeded; free some space or choose another folder";
+    case EACCES:
+    case EPERM:
+      return "permission denied; change the permissions, or choose another place";
+    case ENAMETOOLONG:
+      return "the name is too long; choose a shorter one";
+    case EMFILE:
+    case ENFILE:
+      return "too many open files; close other programs, or raise the limit (ulimit -n)";
+    case EROFS:
+      return "the file system is read-only; choose another place";
     default:
       return std::strerror(error_number);
   }

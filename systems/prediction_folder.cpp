@@ -11,6 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a file, bytes: what file systems take, less the suffix of a file that is being written. Of it, how much is shown.
+constexpr size_t kLongestName = 255 - 4, kMostShown = 40;
+
 constexpr const char* kKind = "predictions";
 constexpr const char* kManifestOfFolder = "manifest.json";
 constexpr const char* kStaging = ".partial";  ///< Folder in the folder, where a result is before it is whole.
@@ -89,6 +92,12 @@ void CheckPredictionFolder(const System& system, const fs::path& out_directory, 
   std::vector<std::string> written;
   for (const PredictionInput& input : inputs.inputs)
     for (std::string& file : FilesOfResult(system, input.name)) written.push_back(std::move(file));
+  for (const std::string& file : written)
+    if (file.size() > kLongestName)
+      throw UsageError(
+          fmt::format("the result {}... would have a name of {} bytes (expected at most {}). Rename the "
+                      "input",
+                      file.substr(0, kMostShown), file.size(), kLongestName));
   CheckOwnFiles(out_directory, written);
 }
 

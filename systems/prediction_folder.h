@@ -18,7 +18,8 @@ namespace daumier::systems {
 OutputKind PredictionOutput();
 
 /// @throws UsageError as CheckOutputFolder, if an input lies in `out_directory`, if that holds predictions of another
-/// task, or if a file in it would be lost that is no result of an earlier prediction (CheckOwnFiles).
+/// task, if a file of a result would have a longer name than files can have, or if a file in the folder would be lost
+/// that is no result of an earlier prediction (CheckOwnFiles).
 void CheckPredictionFolder(const System& system, const std::filesystem::path& out_directory,
                            const std::filesystem::path& run, const PredictionInputs& inputs);
 

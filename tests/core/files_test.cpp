@@ -91,6 +91,13 @@ TEST(Files, WriteIntoAnAbsentFolderNamesFileAndCause) {
             "cannot write " + path + ": No such file or directory");
 }
 
+TEST(Files, WriteToANameThatIsTooLongNamesTheRepair) {
+  const TempDir dir;
+  const std::string path = (dir / std::string(300, 'n')).string();
+  EXPECT_EQ(FailureOfCall([&] { WriteFileAtomically(path, "x"); }),
+            "cannot write " + path + ": the name is too long; choose a shorter one");
+}
+
 TEST(Files, WriteOntoAFolderLeavesNothingBehind) {
   const TempDir dir;
   MakeDirectory(dir / "taken/inside");

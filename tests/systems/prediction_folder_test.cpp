@@ -70,6 +70,14 @@ TEST_F(PredictionFolderTest, TheManifestListsAResultBeforeItIsThere) {
   EXPECT_EQ(Names(), (std::set<std::string>{"anna.png", "anna.pts", "manifest.json"}));
 }
 
+TEST_F(PredictionFolderTest, NamesThatNoFileCanHaveAreRefusedAtOnce) {
+  inputs_.inputs.push_back({std::string(248, 'n'), "long.jpg", {}});
+  testing::ExpectError([&] { Open(); }, "a name of 252 bytes (expected at most 251). Rename the input");
+  EXPECT_FALSE(fs::exists(out()));
+  inputs_.inputs.back().name.pop_back();
+  EXPECT_NO_THROW(Open().Add(inputs_.inputs.back(), Json::object(), {}, Both(inputs_.inputs.back())));
+}
+
 TEST_F(PredictionFolderTest, AFailedFirstResultLeavesNoFolder) {
   PredictionFolder folder = Open();
   EXPECT_THROW(folder.Add(anna(), Json::object(), {}, FullDisk(anna())), Error);
