@@ -71,7 +71,8 @@ DrawingFitter::DrawingFitter(const SketchRunFolder& run, std::shared_ptr<const D
       options_(options),
       fitter_(run.face_template, run.camera, GaussianOf(run), options.solver),
       points_(faces::FindFacePoints(run.face_template)),
-      camera_(run.camera) {
+      camera_(run.camera),
+      resting_face_(run.face_template.neutral.transpose().reshaped().cast<float>()) {
   const Eigen::VectorXf& mean = run.models.gaussian.mean;
   mean_projected_ =
       render::Project(run.camera, geometry::PointsFrom(std::span(mean.data(), size_t(mean.size())))).leftCols<2>();
@@ -94,9 +95,11 @@ fitting::LabelledFit DrawingFitter::Fit(const ParsedDrawing& drawing, const rend
   std::optional<fitting::LabelledFit> fit = fitter_.Fit(ToLabelled(drawing, frame, options_.least_support), prior);
   DAUMIER_CHECK(fit.has_value(), "no point of a face is found in the drawing. Is it one face, drawn by lines?");
   const auto trust = float(TrustOf(NumFeatures(drawing), options_.half_trust));
-  const std::vector<float> mean = fitting::TurnedAs(*fit, fitter_.gaussian().mean);
-  for (size_t i = 0; i < mean.size(); ++i) fit->vertices[i] = trust * fit->vertices[i] + (1 - trust) * mean[i];
-  fit->coefficients *= trust;
+  const std::vector<float> resting = fitting::TurnedAs(*fit, resting_face_);
+  for (size_t i = 0; i < resting.size(); ++i) fit->vertices[i] = trust * fit->vertices[i] + (1 - trust) * resting[i];
+  fit->coefficients = trust * fit->coefficients +
+                      (1 - trust) * faces::CoefficientsOf(fitter_.gaussian(), std::span(resting_face_.data(),
+                                                                                        size_t(resting_face_.size())));
   return *std::move(fit);
 }
 

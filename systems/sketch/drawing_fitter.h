@@ -24,8 +24,7 @@ struct DrawingFitOptions {
           "Share of its confidence that a point keeps where no line of the drawing can show it.");
     visit("half_trust", half_trust, Range{0, 6},
           "Number of drawn features of the six of a face (two eyes, brows, nose, mouth, contour) at which the fitted "
-          "face "
-          "counts as much as the mean face. 0: the fitted face counts alone.");
+          "face counts as much as the neutral face of the template. 0: the fitted face counts alone.");
     visit("solver", solver, Table{}, "The solver.");
   }
 };
@@ -62,7 +61,8 @@ class DrawingFitter {
   render::Placement FrameOf(const ParsedDrawing& drawing) const { return FrameOn(drawing, mean_projected_); }
   render::Placement FrameOf(const ParsedDrawing& drawing, std::span<const float> vertices) const;
   /// The face on the canvas of the camera, from the vertices (3V, cm) that a network predicts. frame: FrameOf. Vertices are
-  /// the mean over what the parse may be, right (TrustOf) or not: trust * fitted face + (1 - trust) * mean face.
+  /// the mean over what the parse may be, right (TrustOf) or not: trust * fitted face + (1 - trust) * neutral face of the
+  /// template. The mean of all faces, whose mouth is a little open, is not what people expect of a mouth they have not drawn.
   fitting::LabelledFit Fit(const ParsedDrawing& drawing, const render::Placement& frame,
                            std::span<const float> predicted) const;
   /// Parse, FrameOf, Fit.
@@ -76,6 +76,7 @@ class DrawingFitter {
   fitting::LabelledFitter fitter_;
   faces::FacePointVertices points_;
   render::Camera camera_;
+  Eigen::VectorXf resting_face_;     ///< 3V, cm: the neutral face of the template.
   Eigen::MatrixX2d mean_projected_;  ///< The mean face, V x 2, on the canvas.
 };
 

@@ -167,12 +167,12 @@ TEST(TrustOf, IsHalfAtHalfTrust) {
   EXPECT_EQ(TrustOf(0, 0), 1);
 }
 
-TEST_F(DrawingFitterTest, OfALoneEyeTheMeanFaceIsLeft) {
+TEST_F(DrawingFitterTest, OfALoneEyeTheNeutralFaceIsLeft) {
   ParsedDrawing drawing = DrawingOfPoints(MeanFace(), kSheet);
   drawing.strokes.resize(4);
   drawing.labels.resize(4);
   const auto distance = [&](const std::vector<float>& face) {
-    return (geometry::PointsFrom(face) - geometry::PointsFrom(MeanFace())).rowwise().norm().mean();
+    return (geometry::PointsFrom(face) - run_->face_template.neutral).rowwise().norm().mean();
   };
   const fitting::LabelledFit fit = fitter_->Fit(drawing, render::Inverse(kSheet), OtherFace());
   EXPECT_LT(distance(fitting::Upright(fit)), 0.1 * distance(OtherFace()));
