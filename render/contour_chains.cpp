@@ -35,11 +35,12 @@ std::vector<int> Partners(const std::vector<ContourSegment>& segments) {
 }
 
 ContourChain Assembled(const std::vector<ContourSegment>& segments, const std::deque<int>& ends, bool closed) {
-  ContourChain chain{geometry::Points(ends.size(), 3), Eigen::VectorXd(ends.size()), closed};
+  ContourChain chain{geometry::Points(ends.size(), 3), Eigen::VectorXd(ends.size()), {}, closed};
   Eigen::Index row = 0;
   for (const int end : ends) {
     chain.points.row(row) = EndOf(segments, end).point;
     chain.strength[row++] = EndOf(segments, end).strength;
+    chain.edges.push_back(EndOf(segments, end).edge);
   }
   return chain;
 }

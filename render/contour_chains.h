@@ -7,8 +7,9 @@ namespace daumier::render {
 
 /// Pieces of contours joined end to end.
 struct ContourChain {
-  geometry::Points points;   ///< P x 3, in cm; a closed chain repeats its first point.
-  Eigen::VectorXd strength;  ///< P, ContourEnd::strength.
+  geometry::Points points;                     ///< P x 3, in cm; a closed chain repeats its first point.
+  Eigen::VectorXd strength;                    ///< P, ContourEnd::strength.
+  std::vector<std::array<int, 2>> edges = {};  ///< P, ContourEnd::edge.
   bool closed = false;
 };
 

@@ -28,6 +28,7 @@ TEST(ChainContours, SegmentsThatMeetOnAnEdgeBecomeOneChainInTheDirectionOfTheFir
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_EQ(Xs(chains[0]), (std::vector<double>{1, 2, 3, 4}));
   EXPECT_EQ(chains[0].strength[3], 40);
+  EXPECT_EQ(chains[0].edges[2], (std::array{5, 6}));
   EXPECT_FALSE(chains[0].closed);
 }
 

@@ -1,0 +1,139 @@
+#include "geometry/region_deformation.h"
+
+#include "core/error.h"
+#include "geometry/normals.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <utility>
+
+namespace daumier::geometry {
+namespace {
+
+/// The rows and columns of a symmetric matrix that have a place, in the order of the places.
+SparseMatrix OfRegion(const SparseMatrix& matrix, const std::vector<int>& region, const std::vector<int>& place_of) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (size_t column = 0; column < region.size(); ++column)
+    for (SparseMatrix::InnerIterator entry(matrix, region[column]); entry; ++entry)
+      if (const int row = place_of[size_t(entry.row())]; row >= 0)
+        triplets.emplace_back(row, int(column), entry.value());
+  SparseMatrix selected(Eigen::Index(region.size()), Eigen::Index(region.size()));
+  selected.setFromTriplets(triplets.begin(), triplets.end());
+  return selected;
+}
+
+}  // namespace
+
+SurfaceStiffness MakeSurfaceStiffness(const TriangleMesh& rest) {
+  SurfaceStiffness stiffness{CotangentLaplacian(rest), VertexAreas(rest), {}};
+  for (Eigen::Index v = 0; v < stiffness.areas.size(); ++v)
+    DAUMIER_CHECK(stiffness.areas[v] > 0, "vertex {} belongs to no triangle; remove it before deforming", v);
+  const SparseMatrix scaled = stiffness.areas.cwiseInverse().asDiagonal() * stiffness.laplacian;
+  stiffness.bending = stiffness.laplacian * scaled;
+  return stiffness;
+}
+
+RegionDeformation::RegionDeformation(const SurfaceStiffness& stiffness, std::vector<int> region, double reach)
+    : region_(std::move(region)) {
+  const Eigen::Index num_vertices = stiffness.areas.size();
+  DAUMIER_CHECK(!region_.empty(), "a region without vertices");
+  DAUMIER_CHECK(reach > 0, "a reach of {} cm, expected a positive one", reach);
+  place_of_vertex_.assign(size_t(num_vertices), -1);
+  for (size_t place = 0; place < region_.size(); ++place) {
+    const int v = region_[place];
+    DAUMIER_CHECK(v >= 0 && v < num_vertices, "vertex {} of a region is out of range, there are {}", v, num_vertices);
+    DAUMIER_CHECK(place_of_vertex_[size_t(v)] < 0, "vertex {} is in a region twice", v);
+    place_of_vertex_[size_t(v)] = int(place);
+  }
+  areas_ = stiffness.areas(region_);
+  // E = d^T (L + a M) M^-1 (L + a M) d, a = 1 / reach^2.
+  const double a = 1 / (reach * reach);
+  energy_ = OfRegion(stiffness.bending, region_, place_of_vertex_) +
+            2 * a * OfRegion(stiffness.laplacian, region_, place_of_vertex_);
+  energy_.diagonal() += a * a * areas_;
+  auto factor = std::make_unique<Factor>(energy_);
+  DAUMIER_CHECK(factor->info() == Eigen::Success,
+                "the energy of a region of {} vertices is singular at a reach of {} cm", region_.size(), reach);
+  factor_ = std::move(factor);
+}
+
+std::vector<int> RegionDeformation::Places(const std::vector<int>& handles) const {
+  DAUMIER_CHECK(!handles.empty(), "there is no handle; mark some");
+  std::vector<int> places;
+  std::vector<bool> is_handle(region_.size(), false);
+  for (const int v : handles) {
+    const bool is_inside = v >= 0 && v < std::ssize(place_of_vertex_) && place_of_vertex_[size_t(v)] >= 0;
+    DAUMIER_CHECK(is_inside, "handle {} is not in the region", v);
+    places.push_back(place_of_vertex_[size_t(v)]);
+    DAUMIER_CHECK(!is_handle[size_t(places.back())], "vertex {} is a handle twice", v);
+    is_handle[size_t(places.back())] = true;
+  }
+  return places;
+}
+
+RegionDeformation::UnitSolutions RegionDeformation::SubstituteUnits(const std::vector<int>& places) const {
+  const SparseMatrix& lower = factor_->matrixL().nestedExpression();
+  const auto row_of = [&](int place) { return factor_->permutationP().indices()[place]; };
+  std::vector<int> index(size_t(lower.cols()), -1);
+  for (const int place : places) index[size_t(row_of(place))] = 0;
+  // Not 0 are the ancestors of the units in the elimination tree: the parent of j is the first row below the diagonal.
+  UnitSolutions solutions;
+  for (int j = 0; j < lower.cols(); ++j) {
+    if (index[size_t(j)] < 0) continue;
+    index[size_t(j)] = int(solutions.rows.size());
+    solutions.rows.push_back(j);
+    SparseMatrix::InnerIterator entry(lower, j);  // The first of a column is its diagonal.
+    if (++entry) index[size_t(entry.row())] = 0;
+  }
+  Rows& x = solutions.values;
+  x = Rows::Zero(std::ssize(solutions.rows), std::ssize(places));
+  for (size_t k = 0; k < places.size(); ++k) x(index[size_t(row_of(places[k]))], Eigen::Index(k)) = 1;
+  for (Eigen::Index i = 0; i < x.rows(); ++i) {
+    SparseMatrix::InnerIterator entry(lower, solutions.rows[size_t(i)]);
+    x.row(i) /= entry.value();
+    for (++entry; entry; ++entry) x.row(index[size_t(entry.row())]).noalias() -= entry.value() * x.row(i);
+  }
+  return solutions;
+}
+
+Eigen::MatrixXd RegionDeformation::Solve(const std::vector<int>& handles, const Eigen::MatrixXd& moves) const {
+  const std::vector<int> places = Places(handles);
+  DAUMIER_CHECK(moves.rows() == std::ssize(handles), "{} moves for {} handles", moves.rows(), handles.size());
+  DAUMIER_CHECK(moves.allFinite(), "a handle's move is not finite");
+  std::vector<bool> is_handle(region_.size(), false);
+  for (const int place : places) is_handle[size_t(place)] = true;
+  std::vector<int> coupled, coupled_rows;
+  for (size_t k = 0; k < places.size(); ++k) {
+    bool is_coupled = false;
+    for (SparseMatrix::InnerIterator entry(energy_, places[k]); entry && !is_coupled; ++entry)
+      is_coupled = !is_handle[size_t(entry.row())];
+    if (!is_coupled) continue;
+    coupled.push_back(places[k]);
+    coupled_rows.push_back(int(k));
+  }
+  // With E = |U d|^2, U the transposed lower factor, and y the columns of the inverse of U^T at the handles: U d is in
+  // their span, and y^T U d = moves.
+  Eigen::MatrixXd displacement = Eigen::MatrixXd::Zero(std::ssize(region_), moves.cols());
+  if (!coupled.empty()) {
+    const UnitSolutions y = SubstituteUnits(coupled);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(std::ssize(coupled), std::ssize(coupled));
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(y.values.transpose());
+    const Eigen::LLT<Eigen::MatrixXd> factor(gram);
+    DAUMIER_CHECK(factor.info() == Eigen::Success, "{} handles nearly coincide", coupled.size());
+    const Eigen::MatrixXd forces = factor.solve(moves(coupled_rows, Eigen::all));
+    displacement(y.rows, Eigen::all) = y.values * forces;
+    displacement = factor_->permutationPinv() * factor_->matrixU().solve(displacement);
+  }
+  displacement(places, Eigen::all) = moves;
+  return displacement;
+}
+
+Eigen::VectorXd RegionDeformation::Dome(const std::vector<int>& handles) const {
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(std::ssize(region_));
+  for (const int place : Places(handles)) pressure[place] = areas_[place];
+  const Eigen::VectorXd displacement = factor_->solve(pressure);
+  return displacement / displacement.maxCoeff();
+}
+
+}  // namespace daumier::geometry
