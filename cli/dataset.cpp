@@ -9,6 +9,7 @@
 #include "core/weights_folder.h"
 #include "datasets/build/coverage.h"
 #include "datasets/build/faces.h"
+#include "datasets/build/gestures.h"
 #include "datasets/build/level_measures.h"
 #include "datasets/build/points.h"
 #include "datasets/build/portraits.h"
@@ -47,6 +48,10 @@ std::vector<fs::path> InputsOf(const datasets::PortraitsOptions& options) {
   return {options.faces, options.source.path, options.source.annotation, options.source.template_mesh};
 }
 
+std::vector<fs::path> InputsOf(const datasets::GesturesOptions&) {
+  return {};
+}
+
 /// Of sketches and points.
 template <class Options>
 std::vector<fs::path> InputsOf(const Options& options) {
@@ -54,6 +59,8 @@ std::vector<fs::path> InputsOf(const Options& options) {
 }
 
 void RequireInputs(const std::string&, const datasets::FacesOptions&) {}
+
+void RequireInputs(const std::string&, const datasets::GesturesOptions&) {}
 
 /// Of sketches, points and portraits. @throws UsageError without a folder of faces.
 template <class Options>
@@ -307,7 +314,7 @@ std::function<void()> AddModel(CLI::App& parent) {
 }  // namespace
 
 Verb DatasetVerb() {
-  return {"dataset", "Build faces, sketches, surface points and portraits, look at them, count them",
+  return {"dataset", "Build faces, sketches, surface points, portraits and pen gestures, look at them, count them",
           [](CLI::App& command) {
             command.require_subcommand(1);
             const std::vector<std::pair<std::string, std::function<void()>>> actions = {
@@ -319,6 +326,9 @@ Verb DatasetVerb() {
                                command, "points", "Points on the surface of every face of a database, and attributes",
                                datasets::BuildPoints)},
                 {"portraits", AddPortraits(command)},
+                {"gestures", AddBuilder<datasets::GesturesOptions>(
+                                 command, "gestures", "Pen gestures of one stroke, and strokes that are none",
+                                 datasets::BuildGestures)},
                 {"model", AddModel(command)},
                 {"stats", AddStats(command)},
                 {"gallery", AddGallery(command)},

@@ -2,6 +2,10 @@
 
 #include "core/training.h"
 #include "systems/sketch/evaluation_options.h"
+#include "systems/sketch/gesture_evaluation_options.h"
+#include "systems/sketch/gesture_metrics.h"
+#include "systems/sketch/gesture_options.h"
+#include "systems/sketch/gesture_predictor.h"
 #include "systems/sketch/input_drawing.h"
 #include "systems/sketch/metrics.h"
 #include "systems/sketch/options.h"
@@ -78,8 +82,40 @@ systems::System ParserSystem() {
   };
 }
 
+systems::System GestureSystem() {
+  return {
+      .name = kGestureSystem,
+      .room = "systems/sketch",
+      .training_help = [] { return HelpText<GestureTrainingOptions>(); },
+      .evaluation_help = [] { return HelpText<GestureEvalOptions>(); },
+      .resolve_config =
+          [](const Json& config, const std::string& where) {
+            return ToJson(ParseTraining<GestureTrainingOptions>(config, where));
+          },
+      .resolve_evaluation =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<GestureEvalOptions>(options, where));
+          },
+      .read_metrics =
+          [](const Json& metrics) {
+            return reports::TableFromMetrics(metrics, GestureColumns(), "a run that classifies gestures");
+          },
+      .summary_columns = GestureSummaryColumns,
+      .resolve_prediction =
+          [](const Json& options, const std::string& where) {
+            return ToJson(ParseOptions<GesturePredictOptions>(options, where));
+          },
+      .open = OpenGesturePredictor,
+      .read_inputs = ReadDrawingInputs,
+      .input_extensions = DrawingExtensions(),
+      .shipped_rank = -2,
+      .picture_content = systems::LineDrawings(),
+      .result_files = {".json"},
+  };
+}
+
 std::vector<systems::System> SketchSystems() {
-  return {SketchSystem(), ParserSystem()};
+  return {SketchSystem(), ParserSystem(), GestureSystem()};
 }
 
 }  // namespace daumier::sketch

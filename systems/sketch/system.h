@@ -10,6 +10,9 @@ systems::System SketchSystem();
 /// The row of the parser of drawings.
 systems::System ParserSystem();
 
+/// The row of the classifier of pen gestures.
+systems::System GestureSystem();
+
 /// The rows of this room.
 std::vector<systems::System> SketchSystems();
 

@@ -4,6 +4,10 @@
 #include "export/run_export.h"
 #include "systems/sketch/train/evaluation.h"
 #include "systems/sketch/train/export.h"
+#include "systems/sketch/train/gesture_evaluation.h"
+#include "systems/sketch/train/gesture_export.h"
+#include "systems/sketch/train/gesture_run.h"
+#include "systems/sketch/train/gesture_training.h"
 #include "systems/sketch/train/parser_evaluation.h"
 #include "systems/sketch/train/parser_export.h"
 #include "systems/sketch/train/parser_run.h"
@@ -43,6 +47,20 @@ double ParserInferMs(const std::filesystem::path& run) {
   return MedianMs([&] { network->forward(picture); });
 }
 
+reports::Evaluation EvaluateGesturesJson(const std::filesystem::path& run, const Json& options, FolderCache& databases,
+                                         const Task& task) {
+  return EvaluateGestures(run, ParseOptions<GestureEvalOptions>(options), databases, task);
+}
+
+double GestureInferMs(const std::filesystem::path& run) {
+  const at::NoGradGuard no_grad;
+  const GestureRun loaded = LoadGestureRun(run);
+  const int side = loaded.network_options.raster().side;
+  torch::nn::Sequential network = loaded.network;
+  const torch::Tensor picture = torch::zeros({1, 1, side, side});
+  return MedianMs([&] { network->forward(picture); });
+}
+
 }  // namespace
 
 systems::SystemTraining SketchTraining() {
@@ -65,8 +83,18 @@ systems::SystemTraining ParserTraining() {
           .make_network = MakeParserFunction};
 }
 
+systems::SystemTraining GestureTraining() {
+  return {.name = kGestureSystem,
+          .train = TrainGestures,
+          .evaluate = EvaluateGesturesJson,
+          .describe_export = DescribeGestureExport,
+          .infer_ms = GestureInferMs,
+          .validation_metric = "error_percent",
+          .make_network = MakeGestureFunction};
+}
+
 std::vector<systems::SystemTraining> SketchTrainings() {
-  return {SketchTraining(), ParserTraining()};
+  return {SketchTraining(), ParserTraining(), GestureTraining()};
 }
 
 }  // namespace daumier::sketch

@@ -10,6 +10,9 @@ systems::SystemTraining SketchTraining();
 /// The row of the parser of drawings.
 systems::SystemTraining ParserTraining();
 
+/// The row of the classifier of pen gestures.
+systems::SystemTraining GestureTraining();
+
 /// The rows of this room.
 std::vector<systems::SystemTraining> SketchTrainings();
 

@@ -1,0 +1,33 @@
+#include "datasets/gestures/glyph_strokes.h"
+
+#include "datasets/gestures/stroke_measures.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace daumier::datasets {
+namespace {
+
+TEST(Glyphs, AreNamedAndNoneIsALineOrARing) {
+  std::set<std::string> names;
+  for (const Glyph& glyph : Glyphs()) {
+    names.insert(glyph.name);
+    ASSERT_GE(glyph.points.size(), 3u) << glyph.name;
+    const StrokeMeasures measures = MeasureStroke(glyph.points);
+    EXPECT_FALSE(measures.is_nearly_straight()) << glyph.name;
+    EXPECT_FALSE(measures.is_nearly_closed()) << glyph.name;
+  }
+  EXPECT_EQ(names.size(), Glyphs().size());
+  EXPECT_GE(names.size(), 50u);
+}
+
+TEST(DrawGlyph, WritesTheSameEachTimeAndDifferentOnes) {
+  Rng one(4), again(4);
+  const Polyline first = DrawGlyph(one);
+  EXPECT_EQ(first, DrawGlyph(again));
+  EXPECT_NE(first, DrawGlyph(one));
+}
+
+}  // namespace
+}  // namespace daumier::datasets

@@ -1,0 +1,64 @@
+#include "datasets/gestures/near_gestures.h"
+
+#include "datasets/gestures/stroke_measures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace daumier::datasets {
+namespace {
+
+constexpr int kDrawn = 150;
+
+TEST(ManyLoops, TurnAtLeastFourTimes) {
+  Rng rng(1);
+  for (int i = 0; i < kDrawn; ++i) EXPECT_GT(std::abs(MeasureStroke(ManyLoops(rng)).turns), 3.5);
+}
+
+TEST(LevelLoops, LieAlongALevelOrAnUprightLine) {
+  Rng rng(2);
+  for (int i = 0; i < kDrawn; ++i) {
+    const Polyline line = LevelLoops(rng);
+    const Eigen::Vector2d way = (line.back() - line.front()).cwiseAbs();
+    EXPECT_LT(way.minCoeff(), 0.13 * way.maxCoeff());
+  }
+}
+
+TEST(MixedLoops, DoNotTurnAsOftenAsTheyHaveLoops) {
+  Rng rng(3);
+  for (int i = 0; i < kDrawn; ++i) {
+    const double turns = std::abs(MeasureStroke(MixedLoops(rng)).turns);
+    EXPECT_LT(std::min(std::abs(turns - std::round(turns)), 1.0), 0.5);
+    EXPECT_LT(turns, 2.2);
+  }
+}
+
+TEST(TurnedArrow, IsHigherThanAnArrowMayTilt) {
+  Rng rng(4);
+  for (int i = 0; i < kDrawn; ++i) {
+    const Eigen::AlignedBox2d box = BoxOf(TurnedArrow(rng));
+    EXPECT_GT(box.sizes().y(), 0.6 * box.sizes().x());
+  }
+}
+
+TEST(DoubleArrow, HasHooksAtBothEnds) {
+  Rng rng(5);
+  for (int i = 0; i < kDrawn; ++i) {
+    const StrokeMeasures measures = MeasureStroke(DoubleArrow(rng));
+    EXPECT_GT(measures.length, 1.2) << "a shaft of 1 and two barbs";
+  }
+}
+
+TEST(BrokenArrow, BeginsInAnotherDirectionThanTheArrow) {
+  Rng rng(6);
+  for (int i = 0; i < kDrawn; ++i) EXPECT_LT(MeasureStroke(BrokenArrow(rng)).gap, 0.93);
+}
+
+TEST(TailedRegion, HasItsEndsApart) {
+  Rng rng(7);
+  for (int i = 0; i < kDrawn; ++i) EXPECT_GT(LengthOf(TailedRegion(rng)), 0);
+}
+
+}  // namespace
+}  // namespace daumier::datasets
