@@ -210,7 +210,8 @@ Polyline WithEnds(const Polyline& loops, double size, Rng& rng) {
 
 Polyline RollShape(int num_loops, bool climbs, Rng& rng) {
   const double slant = rng.Uniform(kLeastSlant, kGreatestSlant) * kDegree;
-  return Aimed(DrawLoops(num_loops, rng), climbs ? -slant : slant);
+  const Polyline roll = Aimed(DrawLoops(num_loops, rng), climbs ? -slant : slant);
+  return Happens(0.3, rng) ? Reversed(roll) : roll;
 }
 
 }  // namespace
@@ -236,7 +237,7 @@ Polyline DrawLoops(int num_loops, Rng& rng) {
     size = BoxOf(loops).sizes().minCoeff();
     line = WithEnds(loops, size, rng);
   } while ((line.back() - line.front()).norm() < size);  // Its ends would lie beside each other, as those of a region.
-  return Happens(0.3, rng) ? Reversed(line) : line;
+  return line;
 }
 
 Polyline DrawGestureShape(Gesture gesture, Rng& rng) {

@@ -12,7 +12,7 @@ struct Glyph {
   Polyline points;
 };
 
-/// None is a line, a closed ring, a level arrow or a roll.
+/// None is a line, a ring, a level arrow or a roll.
 const std::vector<Glyph>& Glyphs();
 
 /// A glyph as a hand writes it: points shifted, round or with corners, slanted, of another height.

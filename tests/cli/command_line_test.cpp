@@ -210,11 +210,11 @@ TEST(CommandLine, EveryVerbRefusesARunOfAnotherTaskAndNamesBoth) {
   for (const char* verb : {"eval", "export", "predict"}) {
     std::vector<std::string> arguments{verb, unknown, "--out", out};
     if (verb == std::string("predict")) arguments.push_back(folder / "drawing.svg");
-    expect(arguments, "'caricature'", "expected sketch, drawing_parser, deform, landmarks, portrait");
+    expect(arguments, "'caricature'", "expected sketch, drawing_parser, gestures, deform, landmarks, portrait");
   }
   WriteFileAtomically(folder / "caricature.toml", "system = \"caricature\"\n");
   expect({"train", folder / "caricature.toml", "--out", out}, "'caricature'",
-         "expected sketch, drawing_parser, deform, landmarks, portrait");
+         "expected sketch, drawing_parser, gestures, deform, landmarks, portrait");
 }
 
 /// Content of every file below a folder, by name.

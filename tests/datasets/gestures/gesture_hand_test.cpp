@@ -10,14 +10,14 @@
 namespace daumier::datasets {
 namespace {
 
-const Polyline kCorner = PathPen().Forward(1).Turn(1.5).Forward(0.7).points();
+const Polyline kBentShape = PathPen().Forward(1).Turn(1.5).Forward(0.7).points();
 
 TEST(DrawWithHand, AMouseGivesWholePixelsAndNeighboursDiffer) {
   Rng rng(1);
   for (int i = 0; i < 50; ++i) {
     GestureHand hand = DrawGestureHand({}, rng);
     hand.has_mouse = i % 2 == 0;
-    const Polyline stroke = DrawWithHand(kCorner, hand, rng);
+    const Polyline stroke = DrawWithHand(kBentShape, hand, rng);
     ASSERT_GE(stroke.size(), 2u);
     for (size_t p = 0; p < stroke.size(); ++p) {
       ASSERT_TRUE(stroke[p].allFinite());
@@ -31,7 +31,7 @@ TEST(DrawWithHand, SizesAreInTheRange) {
   Rng rng(2);
   const GestureHandOptions options{.bend = 0, .rounding = 0, .tremor_px = 0, .smallest_px = 50, .largest_px = 60};
   for (int i = 0; i < 50; ++i) {
-    const double size = BoxOf(DrawWithHand(kCorner, DrawGestureHand(options, rng), rng)).sizes().maxCoeff();
+    const double size = BoxOf(DrawWithHand(kBentShape, DrawGestureHand(options, rng), rng)).sizes().maxCoeff();
     EXPECT_GT(size, 40);
     EXPECT_LT(size, 68) << "hooks at the ends may add some";
   }
@@ -43,9 +43,9 @@ TEST(DrawWithHand, SparseHandsLeaveFewPoints) {
   GestureHand hand = DrawGestureHand({}, rng);
   for (int i = 0; i < 50; ++i) {
     hand.sparse = 0;
-    num_dense += DrawWithHand(kCorner, hand, rng).size();
+    num_dense += DrawWithHand(kBentShape, hand, rng).size();
     hand.sparse = 1;
-    num_sparse += DrawWithHand(kCorner, hand, rng).size();
+    num_sparse += DrawWithHand(kBentShape, hand, rng).size();
   }
   EXPECT_LT(num_sparse, num_dense / 2);
 }

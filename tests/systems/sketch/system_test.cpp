@@ -1,10 +1,13 @@
 #include "systems/sketch/system.h"
 
+#include "core/config.h"
 #include "render/svg.h"
+#include "systems/sketch/gesture_run_folder.h"
 #include "systems/sketch/parser_run_folder.h"
 #include "systems/sketch/run_folder.h"
 #include "tests/fitting/drawn_circles.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +104,29 @@ TEST(ParserSystem, AResolvedConfigHasEveryOptionAndResolvesToItself) {
   EXPECT_EQ(ParserSystem().resolve_prediction(Json::object(), "options")["parser"]["rounds"], 2);
   config["epoch"] = 3;
   EXPECT_THROW(ParserSystem().resolve_config(config, "recipe.toml"), UsageError);
+}
+
+TEST(GestureSystem, AResolvedConfigHasEveryOptionAndResolvesToItself) {
+  const systems::System system = GestureSystem();
+  EXPECT_EQ(system.name, kGestureSystem);
+  EXPECT_LT(system.shipped_rank, ParserSystem().shipped_rank) << "a drawing is parsed rather than read as gestures";
+  Json config = {{"system", kGestureSystem}, {"data", {{"gestures", "gestures"}}}};
+  const Json resolved = system.resolve_config(config, "recipe.toml");
+  EXPECT_EQ(resolved["network"]["kind"], "compact");
+  EXPECT_EQ(resolved["rejection"]["accepted"], 0.97);
+  EXPECT_EQ(system.resolve_config(resolved, "recipe.toml"), resolved);
+  config["network"] = {{"kind", "papers"}};
+  ExpectError([&] { system.resolve_config(config, "recipe.toml"); }, "did you mean 'paper'?");
+  ExpectError([&] { system.resolve_config(Json::object(), "recipe.toml"); }, "it needs data.gestures=FOLDER");
+  EXPECT_EQ(system.resolve_evaluation({{"none", 5}}, "options")["none"], 5);
+}
+
+TEST(GestureSystem, EveryConfigIsParsed) {
+  for (const char* file : {"configs/gestures/cpu.toml", "configs/gestures/paper.toml"}) {
+    Json config = LoadConfig(testing::SourceRoot() / file);
+    config["data"] = {{"gestures", "gestures"}};
+    EXPECT_NO_THROW(GestureSystem().resolve_config(config, file)) << file;
+  }
 }
 
 TEST(SketchSystem, ReadsTheDrawingOfAnSvg) {
