@@ -1,26 +1,28 @@
 #!/usr/bin/env bash
-# Makes the shipped weights from nothing: face-ict, landmarks, portrait, parser, sketch-ict.
+# Makes the shipped weights from nothing: face-ict, landmarks, portrait, parser, sketch-ict, gestures.
 #   tools/make_weights.sh ICT OUT [WORK]
 # ICT: a checkout of ICT-FaceKit or its tar archive. OUT: folder of the weights. WORK: folder of data and runs, about
 # 3 GB (default: runs/weights). Finished steps are skipped and a stopped step resumes: run the same command again.
 # Finds `daumier` on the PATH. In the environment, if other than below:
 #   PERSONS IMAGES LANDMARK_EPOCHS PORTRAIT_EPOCHS            sizes of the data of portraits and lengths of the trainings
 #   SKETCH_PERSONS PARSER_EPOCHS SKETCH_EPOCHS                 the same of drawings
-#   ONLY        portraits or drawings: these weights alone, after face-ict
+#   GESTURE_HANDS GESTURE_EPOCHS                               the same of gestures
+#   ONLY        portraits, drawings or gestures: these weights alone, after face-ict
 #   PICTURES    pictures with landmark files of the same name, on which errors are measured as well
 #   NEGATIVES   pictures without a face
 #   NOTES       folder of NAME.md with known failures, copied into the card of the weights NAME
 # Every command is in the manifest and the card of the weights that it leads to, with its seconds; the seed is 1.
 set -euo pipefail
 if [ $# -lt 2 ] || [ $# -gt 3 ]; then
-  sed -n '2,14s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,15s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 ict=$1 out=$2 work=${3:-runs/weights}
 persons=${PERSONS:-150} images=${IMAGES:-4800}
 landmark_epochs=${LANDMARK_EPOCHS:-18} portrait_epochs=${PORTRAIT_EPOCHS:-26}
 sketch_persons=${SKETCH_PERSONS:-200} parser_epochs=${PARSER_EPOCHS:-14} sketch_epochs=${SKETCH_EPOCHS:-30}
-only=${ONLY:-portraits drawings}
+gesture_hands=${GESTURE_HANDS:-300} gesture_epochs=${GESTURE_EPOCHS:-8}
+only=${ONLY:-portraits drawings gestures}
 configs=$(cd "$(dirname "$0")/../configs" && pwd)
 [ -e "$ict" ] || { echo "$ict does not exist (expected a checkout of ICT-FaceKit or its tar archive)" >&2; exit 1; }
 mkdir -p "$work/steps" "$work/runs" "$out"
@@ -128,10 +130,18 @@ make_drawings() {
   ship sketch-ict drawn_faces sketches train_sketch-ict eval_sketch-ict
 }
 
+make_gestures() {
+  step gestures "" "$work/gestures/manifest.json" daumier dataset gestures --config "$configs/gestures/strokes.toml" \
+    --out "$work/gestures" "num_hands=$gesture_hands"
+  train gestures gestures "$configs/gestures/cpu.toml" "data.gestures=$work/gestures" "epochs=$gesture_epochs"
+  step eval_gestures train_gestures "$work/runs/gestures/report/manifest.json" daumier eval "$work/runs/gestures"
+  ship gestures gestures train_gestures eval_gestures
+}
+
 for kind in $only; do
   case $kind in
-    portraits | drawings) "make_$kind" ;;
-    *) echo "ONLY: unknown kind '$kind' (expected portraits or drawings)" >&2; exit 2 ;;
+    portraits | drawings | gestures) "make_$kind" ;;
+    *) echo "ONLY: unknown kind '$kind' (expected portraits, drawings or gestures)" >&2; exit 2 ;;
   esac
 done
 

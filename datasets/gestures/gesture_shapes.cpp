@@ -236,7 +236,7 @@ Polyline DrawLoops(int num_loops, Rng& rng) {
     const Polyline loops = Happens(0.55, rng) ? RoundLoops(num_loops, rng) : CircledLoops(num_loops, rng);
     size = BoxOf(loops).sizes().minCoeff();
     line = WithEnds(loops, size, rng);
-  } while ((line.back() - line.front()).norm() < size);  // Its ends would lie beside each other, as those of a region.
+  } while ((line.back() - line.front()).norm() < size);  // Its ends would meet, as those of a region.
   return line;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 
+#include <cstdint>
 #include <string>
 
 namespace daumier::sketch {
@@ -16,14 +17,20 @@ struct GestureEvalData {
 };
 
 struct GestureEvalOptions {
+  std::string strokes = "run";
   std::string split = "test";
   GestureEvalData data = {};
   int per_gesture = 100;
   int none = 1000;
   std::string drawings = {};
+  uint64_t seed = 1;
 
   template <class V>
   void Visit(V&& visit) {
+    visit("strokes", strokes, Choices{{"run", "independent"}},
+          "run: those of the run's data. independent: of another generator, with which nothing is trained "
+          "(datasets/gestures/test_gestures.h).");
+    visit("seed", seed, Range{0, 9e15}, "Seed of independent strokes.");
     visit("split", split, Choices{{"train", "validation", "test"}}, "Subset of the run's split that is measured.");
     visit("data", data, Table{}, "The run's own data, found by their data hash.");
     visit("per_gesture", per_gesture, Range{1, 1e6}, "Most strokes of a gesture that are measured, evenly spaced.");

@@ -17,7 +17,7 @@ std::vector<systems::FaceResult> GesturePredictor::Predict(std::span<const syste
     Json strokes = Json::array();
     for (const render::Stroke& stroke : DrawingOf(input).strokes) {
       const datasets::Polyline line = PolylineOf(stroke);
-      if (line.empty() || datasets::BoxOf(line).sizes().maxCoeff() == 0) {
+      if (line.size() < 2) {
         strokes.push_back(nullptr);
         continue;
       }

@@ -8,6 +8,16 @@
 
 namespace daumier::sketch {
 
+namespace {
+
+bool IsTap(const datasets::Polyline& stroke) {
+  const bool is_stroke =
+      stroke.size() >= 2 && std::ranges::all_of(stroke, [](const auto& point) { return point.allFinite(); });
+  return is_stroke && datasets::BoxOf(stroke).sizes().maxCoeff() < GestureRecogniser::kLeastExtent;
+}
+
+}  // namespace
+
 RecognisedGesture DecideGesture(std::span<const float> scores, const GestureRejection& rejection) {
   DAUMIER_CHECK(scores.size() == size_t{kNumGestureClasses}, "{} scores of a gesture, expected {}", scores.size(),
                 kNumGestureClasses);
@@ -26,6 +36,7 @@ GestureRecogniser::GestureRecogniser(const GestureDecision& decision,
     : decision_(decision), network_(std::move(network)) {}
 
 RecognisedGesture GestureRecogniser::Recognise(const datasets::Polyline& stroke) const {
+  if (IsTap(stroke)) return {};
   const datasets::GestureRaster raster = decision_.network_options.raster();
   FloatArray picture({1, 1, raster.side, raster.side});
   datasets::RasteriseGesture(stroke, raster, picture.values);

@@ -29,10 +29,12 @@ RecognisedGesture DecideGesture(std::span<const float> scores, const GestureReje
 /// May be used from several threads.
 class GestureRecogniser {
  public:
+  static constexpr double kLeastExtent = 6;
+
   GestureRecogniser(const GestureDecision& decision, std::shared_ptr<const runtime::NetworkRunner> network);
 
-  /// stroke: x right, y down, in any unit. @throws Error as datasets::RasteriseGesture: fewer than two points, numbers
-  /// that are not finite, no extent.
+  /// stroke: x right, y down, pixels of a screen. One of less than kLeastExtent both ways is a tap: kNone, probability 0.
+  /// @throws Error as datasets::RasteriseGesture: fewer than two points, numbers that are not finite.
   RecognisedGesture Recognise(const datasets::Polyline& stroke) const;
 
  private:

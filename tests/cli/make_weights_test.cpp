@@ -97,6 +97,14 @@ TEST_F(MakeWeightsTest, DrawingsHaveDataAndWeightsOfTheirOwn) {
   EXPECT_THAT(unknown.err, HasSubstr("unknown kind 'masks'"));
 }
 
+TEST_F(MakeWeightsTest, GesturesNeedNoFaces) {
+  const ProcessResult result = Make({"ONLY=gestures", "GESTURE_HANDS=9"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(Calls(), ElementsAre(StartsWith("dataset model"), HasSubstr("num_hands=9"), HasSubstr("cpu.toml"),
+                                   StartsWith("eval"), StartsWith("export")));
+  EXPECT_EQ(ReadJson(folder_ / "work/steps/gestures.recipe").size(), 3U);
+}
+
 TEST_F(MakeWeightsTest, FinishedStepsAreSkipped) {
   ASSERT_EQ(Make().exit_code, 0);
   Calls();

@@ -9,6 +9,7 @@
 #include "core/stopwatch.h"
 #include "datasets/gallery/gesture_sheet.h"
 #include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/test_gestures.h"
 #include "datasets/read/gesture_database.h"
 #include "datasets/read/run_data.h"
 #include "render/read_drawing.h"
@@ -28,17 +29,38 @@ using datasets::Gesture;
 
 constexpr int kShownErrors = 48, kErrorColumns = 8;
 
-/// At most `options.per_gesture` strokes of each gesture, and `options.none` others.
-std::vector<int> Chosen(const datasets::GestureDatabase& database, const std::vector<int>& subset,
-                        const GestureEvalOptions& options) {
+int NumMeasured(Gesture gesture, const GestureEvalOptions& options) {
+  return gesture == Gesture::kNone ? options.none : options.per_gesture;
+}
+
+std::vector<datasets::LabelledStroke> StrokesOfRun(const datasets::GestureDatabase& database,
+                                                   const std::vector<int>& subset, const GestureEvalOptions& options) {
   std::array<std::vector<int>, kNumGestureClasses> of_classes;
   for (const int index : subset) of_classes[size_t(database.stroke(index).gesture)].push_back(index);
-  std::vector<int> chosen;
-  for (size_t gesture = 0; gesture < of_classes.size(); ++gesture) {
-    const int most = Gesture(gesture) == Gesture::kNone ? options.none : options.per_gesture;
-    for (const int index : EvenlySpaced(of_classes[gesture], most)) chosen.push_back(index);
+  std::vector<datasets::LabelledStroke> strokes;
+  for (size_t gesture = 0; gesture < of_classes.size(); ++gesture)
+    for (const int index : EvenlySpaced(of_classes[gesture], NumMeasured(Gesture(gesture), options)))
+      strokes.push_back(database.stroke(index));
+  return strokes;
+}
+
+/// Each by another hand.
+std::vector<datasets::LabelledStroke> IndependentStrokes(const GestureEvalOptions& options) {
+  std::vector<datasets::LabelledStroke> strokes;
+  for (int gesture = 0; gesture < kNumGestureClasses; ++gesture) {
+    for (int i = 0; i < NumMeasured(Gesture(gesture), options); ++i) {
+      Rng rng = Stream(options.seed, "independent " + NameOf(Gesture(gesture)), uint64_t(i));
+      strokes.push_back({.points = datasets::DrawTestGesture(Gesture(gesture), rng),
+                         .gesture = Gesture(gesture),
+                         .hand = int(strokes.size())});
+    }
   }
-  return chosen;
+  return strokes;
+}
+
+const std::vector<int>& SubsetNamed(const datasets::GestureSplit& split, const std::string& name) {
+  if (name == "train") return split.train;
+  return name == "validation" ? split.validation : split.test;
 }
 
 std::string KindOf(const datasets::LabelledStroke& stroke) {
@@ -56,20 +78,24 @@ class GestureEvaluation {
       : options_(options),
         task_(task),
         run_(ReadGestureRunFolder(directory)),
-        recogniser_(OpenGestureRecogniser(directory)),
-        folder_(datasets::FindRunData(directory, run_.manifest, run_.config, "gestures", options.data.gestures)),
-        database_(databases.Open<datasets::GestureDatabase>(folder_)) {}
+        recogniser_(OpenGestureRecogniser(directory)) {
+    if (options.strokes == "independent") {
+      strokes_ = IndependentStrokes(options);
+      return;
+    }
+    const fs::path folder =
+        datasets::FindRunData(directory, run_.manifest, run_.config, "gestures", options.data.gestures);
+    const auto& database = databases.Open<datasets::GestureDatabase>(folder);
+    const auto shares = ParseOptions<GestureSplitOptions>(run_.config.at("split"), "split of the run");
+    const datasets::GestureSplit split =
+        datasets::SplitByHand(database, shares.validation, shares.test, run_.manifest.seed);
+    strokes_ = StrokesOfRun(database, SubsetNamed(split, options.split), options);
+    data_hash_ = {{"gestures", DataHash(folder)}};
+  }
 
   reports::Evaluation Measure() {
     const Stopwatch stopwatch;
-    const auto split_options = ParseOptions<GestureSplitOptions>(run_.config.at("split"), "split of the run");
-    const datasets::GestureSplit split =
-        datasets::SplitByHand(database_, split_options.validation, split_options.test, run_.manifest.seed);
-    MeasureStrokes(Chosen(database_,
-                          options_.split == "train"        ? split.train
-                          : options_.split == "validation" ? split.validation
-                                                           : split.test,
-                          options_));
+    MeasureStrokes();
     if (errors_.empty())
       throw UsageError(fmt::format("the side '{}' of the split has no stroke of the ten gestures", options_.split));
     if (!options_.drawings.empty()) MeasureDrawings();
@@ -80,17 +106,18 @@ class GestureEvaluation {
   }
 
  private:
-  void MeasureStrokes(const std::vector<int>& chosen) {
-    Progress progress(task_.Stage("Strokes"), int64_t(chosen.size()), "strokes");
-    for (const int index : chosen) {
+  void MeasureStrokes() {
+    Progress progress(task_.Stage("Strokes"), int64_t(strokes_.size()), "strokes");
+    for (size_t i = 0; i < strokes_.size(); ++i) {
       task_.ThrowIfCancelled("the evaluation was stopped; nothing was written");
-      const datasets::LabelledStroke stroke = database_.stroke(index);
+      const datasets::LabelledStroke& stroke = strokes_[i];
       const Stopwatch stopwatch;
       const RecognisedGesture found = recogniser_.Recognise(stroke.points);
       milliseconds_.push_back(1e3 * stopwatch.seconds());
       counts_.Add(stroke.gesture, found, KindOf(stroke));
       if (stroke.gesture != Gesture::kNone) {
-        strokes_.push_back(index);
+        gestures_.push_back(int(i));
+        hands_.push_back(stroke.hand);
         errors_.push_back(found.likeliest == stroke.gesture ? 0 : 1);
         missed_.push_back(found.gesture == Gesture::kNone ? 1 : 0);
       }
@@ -123,9 +150,8 @@ class GestureEvaluation {
   }
 
   reports::MetricTable Table() const {
-    reports::MetricTable table{.columns = GestureColumns(), .faces = strokes_};
-    for (const int index : strokes_) table.groups.push_back(database_.hand(index));
-    table.data_hash = {{"gestures", DataHash(folder_)}};
+    reports::MetricTable table{
+        .columns = GestureColumns(), .faces = gestures_, .groups = hands_, .data_hash = data_hash_};
     table.rows.push_back(
         reports::MakeRow(table, "recogniser", {{"error", errors_}, {"missed", missed_}}, run_.manifest.seed));
     if (counts_.num_none() > 0)
@@ -137,8 +163,9 @@ class GestureEvaluation {
   Json Metrics(const reports::MetricTable& table) const {
     Json metrics = counts_.ToJson();
     metrics.update({{"system", kGestureSystem},
-                    {"split", options_.split},
-                    {"num_faces", strokes_.size()},
+                    {"strokes", options_.strokes},
+                    {"split", options_.strokes == "run" ? options_.split : "independent"},
+                    {"num_faces", gestures_.size()},
                     {"table", reports::TableJson(table)},
                     {"rejection", run_.manifest.details.at("rejection")},
                     {"milliseconds", Median(milliseconds_)},
@@ -151,9 +178,10 @@ class GestureEvaluation {
 
   reports::ReportData Report(const reports::MetricTable& table, const Json& metrics) const {
     reports::ReportData report;
-    report.title = fmt::format("Pen gestures, {} split", options_.split);
+    report.title = options_.strokes == "run" ? fmt::format("Pen gestures, {} split", options_.split)
+                                             : std::string("Pen gestures, independent strokes");
     report.summary = fmt::format(
-        "{} strokes of the ten gestures and {} others, of hands that were not trained on. {} of the gestures are "
+        "{} strokes of the ten gestures and {} others, {} of the gestures are "
         "right, "
         "{} are accepted, {} of the others are rejected. The interval resamples hands.",
         counts_.num_gestures(), counts_.num_none(), Percent(counts_.accuracy()), Percent(counts_.accepted()),
@@ -163,7 +191,7 @@ class GestureEvaluation {
     for (const auto& [kind, of_kind] : metrics.at("none_by_kind").items())
       kinds.rows.push_back({kind, of_kind.at("num").dump(), of_kind.at("accepted").dump()});
     report.tables.push_back(kinds);
-    report.facts = {{"gestures (data hash)", DataHash(folder_)},
+    report.facts = {{"gestures (data hash)", data_hash_.value("gestures", "")},
                     {"seed", fmt::format("{}", run_.manifest.seed)},
                     {"threshold", metrics.at("rejection").at("threshold").dump()},
                     {"milliseconds a stroke", fmt::format("{:.2f}", Median(milliseconds_))}};
@@ -191,8 +219,8 @@ class GestureEvaluation {
                                    NameOf(mistake.found.gesture))});
     }
     if (cells.empty())
-      for (const int index : EvenlySpaced(strokes_, kErrorColumns))
-        cells.push_back({datasets::PictureOfStroke(database_.stroke(index).points), "right"});
+      for (const int index : EvenlySpaced(gestures_, kErrorColumns))
+        cells.push_back({datasets::PictureOfStroke(strokes_[size_t(index)].points), "right"});
     return {render::MakeSheet(cells, kErrorColumns),
             "Strokes that are recognised as something else, evenly spaced: what they are, and as what."};
   }
@@ -205,9 +233,8 @@ class GestureEvaluation {
     manifest.seed = run_.manifest.seed;
     manifest.sources = run_.manifest.sources;
     manifest.counts = {{"gestures", counts_.num_gestures()}, {"none", counts_.num_none()}};
-    manifest.details = {{"system", kGestureSystem},
-                        {"data", {{"gestures", DataHash(folder_)}}},
-                        {"weights", Sha256OfFile(BestWeights(run_.directory))}};
+    manifest.details = {
+        {"system", kGestureSystem}, {"data", data_hash_}, {"weights", Sha256OfFile(BestWeights(run_.directory))}};
     return manifest;
   }
 
@@ -220,10 +247,10 @@ class GestureEvaluation {
   const Task task_;
   const GestureRunFolder run_;
   const GestureRecogniser recogniser_;
-  const fs::path folder_;
-  const datasets::GestureDatabase& database_;
+  std::vector<datasets::LabelledStroke> strokes_;
+  Json data_hash_ = Json::object();
   GestureCounts counts_;
-  std::vector<int> strokes_;  ///< Of the ten gestures.
+  std::vector<int> gestures_, hands_;  ///< Of strokes_, those of the ten gestures.
   std::vector<double> errors_, missed_, milliseconds_;
   std::vector<Mistake> mistakes_;
   Json drawings_;

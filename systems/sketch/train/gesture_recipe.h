@@ -12,7 +12,7 @@ namespace daumier::sketch {
 
 /// Trains the classifier of gestures: the mean cross-entropy of the eleven classes (losses::StateLoss). Validation
 /// reports error_percent, the share of strokes of a wrong class, and gesture_error_percent, that of the ten gestures
-/// alone, none not being among the answers.
+/// alone, whatever the score of none.
 class GestureRecipe : public train::Recipe {
  public:
   /// Draws the first weights from LibTorch's CPU generator. @throws Error if a subset has no stroke.

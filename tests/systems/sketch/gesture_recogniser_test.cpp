@@ -51,12 +51,18 @@ TEST(GestureRecogniser, RefusesBadStrokes) {
   const GestureRecogniser recogniser = Halves(0.5);
   ExpectError([&] { recogniser.Recognise({}); }, "a gesture of 0 points");
   ExpectError([&] { recogniser.Recognise({{3, 4}}); }, "a gesture of 1 points");
-  ExpectError([&] { recogniser.Recognise({{3, 4}, {3, 4}}); }, "are the same");
+  ExpectError([&] { recogniser.Recognise({{3, 4}, {std::numeric_limits<double>::quiet_NaN(), 4}}); }, "finite");
   ExpectError(
       [&] {
         recogniser.Recognise({{3, 4}, {std::numeric_limits<double>::infinity(), 4}});
       },
       "expected finite numbers");
+}
+
+TEST(GestureRecogniser, ATapIsNone) {
+  EXPECT_EQ(Halves(0).Recognise({{3, 4}, {3, 4}}).gesture, Gesture::kNone);
+  EXPECT_EQ(Halves(0).Recognise({{3, 4}, {5, 4}, {8, 3}}).gesture, Gesture::kNone);
+  EXPECT_NE(Halves(0).Recognise(kHeavyRight).gesture, Gesture::kNone);
 }
 
 TEST(GestureRecogniser, MayBeUsedFromSeveralThreads) {

@@ -29,6 +29,17 @@ TEST_F(GestureEvaluationTest, MeasuresStrokesOfUnseenHands) {
                        "nowhere");
 }
 
+TEST_F(GestureEvaluationTest, IndependentStrokesNeedNoData) {
+  FolderCache databases;
+  const GestureEvalOptions options{.strokes = "independent", .per_gesture = 2, .none = 3};
+  const Json metrics = EvaluateGestures(folder() / "run", options, databases, {}).metrics;
+  EXPECT_EQ(metrics.at("num_gestures"), 20);
+  EXPECT_EQ(metrics.at("num_none"), 3);
+  EXPECT_EQ(metrics.at("confusion"),
+            EvaluateGestures(folder() / "run", options, databases, {}).metrics.at("confusion"));
+  EXPECT_EQ(databases.size(), 0u);
+}
+
 TEST_F(GestureEvaluationTest, StrokesOfADrawingCountAsNoneUnlessStraightOrClosed) {
   WriteFileAtomically(folder() / "drawing.ndjson",
                       "{\"drawing\": [[[0, 100], [0, 3]], [[0, 90, 90, 0, 0], [0, 0, 90, 90, 2]], [[5], [5]],"
