@@ -41,16 +41,9 @@ geometry::Points VerticesOf(const fs::path& face, const fs::path& mesh_landmarks
     inputs.landmarks = mesh_landmarks;
     return datasets::RegisterMesh(face_template, inputs);
   }
-  const GivenFace given = ReadGivenFace(face);
-  const Eigen::Index num_vertices = given.mesh.vertices.rows();
-  const int expected = face_template.num_vertices();
-  if (num_vertices != expected && !IsHeadOf(given, face_template) &&
-      !(given.is_mesh && num_vertices == NumHeadVertices(face_template)))
-    throw Error(fmt::format(
-        "{} has {} vertices, faces of this model {}: it is of another topology. Add --mesh-landmarks FILE with its 68 "
-        "landmarks (docs/formats.md lists the forms), by which it is registered first",
-        given.file.string(), num_vertices, expected));
-  return CheckedVertices(given, face_template);
+  return ReadFaceOf(face, face_template,
+                    "Add --mesh-landmarks FILE with its 68 landmarks (docs/formats.md lists the forms), by which it is "
+                    "registered first");
 }
 
 void Dot(render::Image& image, double x, double y, int radius, const render::Rgb& colour) {

@@ -1,5 +1,6 @@
 #include "cli/predict_session.h"
 
+#include "cli/rig_face.h"
 #include "core/error.h"
 #include "core/evenly_spaced.h"
 #include "core/files.h"
@@ -8,15 +9,21 @@
 #include "core/process_task.h"
 #include "core/staged_directory.h"
 #include "geometry/obj.h"
+#include "render/draw.h"
+#include "render/shading.h"
 #include "render/sheet.h"
 #include "render/stroke_overlay.h"
 #include "render/svg.h"
 #include "reports/face_pictures.h"
 #include "reports/face_surface.h"
+#include "systems/shipped_weights.h"
+#include "systems/sketch/gesture_recogniser.h"
+#include "systems/sketch/gesture_run_folder.h"
 #include "systems/sketch/session_file.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -34,6 +41,7 @@ struct RecordedState {
   std::string name, caption;
   std::shared_ptr<const sketch::SketchState> state;
   std::vector<render::Stroke> on_canvas;
+  const sketch::SessionEvent* event = nullptr;  ///< Null: the session began with it.
 };
 
 std::shared_ptr<const sketch::SketchPredictor> OpenForSession(const SessionArguments& arguments) {
@@ -41,12 +49,66 @@ std::shared_ptr<const sketch::SketchPredictor> OpenForSession(const SessionArgum
   return std::dynamic_pointer_cast<const sketch::SketchPredictor>(std::move(opened));
 }
 
+/// The shipped network of gestures, where a session has any. @throws UsageError if it is not there.
+std::shared_ptr<const sketch::GestureRecogniser> OpenGestures(const sketch::SessionScript& script) {
+  const auto is_gesture = [](const sketch::SessionEvent& event) {
+    return event.what == sketch::SessionEvent::What::kGesture;
+  };
+  if (std::ranges::none_of(script.events, is_gesture)) return nullptr;
+  const std::vector<fs::path> places = systems::WeightsPlaces();
+  for (const systems::ShippedWeights& weights : systems::ListWeights(places))
+    if (weights.system == sketch::kGestureSystem)
+      return std::make_shared<const sketch::GestureRecogniser>(sketch::OpenGestureRecogniser(weights.directory));
+  throw UsageError(
+      fmt::format("the session has gestures, and there are no weights that recognise them in {}. Restore "
+                  "`gestures`, or set DAUMIER_WEIGHTS",
+                  places.empty() ? std::string("any folder") : places.front().string()));
+}
+
+/// Begins follow-up mode with the face that the script names.
+void Begin(const SessionArguments& arguments, const sketch::SessionScript& script,
+           const faces::FaceTemplate& face_template, sketch::SketchSession& session) {
+  if (script.begin.empty()) return;
+  if (script.begin == "mean") return session.FollowUp();
+  const fs::path face = arguments.session.parent_path() / script.begin;
+  session.FollowUpFrom(
+      ReadFaceOf(face, face_template, "Register it first (`daumier register`), or begin with another face"));
+}
+
+std::string CaptionOf(size_t number, const sketch::SessionEvent& event, const sketch::SketchState& state) {
+  std::string caption = fmt::format("{} {}", number, sketch::NameOf(event));
+  if (event.what == sketch::SessionEvent::What::kGesture && state.gesture) caption += ": " + NameOf(*state.gesture);
+  return caption;
+}
+
 std::vector<render::Stroke> LinesOnCanvas(const sketch::SketchState& state, const sketch::SessionScript& script) {
-  if (state.is_follow_up()) return sketch::StrokesOf(state.lines);
+  if (state.is_follow_up() || state.is_refinement()) return sketch::StrokesOf(state.lines);
   return render::MapToCanvas(state.strokes, sketch::SheetPlacement({script.width, script.height, {}}));
 }
 
-render::Image SheetOfSession(const std::vector<RecordedState>& states, const faces::FaceTemplate& face_template) {
+/// Where a view of the refinement mode has a stroke: the face in that view, with handles in blue and the stroke in red.
+render::Image ViewOf(const RecordedState& recorded, const faces::FinishedHead& head,
+                     const sketch::SketchSession& session, const sketch::SessionScript& script) {
+  const sketch::RefinementOperation& operation = recorded.event->operation;
+  sketch::SketchState shown = *recorded.state;
+  const double factor = reports::kCell / std::max(script.width, script.height);
+  shown.frame = render::Composed(shown.frame, {1 / factor});
+  render::Camera camera = session.CameraOf(shown, operation.view);
+  camera.width = camera.height = reports::kCell;
+  render::Image image = render::ToRgb(RenderMesh(reports::InputOf(head, shown.vertices), camera));
+  const geometry::Points seen = render::Project(camera, shown.vertices);
+  for (const int handle : shown.refinement->handles)
+    render::FillRectangle(image, int(seen(handle, 1)) - 1, int(seen(handle, 0)) - 1, 2, 2, {40, 90, 230});
+  const sketch::CanvasPoints& points = operation.points.empty() ? recorded.event->points : operation.points;
+  if (points.empty()) return image;
+  const double length = factor * datasets::LengthOf(points);
+  for (const Eigen::Vector2d& point : datasets::Resampled(points, 2 + int(length)))
+    render::FillRectangle(image, int(factor * point.y()), int(factor * point.x()), 2, 2, {220, 40, 40});
+  return image;
+}
+
+render::Image SheetOfSession(const std::vector<RecordedState>& states, const sketch::SketchSession& session,
+                             const sketch::SessionScript& script, const faces::FaceTemplate& face_template) {
   std::vector<geometry::Points> faces;
   for (const RecordedState& recorded : states)
     if (recorded.state->vertices.rows() > 0) faces.push_back(recorded.state->vertices);
@@ -57,7 +119,10 @@ render::Image SheetOfSession(const std::vector<RecordedState>& states, const fac
   std::vector<RecordedState> shown = EvenlySpaced(states, kMostShown);
   shown.back() = states.back();
   for (const RecordedState& recorded : shown) {
-    cells.push_back({render::DrawnWithCurves(recorded.on_canvas, {}, reports::kCell), recorded.caption});
+    const bool is_view = recorded.event != nullptr && recorded.state->is_refinement();
+    cells.push_back({is_view ? ViewOf(recorded, head, session, script)
+                             : render::DrawnWithCurves(recorded.on_canvas, {}, reports::kCell),
+                     recorded.caption});
     const bool has_face = recorded.state->vertices.rows() > 0;
     cells.push_back({has_face ? reports::FrontView(head, recorded.state->vertices, frame) : render::Image()});
     cells.push_back({has_face ? reports::SideView(head, recorded.state->vertices, frame) : render::Image()});
@@ -85,16 +150,20 @@ void ReplaySession(const SessionArguments& arguments) {
   CheckReplacedFolder(arguments.out, kSessionKind, {arguments.session, arguments.run});
   const auto predictor = OpenForSession(arguments);
   const faces::FaceTemplate& face_template = predictor->run().face_template;
-  sketch::SketchSession session(predictor, script.width, script.height);
+  sketch::SketchSession session(predictor, script.width, script.height, OpenGestures(script));
+  Begin(arguments, script, face_template, session);
   const Task task = TaskOfProcess();
   std::vector<RecordedState> states;
+  if (!script.begin.empty())
+    states.push_back({"000", "begin", session.state(), LinesOnCanvas(*session.state(), script)});
   ReplayNaming(
       arguments.session, script, session,
       [&](size_t number, std::shared_ptr<const sketch::SketchState> state) {
-        const std::string what = sketch::NameOf(script.events[number - 1].what);
+        const sketch::SessionEvent& event = script.events[number - 1];
+        std::string caption = CaptionOf(number, event, *state);
         std::vector<render::Stroke> lines = LinesOnCanvas(*state, script);
         states.push_back(
-            {fmt::format("{:03}", number), fmt::format("{} {}", number, what), std::move(state), std::move(lines)});
+            {fmt::format("{:03}", number), std::move(caption), std::move(state), std::move(lines), &event});
         task.Report(int64_t(number), int64_t(script.events.size()), "events");
       },
       Task(task.stop));  // What a predictor reports of one event is no progress of them all.
@@ -118,7 +187,7 @@ void ReplaySession(const SessionArguments& arguments) {
     }
     manifest.details["states"].push_back(std::move(entry));
   }
-  render::WriteImage(staged.path() / "sheet.png", SheetOfSession(states, face_template));
+  render::WriteImage(staged.path() / "sheet.png", SheetOfSession(states, session, script, face_template));
   add("sheet.png");
   WriteFileAtomically(staged.path() / "session.json", sketch::SessionToJson(script).dump(1) + "\n");
   add("session.json");

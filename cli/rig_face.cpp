@@ -170,6 +170,17 @@ geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTempla
   return vertices;
 }
 
+geometry::Points ReadFaceOf(const fs::path& face, const faces::FaceTemplate& face_template, const std::string& repair) {
+  const GivenFace given = ReadGivenFace(face);
+  const Eigen::Index num_vertices = given.mesh.vertices.rows();
+  const int expected = face_template.num_vertices();
+  if (num_vertices != expected && !IsHeadOf(given, face_template) &&
+      !(given.is_mesh && num_vertices == NumHeadVertices(face_template)))
+    throw Error(fmt::format("{} has {} vertices, faces of this model {}: it is of another topology. {}",
+                            given.file.string(), num_vertices, expected, repair));
+  return CheckedVertices(given, face_template);
+}
+
 FaceToRig ReadFaceToRig(const fs::path& face, const std::optional<faces::SourceOptions>& source,
                         ShownExpression expression) {
   const GivenFace given = ReadGivenFace(face);

@@ -30,6 +30,11 @@ GivenFace ReadGivenFace(const std::filesystem::path& face);
 /// @throws Error if a vertex is not finite, the polygons are not the topology's, or the size suggests another unit.
 geometry::Points CheckedVertices(const GivenFace& given, const faces::FaceTemplate& face_template);
 
+/// Reads a face of the template as ReadGivenFace and CheckedVertices do. @throws Error also if it is of another topology,
+/// with `repair`.
+geometry::Points ReadFaceOf(const std::filesystem::path& face, const faces::FaceTemplate& face_template,
+                            const std::string& repair);
+
 /// Whether a mesh begins with the vertices of a topology and ends with those of other parts. The head of another neutral
 /// face than the topology's has another cut of the neck, and so another number of them.
 bool IsHeadOf(const GivenFace& given, const faces::FaceTemplate& face_template);

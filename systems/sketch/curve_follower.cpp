@@ -68,8 +68,16 @@ geometry::Points CurveFollower::Follow(const FollowUpStart& start, const Session
 
 geometry::Points CurveFollower::Inferred(const FollowUpStart& start, const SessionLines& lines) const {
   if (inference_ == Inference::kNetwork) return start.vertices + (NetworkOf(StrokesOf(lines)) - start.network);
-  if (inference_ == Inference::kFaces) return start.vertices + ChangeOfFaces(start, lines);
-  return start.vertices;
+  if (inference_ == Inference::kNone) return start.vertices;
+  geometry::Points face = start.vertices + ChangeOfFaces(start, lines);
+  if (!lines.wrinkles.empty()) face += ChangeOfWrinkles(lines);
+  return face;
+}
+
+geometry::Points CurveFollower::ChangeOfWrinkles(const SessionLines& lines) const {
+  SessionLines without = lines;
+  without.wrinkles.clear();
+  return NetworkOf(StrokesOf(lines)) - NetworkOf(StrokesOf(without));
 }
 
 geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const SessionLines& lines) const {

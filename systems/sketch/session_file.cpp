@@ -3,29 +3,58 @@
 #include "core/error.h"
 #include "core/files.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace daumier::sketch {
 namespace {
 
 using What = SessionEvent::What;
+using Operation = RefinementOperation::What;
 
-constexpr std::array<std::pair<const char*, What>, 5> kEventNames = {{{"draw", What::kDraw},
-                                                                      {"erase", What::kErase},
-                                                                      {"follow_up", What::kFollowUp},
-                                                                      {"undo", What::kUndo},
-                                                                      {"redo", What::kRedo}}};
+/// An event of the file, and what it may have besides 'do'.
+struct EventKind {
+  std::string_view name;
+  What what;
+  Operation operation;
+  std::vector<std::string_view> keys, optional = {};
 
-bool HasPoints(What what) {
-  return what == What::kDraw || what == What::kErase;
+  bool has(std::string_view key) const { return std::ranges::count(keys, key) + std::ranges::count(optional, key) > 0; }
+};
+
+const std::vector<EventKind>& EventKinds() {
+  static const std::vector<EventKind> kinds = {
+      {"draw", What::kDraw, {}, {"points"}, {"mirror", "stabiliser"}},
+      {"erase", What::kErase, {}, {"points"}, {"mirror"}},
+      {"follow_up", What::kFollowUp, {}, {}},
+      {"refine", What::kRefine, {}, {}},
+      {"region", What::kOperation, Operation::kRegion, {"points"}, {"view"}},
+      {"brush", What::kOperation, Operation::kBrush, {"points", "radius"}, {"view"}},
+      {"unbrush", What::kOperation, Operation::kUnbrush, {"points", "radius"}, {"view"}},
+      {"translate", What::kOperation, Operation::kTranslate, {"points"}, {"view"}},
+      {"roll", What::kOperation, Operation::kRoll, {"level"}, {"view"}},
+      {"pull", What::kOperation, Operation::kPull, {"points"}, {"view"}},
+      {"gesture", What::kGesture, {}, {"points"}, {"view"}},
+      {"undo", What::kUndo, {}, {}},
+      {"redo", What::kRedo, {}, {}},
+  };
+  return kinds;
 }
+
+const EventKind& KindOf(const SessionEvent& event) {
+  return *std::ranges::find_if(EventKinds(), [&](const EventKind& kind) {
+    return kind.what == event.what && (event.what != What::kOperation || kind.operation == event.operation.what);
+  });
+}
+
+constexpr size_t kMostShown = 60;  // Characters.
 
 /// The value in a message: of a long one the beginning.
 std::string Shown(const Json& json) {
-  constexpr size_t kMostShown = 60;
   const std::string text = json.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
   return text.size() <= kMostShown ? text : text.substr(0, kMostShown) + "...";
 }
@@ -40,18 +69,68 @@ Eigen::Vector2d PointFrom(const Json& json) {
   return {FiniteNumber(json[0]), FiniteNumber(json[1])};
 }
 
+CanvasPoints PointsFrom(const Json& json) {
+  DAUMIER_CHECK(json.is_array() && !json.empty(), "'points' is {}, expected [[x, y], ...]", Shown(json));
+  CanvasPoints points;
+  for (const Json& point : json) points.push_back(PointFrom(point));
+  return points;
+}
+
+int LevelFrom(const Json& json) {
+  const double level = FiniteNumber(json);
+  DAUMIER_CHECK(level == std::round(level) && level != 0 && std::abs(level) <= 3,
+                "'level' is {} (expected -3 to 3 without 0)", Shown(json));
+  return int(level);
+}
+
+/// An event has what its kind has, and nothing else.
+void CheckKeys(const EventKind& kind, const Json& json) {
+  for (const std::string_view key : kind.keys) DAUMIER_CHECK(json.contains(key), "'{}' has no '{}'", kind.name, key);
+  for (const auto& [key, value] : json.items())
+    DAUMIER_CHECK(key == "do" || kind.has(key), "'{}' takes no '{}'", kind.name, key.substr(0, kMostShown));
+}
+
 SessionEvent EventFrom(const Json& json) {
   DAUMIER_CHECK(json.is_object() && json.contains("do") && json.at("do").is_string(), "it has no text 'do'");
   const auto name = json.at("do").get<std::string>();
-  const auto known = std::ranges::find_if(kEventNames, [&](const auto& entry) { return name == entry.first; });
-  DAUMIER_CHECK(known != kEventNames.end(), "{} is unknown (expected draw, erase, follow_up, undo or redo)",
-                Shown(json.at("do")));
-  SessionEvent event{known->second, {}};
-  const Json points = json.value("points", Json::array());
-  DAUMIER_CHECK(points.is_array() && points.empty() != HasPoints(event.what), "'{}' has {} points", name,
-                points.is_array() ? std::to_string(points.size()) : "malformed");
-  for (const Json& point : points) event.points.push_back(PointFrom(point));
+  const auto known = std::ranges::find(EventKinds(), name, &EventKind::name);
+  if (known == EventKinds().end()) {
+    std::vector<std::string_view> names;
+    for (const EventKind& kind : EventKinds()) names.push_back(kind.name);
+    throw Error(fmt::format("{} is unknown (expected {})", Shown(json.at("do")), fmt::join(names, ", ")));
+  }
+  CheckKeys(*known, json);
+  SessionEvent event{.what = known->what};
+  event.operation.what = known->operation;
+  CanvasPoints points = json.contains("points") ? PointsFrom(json.at("points")) : CanvasPoints();
+  (event.what == What::kOperation ? event.operation.points : event.points) = std::move(points);
+  if (json.contains("mirror")) {
+    DAUMIER_CHECK(json.at("mirror").is_boolean(), "'mirror' is {} (expected true or false)", Shown(json.at("mirror")));
+    event.pen.mirror = json.at("mirror").get<bool>();
+  }
+  if (json.contains("stabiliser")) event.pen.stabiliser = FiniteNumber(json.at("stabiliser"));
+  if (json.contains("radius")) event.operation.radius = FiniteNumber(json.at("radius"));
+  if (json.contains("level")) event.operation.level = LevelFrom(json.at("level"));
+  if (json.contains("view")) {
+    const Eigen::Vector2d view = PointFrom(json.at("view"));
+    event.operation.view = {view.x(), view.y()};
+  }
   return event;
+}
+
+Json EventToJson(const SessionEvent& event) {
+  const EventKind& kind = KindOf(event);
+  const RefinementOperation& operation = event.operation;
+  Json json = {{"do", kind.name}};
+  for (const Eigen::Vector2d& point : event.what == What::kOperation ? operation.points : event.points)
+    json["points"].push_back({point.x(), point.y()});
+  if (event.pen.mirror) json["mirror"] = true;
+  if (event.pen.stabiliser != 0) json["stabiliser"] = event.pen.stabiliser;
+  if (kind.has("radius")) json["radius"] = operation.radius;
+  if (kind.has("level")) json["level"] = operation.level;
+  const View& view = operation.view;
+  if (view.yaw_degrees != 0 || view.pitch_degrees != 0) json["view"] = {view.yaw_degrees, view.pitch_degrees};
+  return json;
 }
 
 SessionScript ScriptFrom(const Json& json) {
@@ -63,6 +142,9 @@ SessionScript ScriptFrom(const Json& json) {
   DAUMIER_CHECK(sheet.is_array() && sheet.size() == 2, "'sheet' is {}, expected [width, height]", Shown(sheet));
   const Eigen::Vector2d size = PointFrom(sheet);
   script.width = size.x(), script.height = size.y();
+  const Json begin = json.value("begin", Json(""));
+  DAUMIER_CHECK(begin.is_string(), "'begin' is {} (expected \"mean\", or the file of a face)", Shown(begin));
+  script.begin = begin.get<std::string>();
   const Json events = json.value("events", Json());
   DAUMIER_CHECK(events.is_array() && !events.empty() && events.size() <= kMostEvents,
                 "'events' is no list of 1 to {} events", kMostEvents);
@@ -70,7 +152,7 @@ SessionScript ScriptFrom(const Json& json) {
   for (size_t i = 0; i < events.size(); ++i) {
     try {
       script.events.push_back(EventFrom(events[i]));
-      num_points += script.events.back().points.size();
+      num_points += script.events.back().points.size() + script.events.back().operation.points.size();
       DAUMIER_CHECK(num_points <= kMostSessionPoints, "there are more than {} points up to it", kMostSessionPoints);
     } catch (const Error& error) {
       throw Error(fmt::format("event {}: {}", i + 1, error.what()));
@@ -82,12 +164,19 @@ SessionScript ScriptFrom(const Json& json) {
 void Do(const SessionEvent& event, SketchSession& session, const Task& task) {
   switch (event.what) {
     case What::kDraw:
-      return session.Draw(event.points, task);
+      return session.Draw(event.points, event.pen, task);
     case What::kErase:
-      session.Erase(event.points, task);
+      session.Erase(event.points, event.pen.mirror, task);
       return;
     case What::kFollowUp:
       return session.FollowUp();
+    case What::kRefine:
+      return session.Refine();
+    case What::kOperation:
+      return session.Apply(event.operation);
+    case What::kGesture:
+      session.DoGesture(event.points, event.operation.view);
+      return;
     case What::kUndo:
       session.Undo();
       return;
@@ -110,14 +199,11 @@ SessionScript ReadSession(const std::filesystem::path& file) {
 }
 
 Json SessionToJson(const SessionScript& script) {
-  Json events = Json::array();
-  for (const SessionEvent& event : script.events) {
-    Json json = {{"do", NameOf(event.what)}};
-    for (const Eigen::Vector2d& point : event.points) json["points"].push_back({point.x(), point.y()});
-    events.push_back(std::move(json));
-  }
-  return {
-      {"version", SessionScript::kVersion}, {"sheet", {script.width, script.height}}, {"events", std::move(events)}};
+  Json json = {{"version", SessionScript::kVersion}, {"sheet", {script.width, script.height}}};
+  if (!script.begin.empty()) json["begin"] = script.begin;
+  json["events"] = Json::array();
+  for (const SessionEvent& event : script.events) json["events"].push_back(EventToJson(event));
+  return json;
 }
 
 void Replay(const SessionScript& script, SketchSession& session,
@@ -130,14 +216,14 @@ void Replay(const SessionScript& script, SketchSession& session,
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      throw Error(fmt::format("event {} ({}): {}", i + 1, NameOf(script.events[i].what), error.what()));
+      throw Error(fmt::format("event {} ({}): {}", i + 1, NameOf(script.events[i]), error.what()));
     }
     report(i + 1, session.state());
   }
 }
 
-std::string NameOf(SessionEvent::What what) {
-  return std::ranges::find(kEventNames, what, &std::pair<const char*, What>::second)->first;
+std::string NameOf(const SessionEvent& event) {
+  return std::string(KindOf(event).name);
 }
 
 }  // namespace daumier::sketch

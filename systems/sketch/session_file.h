@@ -12,17 +12,28 @@ namespace daumier::sketch {
 
 /// What a person did, to be done again.
 struct SessionEvent {
-  enum class What { kDraw, kErase, kFollowUp, kUndo, kRedo };
+  enum class What { kDraw, kErase, kFollowUp, kRefine, kOperation, kGesture, kUndo, kRedo };
   What what = What::kDraw;
-  CanvasPoints points;  ///< Of kDraw and kErase: pixels of the sheet.
+  CanvasPoints points = {};            ///< Of kDraw, kErase and kGesture: pixels of the sheet.
+  Pen pen = {};                        ///< Of kDraw; of kErase its mirror.
+  RefinementOperation operation = {};  ///< Of kOperation, with its points; of kGesture its view.
 };
 
 /// A recorded session: versioned JSON
-///   {"version": 1, "sheet": [width, height], "events": [{"do": "draw", "points": [[x, y], ...]}, {"do": "undo"}, ...]}
-/// with do = draw, erase, follow_up, undo or redo.
+///   {"version": 1, "sheet": [width, height], "begin": "mean", "events": [{"do": "draw", "points": [[x, y], ...]}, ...]}
+/// begin, if there is one: "mean", the mean neutral face, or the file of a face, beside the session's file; follow-up mode
+/// begins with it. do, and what else an event has, or may have (in brackets):
+///   draw                     points, [mirror: true or false], [stabiliser: pixels of the sheet]
+///   erase                    points, [mirror]
+///   follow_up, refine, undo, redo
+///   region, translate, pull  points, [view: [yaw, pitch] in degrees]
+///   brush, unbrush           points, radius: pixels of the sheet, [view]
+///   roll                     level: -3 to 3 without 0, [view]
+///   gesture                  points, [view]
 struct SessionScript {
   static constexpr int kVersion = 1;
   double width = 0, height = 0;  ///< Of the sheet, pixels.
+  std::string begin = {};        ///< Empty: with a blank sheet.
   std::vector<SessionEvent> events;
 };
 
@@ -36,13 +47,14 @@ inline constexpr size_t kMostEvents = 2'000, kMostSessionPoints = 1'000'000;
 SessionScript ReadSession(const std::filesystem::path& file);
 Json SessionToJson(const SessionScript& script);
 
-/// Does the events one after the other, those that have no effect (nothing under the eraser) as well, and calls `report(number, state)` after each, the first is 1.
+/// Does the events one after the other, those that have no effect (nothing under the eraser) as well, and calls
+/// `report(number, state)` after each, the first is 1.
 /// @throws Error naming the event that failed; Cancelled if the task is.
 void Replay(const SessionScript& script, SketchSession& session,
             const std::function<void(size_t number, std::shared_ptr<const SketchState> state)>& report,
             const Task& task = {});
 
 /// "draw", ... as in the file.
-std::string NameOf(SessionEvent::What what);
+std::string NameOf(const SessionEvent& event);
 
 }  // namespace daumier::sketch

@@ -55,6 +55,14 @@ std::vector<render::Stroke> LeftOf(const render::Stroke& stroke, const CanvasPoi
   return is_cut ? parts : std::vector<render::Stroke>{stroke};
 }
 
+/// How near the mirror a line ends that meets it, and how near a line's image is that counts as the line, pixels of the canvas.
+constexpr double kMirrorReach = 3;
+
+void CheckNotRefined(const SketchState& state) {
+  DAUMIER_CHECK(!state.is_refinement(),
+                "lines are not drawn or erased while the face is refined: begin follow-up mode first");
+}
+
 /// The longer side of the sheet, in pixels, is that of the canvas.
 render::Placement WholeSheet(double width, double height) {
   return SheetPlacement({width, height, {}});
@@ -62,8 +70,9 @@ render::Placement WholeSheet(double width, double height) {
 
 }  // namespace
 
-SketchSession::SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height)
-    : follower_(std::move(predictor)), width_(width), height_(height) {
+SketchSession::SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height,
+                             std::shared_ptr<const GestureRecogniser> gestures)
+    : follower_(std::move(predictor)), width_(width), height_(height), gestures_(std::move(gestures)) {
   DAUMIER_CHECK(std::min(width_, height_) >= 1 && std::max(width_, height_) <= kMostSheet,
                 "a sheet of {} x {} pixels, expected sizes from 1 to {}", width_, height_, kMostSheet);
   SketchState blank;
@@ -91,18 +100,28 @@ void SketchSession::Add(SketchState state) {
   ++current_;
 }
 
-bool SketchSession::Undo() {
-  const std::scoped_lock lock(calls_, states_);
-  if (current_ == 0) return false;
-  --current_;
+bool SketchSession::Step(int by) {
+  const std::scoped_lock lock(states_);
+  if (by < 0 ? current_ == 0 : current_ + 1 == history_.size()) return false;
+  current_ = by < 0 ? current_ - 1 : current_ + 1;
   return true;
 }
 
+bool SketchSession::Undo() {
+  const std::scoped_lock lock(calls_);
+  return Step(-1);
+}
+
 bool SketchSession::Redo() {
-  const std::scoped_lock lock(calls_, states_);
-  if (current_ + 1 == history_.size()) return false;
-  ++current_;
-  return true;
+  const std::scoped_lock lock(calls_);
+  return Step(1);
+}
+
+double SketchSession::MirrorOf(const SketchState& state) const {
+  if (!state.is_follow_up()) return width_ / 2;
+  const geometry::Points middle = geometry::Points::Zero(1, 3);  // Faces are symmetric about x = 0.
+  const geometry::Points seen = render::Project(follower_.predictor().curves().camera, middle);
+  return render::ToCanvas(render::Inverse(state.frame), seen.row(0).head<2>().transpose()).x();
 }
 
 SketchState SketchSession::Predicted(std::vector<render::Stroke> strokes, const Task& task) const {
@@ -124,41 +143,58 @@ SketchState SketchSession::Predicted(std::vector<render::Stroke> strokes, const 
   return next;
 }
 
-void SketchSession::Draw(const CanvasPoints& stroke, const Task& task) {
-  CheckOnSheet(stroke);
+void SketchSession::Draw(const CanvasPoints& path, const Pen& pen, const Task& task) {
+  CheckOnSheet(path);
+  const CanvasPoints stroke = Stabilised(path, pen.stabiliser);
   const std::scoped_lock lock(calls_);
   const StatePointer now = state();
+  CheckNotRefined(*now);
+  const std::vector<CanvasPoints> drawn = pen.mirror
+                                              ? WithMirrorImage(stroke, MirrorOf(*now), kMirrorReach / now->frame.scale)
+                                              : std::vector<CanvasPoints>{stroke};
   if (now->is_follow_up()) {
     SketchState next = *now;
-    sketch::Draw(next.lines, OnCanvas(next.frame, stroke));
+    for (const CanvasPoints& one : drawn) sketch::Draw(next.lines, OnCanvas(next.frame, one));
     Follow(next, task);
     return Add(std::move(next));
   }
-  CheckStroke(stroke);
   std::vector<render::Stroke> strokes = now->strokes;
-  strokes.push_back(StrokeOf(stroke));
+  for (const CanvasPoints& one : drawn) {
+    CheckStroke(one);
+    strokes.push_back(StrokeOf(one));
+  }
   Add(Predicted(std::move(strokes), task));
 }
 
-bool SketchSession::Erase(const CanvasPoints& path, const Task& task) {
+bool SketchSession::Erase(const CanvasPoints& path, bool mirror, const Task& task) {
   DAUMIER_CHECK(!path.empty(), "the eraser's path has no point");
   CheckOnSheet(path);
   const std::scoped_lock lock(calls_);
   const StatePointer now = state();
+  CheckNotRefined(*now);
+  std::vector<CanvasPoints> paths{path};
+  if (mirror) paths.push_back(Mirrored(path, MirrorOf(*now)));
   if (now->is_follow_up()) {
     SketchState next = *now;
-    if (!sketch::Erase(next.lines, OnCanvas(next.frame, path))) return false;
+    bool is_changed = false;
+    for (const CanvasPoints& one : paths)
+      is_changed = sketch::Erase(next.lines, OnCanvas(next.frame, one)) || is_changed;
+    if (!is_changed) return false;
     Follow(next, task);
     Add(std::move(next));
     return true;
   }
   const double reach = kEraserReach / WholeSheet(width_, height_).scale;
-  std::vector<render::Stroke> left;
+  std::vector<render::Stroke> left = now->strokes;
   bool is_changed = false;
-  for (const render::Stroke& stroke : now->strokes) {
-    std::vector<render::Stroke> parts = LeftOf(stroke, path, reach);
-    is_changed = is_changed || parts.size() != 1 || parts.front().points != stroke.points;
-    std::ranges::move(parts, std::back_inserter(left));
+  for (const CanvasPoints& one : paths) {
+    std::vector<render::Stroke> kept;
+    for (const render::Stroke& stroke : left) {
+      std::vector<render::Stroke> parts = LeftOf(stroke, one, reach);
+      is_changed = is_changed || parts.size() != 1 || parts.front().points != stroke.points;
+      std::ranges::move(parts, std::back_inserter(kept));
+    }
+    left = std::move(kept);
   }
   if (is_changed) Add(Predicted(std::move(left), task));
   return is_changed;
@@ -189,6 +225,65 @@ void SketchSession::Follow(SketchState& state, const Task& task) const {
   if (state.start->untouched == Untouched::kFollow) follower_.MoveUntouched(state.vertices, state.lines);
 }
 
+const Refinement& SketchSession::OpenRefinement() {
+  if (refinement_ == nullptr)
+    refinement_ = std::make_unique<const Refinement>(follower_.predictor().run().face_template);
+  return *refinement_;
+}
+
+SketchState SketchSession::Refined(const SketchState& from, RefinementState refinement) const {
+  SketchState next;
+  next.frame = from.frame;
+  next.vertices = refinement.vertices;
+  next.lines = follower_.CurvesOf(next.vertices);
+  next.refinement = std::make_shared<const RefinementState>(std::move(refinement));
+  return next;
+}
+
+void SketchSession::Refine() {
+  const std::scoped_lock lock(calls_);
+  const StatePointer now = state();
+  if (now->is_refinement()) return;
+  const bool has_face = now->vertices.rows() > 0;
+  Add(Refined(*now,
+              OpenRefinement().Begin(has_face ? now->vertices : follower_.predictor().run().face_template.neutral)));
+}
+
+render::Camera SketchSession::CameraOf(const SketchState& state, const View& view) const {
+  const geometry::Points& neutral = follower_.predictor().run().face_template.neutral;
+  const geometry::Vector3 middle = (neutral.colwise().minCoeff() + neutral.colwise().maxCoeff()).transpose() / 2;
+  return ViewCamera(follower_.predictor().curves().camera, state.frame, middle, view);
+}
+
+SketchState SketchSession::Applied(const SketchState& from, const RefinementOperation& operation) {
+  CheckOnSheet(operation.points);
+  DAUMIER_CHECK(from.is_refinement(), "an operation of refinement, but refinement has not begun");
+  return Refined(from, sketch::Apply(operation, OpenRefinement(), *from.refinement, CameraOf(from, operation.view)));
+}
+
+void SketchSession::Apply(const RefinementOperation& operation) {
+  const std::scoped_lock lock(calls_);
+  Add(Applied(*state(), operation));
+}
+
+datasets::Gesture SketchSession::DoGesture(const CanvasPoints& stroke, const View& view) {
+  DAUMIER_CHECK(gestures_ != nullptr, "there is no network of gestures. Restore the weights `gestures`");
+  CheckOnSheet(stroke);
+  const std::scoped_lock lock(calls_);
+  const StatePointer now = state();
+  DAUMIER_CHECK(now->is_refinement(), "a gesture, but refinement has not begun");
+  const datasets::Gesture gesture = gestures_->Recognise(stroke).gesture;
+  if (gesture == datasets::Gesture::kLeftArrow || gesture == datasets::Gesture::kRightArrow) {
+    Step(gesture == datasets::Gesture::kLeftArrow ? -1 : 1);
+    return gesture;
+  }
+  const auto operation = OperationOf(gesture, stroke, view, !now->refinement->handles.empty());
+  SketchState next = operation ? Applied(*now, *operation) : *now;
+  next.gesture = gesture;
+  Add(std::move(next));
+  return gesture;
+}
+
 geometry::Points SketchSession::Preview(const CanvasPoints& stroke) const {
   const StatePointer now = state();
   render::Drawing drawing{width_, height_, now->strokes};
@@ -198,7 +293,7 @@ geometry::Points SketchSession::Preview(const CanvasPoints& stroke) const {
 }
 
 std::vector<render::Stroke> SketchSession::OnSheet(const SketchState& state) {
-  if (!state.is_follow_up()) return state.strokes;
+  if (!state.is_follow_up() && !state.is_refinement()) return state.strokes;
   return render::MapToCanvas(StrokesOf(state.lines), render::Inverse(state.frame));
 }
 

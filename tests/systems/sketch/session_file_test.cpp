@@ -27,18 +27,38 @@ class SessionFileTest : public ::testing::Test {
 
 TEST_F(SessionFileTest, WritingAndReadingGivesTheSameSession) {
   SessionScript script{300, 200, {}};
-  script.events = {{SessionEvent::What::kDraw, {{1, 2.5}, {3, 4}}},
-                   {SessionEvent::What::kFollowUp, {}},
-                   {SessionEvent::What::kErase, {{7, 8}}},
-                   {SessionEvent::What::kUndo, {}},
-                   {SessionEvent::What::kRedo, {}}};
+  using enum SessionEvent::What;
+  using Operation = RefinementOperation;
+  script.begin = "face.obj";
+  script.events = {{.what = kDraw, .points = {{1, 2.5}, {3, 4}}, .pen = {true, 12.5}},
+                   {.what = kErase, .points = {{7, 8}}, .pen = {true}},
+                   {.what = kFollowUp},
+                   {.what = kUndo},
+                   {.what = kRedo},
+                   {.what = kRefine},
+                   {.what = kGesture, .points = {{7, 8}, {9, 9}}, .operation = {.view = {-90, 10}}}};
+  for (const Operation::What what : {Operation::What::kRegion, Operation::What::kTranslate, Operation::What::kPull})
+    script.events.push_back({.what = kOperation, .operation = {what, {{1, 2}, {3, 4}}, {30, 0}}});
+  for (const Operation::What what : {Operation::What::kBrush, Operation::What::kUnbrush})
+    script.events.push_back({.what = kOperation, .operation = {what, {{1, 2}}, {}, 7.5}});
+  script.events.push_back({.what = kOperation, .operation = {Operation::What::kRoll, {}, {0, -5}, 0, -2}});
   const SessionScript read = Read(SessionToJson(script).dump());
   EXPECT_EQ(read.width, 300);
   EXPECT_EQ(read.height, 200);
-  ASSERT_EQ(read.events.size(), 5u);
-  for (size_t i = 0; i < 5; ++i) {
-    EXPECT_EQ(read.events[i].what, script.events[i].what);
-    EXPECT_EQ(read.events[i].points, script.events[i].points);
+  EXPECT_EQ(read.begin, "face.obj");
+  ASSERT_EQ(read.events.size(), script.events.size());
+  for (size_t i = 0; i < read.events.size(); ++i) {
+    const SessionEvent &a = read.events[i], &b = script.events[i];
+    SCOPED_TRACE(NameOf(b));
+    EXPECT_EQ(NameOf(a), NameOf(b));
+    EXPECT_EQ(a.points, b.points);
+    EXPECT_EQ(a.pen.mirror, b.pen.mirror);
+    EXPECT_EQ(a.pen.stabiliser, b.pen.stabiliser);
+    EXPECT_EQ(a.operation.points, b.operation.points);
+    EXPECT_EQ(a.operation.view.yaw_degrees, b.operation.view.yaw_degrees);
+    EXPECT_EQ(a.operation.view.pitch_degrees, b.operation.view.pitch_degrees);
+    EXPECT_EQ(a.operation.radius, b.operation.radius);
+    EXPECT_EQ(a.operation.level, b.operation.level);
   }
 }
 
@@ -50,9 +70,16 @@ TEST_F(SessionFileTest, AMalformedEventIsNamedByItsNumber) {
   };
   refused("3", "it has no text 'do'");
   refused(R"({"do": "paint"})", "\"paint\" is unknown (expected draw, erase");
-  refused(R"({"do": "draw"})", "'draw' has 0 points");
-  refused(R"({"do": "undo", "points": [[1, 2]]})", "'undo' has 1 points");
-  refused(R"({"do": "draw", "points": 7})", "'draw' has malformed points");
+  refused(R"({"do": "draw"})", "'draw' has no 'points'");
+  refused(R"({"do": "draw", "points": []})", "'points' is []");
+  refused(R"({"do": "undo", "points": [[1, 2]]})", "'undo' takes no 'points'");
+  refused(R"({"do": "draw", "points": 7})", "'points' is 7");
+  refused(R"({"do": "draw", "points": [[1, 2]], "mirror": 1})", "'mirror' is 1");
+  refused(R"({"do": "draw", "points": [[1, 2]], "stabiliser": "a"})", "\"a\" is no number");
+  refused(R"({"do": "brush", "points": [[1, 2]]})", "'brush' has no 'radius'");
+  refused(R"({"do": "region", "points": [[1, 2]], "view": [3]})", "[3] is no pair");
+  refused(R"({"do": "roll", "level": 0})", "'level' is 0");
+  refused(R"({"do": "roll", "level": 1.5})", "'level' is 1.5");
   refused(R"({"do": "draw", "points": [[1]]})", "[1] is no pair [x, y]");
   refused(R"({"do": "draw", "points": [[1, "a"]]})", "\"a\" is no number");
 }

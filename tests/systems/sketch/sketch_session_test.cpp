@@ -93,6 +93,111 @@ TEST_F(SketchSessionTest, TheEraserCutsStrokesOfInitialMode) {
   EXPECT_EQ(strokes[2].points.size(), 2u) << "what it does not reach is unchanged";
 }
 
+TEST_F(SketchSessionTest, AMirrorDrawsAndErasesOnBothSides) {
+  SketchSession session = Open();
+  session.Draw({{20, 100}, {60, 120}}, {.mirror = true});
+  ASSERT_EQ(session.state()->strokes.size(), 2u);
+  EXPECT_EQ(PointsOf(session.state()->strokes[1]), (CanvasPoints{{236, 100}, {196, 120}}))
+      << "about the sheet's middle";
+  EXPECT_TRUE(session.Erase({{20, 100}, {60, 120}}, /*mirror=*/true));
+  EXPECT_TRUE(session.state()->strokes.empty());
+  EXPECT_TRUE(session.Undo());
+  EXPECT_TRUE(session.Undo());
+  EXPECT_TRUE(session.state()->strokes.empty()) << "both lines are one event";
+}
+
+TEST_F(SketchSessionTest, AMirrorRedrawsBothSidesOfTheFace) {
+  SketchSession session = Open();
+  session.FollowUp();
+  const geometry::Points seen = render::Project(predictor_->curves().camera, geometry::Points::Zero(1, 3));
+  const CanvasPoints wrinkle = {{60, 60}, {70, 60}};
+  session.Draw(wrinkle, {.mirror = true});
+  ASSERT_EQ(session.state()->lines.wrinkles.size(), 2u);
+  EXPECT_NEAR(session.state()->lines.wrinkles[1][0].x(), 2 * seen(0, 0) - 60, 1e-9) << "about the face's middle";
+}
+
+TEST_F(SketchSessionTest, AStabiliserSmoothsTheStroke) {
+  SketchSession session = Open();
+  CanvasPoints shaken;
+  for (int i = 0; i < 60; ++i) shaken.emplace_back(20 + 3 * i, 100 + (i % 2 == 0 ? 3 : -3));
+  session.Draw(shaken, {.stabiliser = 25});
+  const CanvasPoints drawn = PointsOf(session.state()->strokes.front());
+  for (size_t i = 1; i + 1 < drawn.size(); ++i) EXPECT_LT(std::abs(drawn[i].y() - drawn[i - 1].y()), 1);
+}
+
+/// Always of the same scores.
+class FixedScores : public runtime::NetworkRunner {
+ public:
+  explicit FixedScores(datasets::Gesture gesture) : gesture_(gesture) {}
+  NamedArrays Run(const NamedArrays& inputs) const override {
+    (void)inputs;
+    FloatArray scores({1, kNumGestureClasses});
+    scores.values.assign(scores.values.size(), 0.0f);
+    scores.values[size_t(gesture_)] = 20;
+    return {{"scores", scores}};
+  }
+
+ private:
+  datasets::Gesture gesture_;
+};
+
+TEST_F(SketchSessionTest, RefinementMovesTheFaceItBeganWith) {
+  SketchSession session = Open();
+  using What = RefinementOperation::What;
+  ExpectError([&] { session.Apply({.what = What::kRoll, .level = 1}); }, "refinement has not begun");
+  session.Refine();
+  const SketchState before = *session.state();
+  ASSERT_TRUE(before.is_refinement());
+  EXPECT_EQ(before.vertices, predictor_->run().face_template.neutral);
+  const render::Camera camera = session.CameraOf(before, {});
+  const geometry::Points seen = render::Project(camera, before.vertices);
+  const Eigen::Vector2d middle =
+      (seen.leftCols<2>().colwise().minCoeff() + seen.leftCols<2>().colwise().maxCoeff()) / 2;
+  session.Apply({.what = What::kBrush, .points = {middle}, .radius = 20});
+  ASSERT_FALSE(session.state()->refinement->handles.empty());
+  session.Apply({.what = What::kTranslate, .points = {middle, middle + Eigen::Vector2d(4, 0)}});
+  const SketchState& after = *session.state();
+  const Eigen::Index handle = after.refinement->handles.front();
+  const geometry::Points moved = render::Project(camera, after.vertices);
+  EXPECT_NEAR(moved(handle, 0) - seen(handle, 0), 4, 1e-6) << "as far as the line is long";
+  EXPECT_NEAR(moved(handle, 2), seen(handle, 2), 1e-9) << "in the plane of the view";
+  EXPECT_LT(Disagreement(after), 1e-3) << "lines are those of the face";
+  ExpectError([&] { session.Draw({{5, 5}, {9, 9}}); }, "begin follow-up mode first");
+  ExpectError([&] { session.Erase({{5, 5}}); }, "begin follow-up mode first");
+  session.FollowUp();
+  EXPECT_EQ(session.state()->vertices, after.vertices);
+  EXPECT_TRUE(session.Undo());
+  EXPECT_TRUE(session.Undo());
+  EXPECT_EQ(session.state()->vertices, before.vertices);
+}
+
+TEST_F(SketchSessionTest, AGestureDoesWhatItMeans) {
+  using enum datasets::Gesture;
+  const auto session_with = [&](datasets::Gesture gesture) {
+    return SketchSession(
+        predictor_, 256, 256,
+        std::make_shared<const GestureRecogniser>(GestureDecision(), std::make_shared<FixedScores>(gesture)));
+  };
+  const CanvasPoints stroke = {{100, 100}, {150, 110}};
+  SketchSession left = session_with(kLeftArrow);
+  ExpectError([&] { left.DoGesture(stroke, {}); }, "refinement has not begun");
+  left.Refine();
+  const auto refined = left.state();
+  EXPECT_EQ(left.DoGesture(stroke, {}), kLeftArrow);
+  EXPECT_FALSE(left.state()->is_refinement()) << "undone";
+  SketchSession none = session_with(kNone);
+  none.Refine();
+  EXPECT_EQ(none.DoGesture(stroke, {}), kNone);
+  EXPECT_EQ(none.state()->gesture, kNone);
+  EXPECT_EQ(none.state()->vertices, refined->vertices);
+  SketchSession roll = session_with(kUpRoll2);
+  roll.Refine();
+  ExpectError([&] { roll.DoGesture(stroke, {}); }, "handle");
+  SketchSession without = Open();
+  without.Refine();
+  ExpectError([&] { without.DoGesture(stroke, {}); }, "there is no network of gestures");
+}
+
 TEST_F(SketchSessionTest, FollowUpBeginsWithTheFaceItself) {
   SketchSession session = Open();
   for (const render::Stroke& circle : fitting::Circles()) session.Draw(PointsOf(circle));
@@ -143,7 +248,7 @@ TEST_F(SketchSessionTest, AFailedCallChangesNothing) {
   session.FollowUp();
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(session.Draw({{5, 5}, {9, 9}}, Task(stop.get_token())), Cancelled);
+  EXPECT_THROW(session.Draw({{5, 5}, {9, 9}}, {}, Task(stop.get_token())), Cancelled);
   EXPECT_TRUE(session.Undo());
   EXPECT_EQ(session.state(), before);
   ExpectError([&] { SketchSession(predictor_, 0, 10); }, "expected sizes from 1 to");
@@ -153,9 +258,9 @@ TEST_F(SketchSessionTest, AFailedCallChangesNothing) {
 
 TEST_F(SketchSessionTest, AReplayGivesTheStatesOfTheCalls) {
   SketchSession session = Open(), replayed = Open();
-  SessionScript script{256, 256, {{SessionEvent::What::kFollowUp, {}}, {SessionEvent::What::kErase, {{5, 250}}}}};
+  SessionScript script{256, 256, "", {{SessionEvent::What::kFollowUp, {}}, {SessionEvent::What::kErase, {{5, 250}}}}};
   session.FollowUp();
-  script.events.push_back({SessionEvent::What::kDraw, {{5, 5}, {9, 9}}});
+  script.events.push_back({.what = SessionEvent::What::kDraw, .points = {{5, 5}, {9, 9}}});
   session.Draw({{5, 5}, {9, 9}});
   script.events.push_back({SessionEvent::What::kUndo, {}});
   std::vector<size_t> wrinkles;
