@@ -21,7 +21,7 @@ ict=$1 out=$2 work=${3:-runs/weights}
 persons=${PERSONS:-150} images=${IMAGES:-4800}
 landmark_epochs=${LANDMARK_EPOCHS:-18} portrait_epochs=${PORTRAIT_EPOCHS:-26}
 sketch_persons=${SKETCH_PERSONS:-200} parser_epochs=${PARSER_EPOCHS:-14} sketch_epochs=${SKETCH_EPOCHS:-30}
-gesture_hands=${GESTURE_HANDS:-300} gesture_epochs=${GESTURE_EPOCHS:-8}
+gesture_hands=${GESTURE_HANDS:-400} gesture_epochs=${GESTURE_EPOCHS:-5}
 only=${ONLY:-portraits drawings gestures}
 configs=$(cd "$(dirname "$0")/../configs" && pwd)
 [ -e "$ict" ] || { echo "$ict does not exist (expected a checkout of ICT-FaceKit or its tar archive)" >&2; exit 1; }

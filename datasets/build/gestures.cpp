@@ -47,7 +47,7 @@ void BuildGestures(const GesturesOptions& options, const std::filesystem::path& 
                            {"shards", build.num_shards},
                            {"strokes", options.num_hands * (kNumGestures * options.per_gesture + options.none)}};
   build.manifest.details = {{"gestures", NamesOf<Gesture>(kNumGestures + 1)},
-                            {"other_strokes", NamesOf<OtherStroke>(kNumOtherStrokes)}};
+                            {"other_strokes", NamesOf<OtherStrokeKind>(kNumOtherStrokeKinds)}};
   build.num_units = options.num_hands;
   build.unit = "hands";
   build.units_per_shard = kHandsInAShard;

@@ -31,7 +31,7 @@ render::Image GestureSheet(const std::vector<LabelledStroke>& strokes, int colum
   render::SheetStyle style{.row_titles = {}, .gap = 4};
   std::vector<render::SheetCell> cells;
   for (const auto& [kind, row] : rows) {
-    style.row_titles.push_back(kind.second < 0 ? NameOf(kind.first) : NameOf(OtherStroke(kind.second)));
+    style.row_titles.push_back(kind.second < 0 ? NameOf(kind.first) : NameOf(OtherStrokeKind(kind.second)));
     for (int i = 0; i < columns; ++i)
       cells.push_back(i < int(row.size()) ? render::SheetCell{PictureOfStroke(row[size_t(i)]->points)}
                                           : render::SheetCell{});

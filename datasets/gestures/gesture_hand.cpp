@@ -127,7 +127,7 @@ Polyline DrawWithHand(const Polyline& shape, const GestureHand& hand, Rng& rng) 
     line = Reversed(line);
   }
   // In small strokes a hand trembles less.
-  Tremble(line, hand.tremor_px * std::sqrt(std::min(1.0, size / 200)), rng);
+  Tremble(line, hand.tremor_px * std::min(1.0, size / 200), rng);
   Polyline sampled = SampledInTime(line, hand, rng.Uniform(0, 0.4), rng);
   if (hand.has_mouse)
     for (Vector2d& point : sampled) point = {std::round(point.x()), std::round(point.y())};

@@ -30,7 +30,8 @@ Polyline BlobShape(Rng& rng) {
     phases[k] = rng.Uniform(-pi, pi);
   }
   const double drift = Deviate(0.06, rng), begin = rng.Uniform(-pi, pi);
-  const double angle = 2 * pi * (1 + (Happens(0.5, rng) ? rng.Uniform(-0.1, 0) : rng.Uniform(0, 0.14)));
+  const double kind = rng.Uniform(), most = kind < 0.9 ? 0.14 : 0.45;  // One in ten goes round half as far again.
+  const double angle = 2 * pi * (1 + (kind < 0.5 ? rng.Uniform(-0.1, 0) : rng.Uniform(0, most)));
   Polyline line;
   constexpr int kCount = 300;
   for (int i = 0; i < kCount; ++i) {
@@ -128,10 +129,12 @@ Polyline ArrowAlongX(Rng& rng) {
   PathPen pen;
   for (const Vector2d& point : DrawShaft(rng)) pen.To(point);
   const Vector2d tip = pen.at();
-  const double heading = pen.heading(), side = EitherSign(rng), length = LogUniform(0.11, 0.42, rng);
-  const Vector2d first = BarbEnd(tip, heading, side, length, rng);
-  const Vector2d second = BarbEnd(tip, heading, -side, std::min(0.45, length * LogUniform(0.6, 1.6, rng)), rng);
   const double kind = rng.Uniform();
+  // One long barb would be a V, two are none.
+  const double longest = kind < 0.3 ? 0.42 : 0.6;
+  const double heading = pen.heading(), side = EitherSign(rng), length = LogUniform(0.11, longest, rng);
+  const Vector2d first = BarbEnd(tip, heading, side, length, rng);
+  const Vector2d second = BarbEnd(tip, heading, -side, std::min(longest, length * LogUniform(0.6, 1.6, rng)), rng);
   if (kind < 0.3) {
     DrawBarb(pen, first, rng);
   } else if (kind < 0.7) {

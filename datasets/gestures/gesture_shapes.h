@@ -18,6 +18,6 @@ Polyline DrawArrow(Rng& rng);
 Polyline DrawLoops(int num_loops, Rng& rng);
 
 /// Angles of what is level enough for a shaft and of the slant of a roll, degrees.
-inline constexpr double kShaftTilt = 28, kLeastSlant = 18, kGreatestSlant = 70;
+inline constexpr double kShaftTilt = 28, kLeastSlant = 15, kGreatestSlant = 73;
 
 }  // namespace daumier::datasets

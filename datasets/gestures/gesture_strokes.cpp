@@ -16,6 +16,15 @@ Polyline DrawGesture(Gesture gesture, const GestureHand& hand, Rng& rng) {
   return stroke;
 }
 
+/// One that a hand spoils so that it is nearly straight or nearly closed is drawn again.
+Polyline DrawOther(OtherStrokeKind kind, const GestureHand& hand, Rng& rng) {
+  while (true) {
+    Polyline stroke = DrawWithHand(DrawOtherShape(kind, rng), hand, rng);
+    const StrokeMeasures measures = MeasureStroke(stroke);
+    if (!measures.is_nearly_straight() && !measures.is_nearly_closed()) return stroke;
+  }
+}
+
 }  // namespace
 
 bool KeepsDefinition(Gesture gesture, const Polyline& stroke) {
@@ -37,8 +46,8 @@ std::vector<LabelledStroke> StrokesOfHand(const GestureHandOptions& options, con
       strokes.push_back(
           {.points = DrawGesture(Gesture(gesture), habits, rng), .gesture = Gesture(gesture), .hand = hand});
   for (int i = 0; i < counts.none; ++i) {
-    const auto kind = OtherStroke((i + hand) % kNumOtherStrokes);
-    strokes.push_back({.points = DrawWithHand(DrawOtherShape(kind, rng), habits, rng), .other = kind, .hand = hand});
+    const auto kind = OtherStrokeKind((i + hand) % kNumOtherStrokeKinds);
+    strokes.push_back({.points = DrawOther(kind, habits, rng), .other = kind, .hand = hand});
   }
   return strokes;
 }

@@ -11,8 +11,8 @@ namespace daumier::datasets {
 struct LabelledStroke {
   Polyline points;  ///< Pixels of a screen, y down.
   Gesture gesture = Gesture::kNone;
-  std::optional<OtherStroke> other = {};  ///< Of kNone, where it is known.
-  int hand = 0;                           ///< Who drew it.
+  std::optional<OtherStrokeKind> other = {};  ///< Of kNone, where it is known.
+  int hand = 0;                               ///< Who drew it.
 };
 
 /// How many strokes a hand draws.

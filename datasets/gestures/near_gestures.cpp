@@ -24,6 +24,10 @@ Polyline Continued(const Polyline& first, const Polyline& second, double turn) {
   return line;
 }
 
+double LevelOrUpright(Rng& rng) {
+  return (double(rng.Below(4)) * 90 + rng.Uniform(-6, 6)) * kDegrees;
+}
+
 }  // namespace
 
 Polyline ManyLoops(Rng& rng) {
@@ -31,8 +35,7 @@ Polyline ManyLoops(Rng& rng) {
 }
 
 Polyline LevelLoops(Rng& rng) {
-  const double along = double(rng.Below(4)) * 90 + rng.Uniform(-7, 7);
-  return Aimed(DrawLoops(1 + int(rng.Below(3)), rng), along * kDegrees);
+  return Aimed(DrawLoops(1 + int(rng.Below(3)), rng), LevelOrUpright(rng));
 }
 
 Polyline MixedLoops(Rng& rng) {
@@ -49,7 +52,7 @@ Polyline MixedLoops(Rng& rng) {
     pen.Forward(LogUniform(0.6, 3, rng)).Arc(side * 2 * pi, LogUniform(0.5, 1.2, rng));
     side = i + 2 == num_loops && side == sense ? -side : side * EitherSign(rng);
   }
-  return Aimed(pen.Forward(rng.Uniform(0.5, 2)).points(), rng.Uniform(-pi, pi));
+  return Aimed(pen.Forward(rng.Uniform(0.5, 2)).points(), LevelOrUpright(rng));
 }
 
 Polyline TurnedArrow(Rng& rng) {
@@ -76,13 +79,12 @@ Polyline BrokenArrow(Rng& rng) {
   const double side = EitherSign(rng);
   PathPen pen(rng.Uniform(-pi, pi));
   pen.Forward(rng.Uniform(0.4, 1.2));
-  if (Happens(0.5, rng))
-    pen.Turn(side * rng.Uniform(1.1, 2.2));
-  else
-    pen.Arc(side * rng.Uniform(1.4, 3.2), rng.Uniform(0.2, 0.6));
+  const bool has_corner = Happens(0.5, rng);
+  if (!has_corner) pen.Arc(side * rng.Uniform(1.4, 3.2), rng.Uniform(0.2, 0.6));
   const Polyline arrow = DrawArrow(rng);
   const bool begins_at_shaft = arrow.front().norm() < 0.05;
-  return Continued(pen.points(), begins_at_shaft ? arrow : Reversed(arrow), 0);
+  return Continued(pen.points(), begins_at_shaft ? arrow : Reversed(arrow),
+                   has_corner ? side * rng.Uniform(1.1, 2.2) : 0);
 }
 
 Polyline TailedRegion(Rng& rng) {

@@ -127,56 +127,57 @@ Polyline WanderingStroke(Rng& rng) {
   return pen.points();
 }
 
-Polyline DrawOnce(OtherStroke kind, Rng& rng) {
+Polyline DrawOnce(OtherStrokeKind kind, Rng& rng) {
   switch (kind) {
-    case OtherStroke::kGlyph:
+    case OtherStrokeKind::kGlyph:
       return DrawGlyph(rng);
-    case OtherStroke::kArc:
+    case OtherStrokeKind::kArc:
       return ArcStroke(rng);
-    case OtherStroke::kWave:
+    case OtherStrokeKind::kWave:
       return WaveStroke(rng);
-    case OtherStroke::kZigzag:
+    case OtherStrokeKind::kZigzag:
       return ZigzagStroke(rng);
-    case OtherStroke::kSpiral:
+    case OtherStrokeKind::kSpiral:
       return SpiralStroke(rng);
-    case OtherStroke::kCorner:
+    case OtherStrokeKind::kCorner:
       return CornerStroke(rng);
-    case OtherStroke::kOpenPolygon:
+    case OtherStrokeKind::kOpenPolygon:
       return OpenPolygonStroke(rng);
-    case OtherStroke::kScribble:
+    case OtherStrokeKind::kScribble:
       return ScribbleStroke(rng);
-    case OtherStroke::kManyLoops:
+    case OtherStrokeKind::kManyLoops:
       return ManyLoops(rng);
-    case OtherStroke::kLevelLoops:
+    case OtherStrokeKind::kLevelLoops:
       return LevelLoops(rng);
-    case OtherStroke::kMixedLoops:
+    case OtherStrokeKind::kMixedLoops:
       return MixedLoops(rng);
-    case OtherStroke::kTurnedArrow:
+    case OtherStrokeKind::kTurnedArrow:
       return TurnedArrow(rng);
-    case OtherStroke::kDoubleArrow:
+    case OtherStrokeKind::kDoubleArrow:
       return DoubleArrow(rng);
-    case OtherStroke::kBrokenArrow:
+    case OtherStrokeKind::kBrokenArrow:
       return BrokenArrow(rng);
-    case OtherStroke::kTailedRegion:
+    case OtherStrokeKind::kTailedRegion:
       return TailedRegion(rng);
-    case OtherStroke::kDrawing:
+    case OtherStrokeKind::kDrawing:
       return DrawingStroke(rng);
-    case OtherStroke::kWandering:
+    case OtherStrokeKind::kWandering:
       return WanderingStroke(rng);
   }
   return {};
 }
 
 /// What is drawn without regard to gestures may be one by chance; near misses are none by how they are made.
-bool IsNone(OtherStroke kind, const Polyline& line) {
-  if (kind == OtherStroke::kWandering || kind == OtherStroke::kScribble) return !MayBeGesture(line);
+bool IsNone(OtherStrokeKind kind, const Polyline& line) {
+  using enum OtherStrokeKind;
+  if (kind == kWandering || kind == kScribble || kind == kOpenPolygon) return !MayBeGesture(line);
   const StrokeMeasures measures = MeasureStroke(line);
   return !measures.is_nearly_straight() && !measures.is_nearly_closed();
 }
 
 }  // namespace
 
-std::string NameOf(OtherStroke kind) {
+std::string NameOf(OtherStrokeKind kind) {
   static constexpr std::array kNames = {"glyph",       "arc",          "wave",         "zigzag",       "spiral",
                                         "corner",      "open_polygon", "scribble",     "many_loops",   "level_loops",
                                         "mixed_loops", "turned_arrow", "double_arrow", "broken_arrow", "tailed_region",
@@ -184,7 +185,7 @@ std::string NameOf(OtherStroke kind) {
   return kNames[size_t(kind)];
 }
 
-Polyline DrawOtherShape(OtherStroke kind, Rng& rng) {
+Polyline DrawOtherShape(OtherStrokeKind kind, Rng& rng) {
   Polyline line;
   do line = DrawOnce(kind, rng);
   while (!IsNone(kind, line));

@@ -6,7 +6,7 @@
 /// Strokes that are no gesture: what people draw and write, and what nearly is a gesture.
 namespace daumier::datasets {
 
-enum class OtherStroke {
+enum class OtherStrokeKind {
   kGlyph,         ///< Letters, digits, signs.
   kArc,           ///< Arcs from a slight bow to a ring with a wide gap, also of uneven curvature: brows, lids, mouths.
   kWave,          ///< Waves, scallops, curls without loops.
@@ -25,12 +25,12 @@ enum class OtherStroke {
   kDrawing,       ///< Lines of faces: noses, ears, lips, hair.
   kWandering,     ///< Straight pieces, arcs and corners in any order.
 };
-inline constexpr int kNumOtherStrokes = 17;
+inline constexpr int kNumOtherStrokeKinds = 17;
 
 /// "glyph", "arc" ...
-std::string NameOf(OtherStroke kind);
+std::string NameOf(OtherStrokeKind kind);
 
 /// One of these, of a size of any order. Promises: neither nearly straight nor nearly closed (StrokeMeasures).
-Polyline DrawOtherShape(OtherStroke kind, Rng& rng);
+Polyline DrawOtherShape(OtherStrokeKind kind, Rng& rng);
 
 }  // namespace daumier::datasets

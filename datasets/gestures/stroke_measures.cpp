@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 
 constexpr int kMeasuredPoints = 160;
 
-double AngleBetween(const Vector2d& a, const Vector2d& b) {
+double TurnBetween(const Vector2d& a, const Vector2d& b) {
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
@@ -67,7 +67,7 @@ StrokeMeasures MeasureStroke(const Polyline& stroke) {
   const Polyline smooth = Smoothed(stroke, 1.0 / 40, kMeasuredPoints);
   double angle = 0;
   for (size_t i = 2; i < smooth.size(); ++i)
-    angle += AngleBetween(smooth[i - 1] - smooth[i - 2], smooth[i] - smooth[i - 1]);
+    angle += TurnBetween(smooth[i - 1] - smooth[i - 2], smooth[i] - smooth[i - 1]);
   measures.turns = angle / (2 * std::numbers::pi);
   return measures;
 }
@@ -75,7 +75,7 @@ StrokeMeasures MeasureStroke(const Polyline& stroke) {
 bool MayBeGesture(const Polyline& stroke) {
   const StrokeMeasures measures = MeasureStroke(stroke);
   const double turns = std::abs(measures.turns);
-  if (measures.gap > 0.85 && measures.deviation < 0.13) return true;
+  if (measures.is_nearly_straight()) return true;
   if (measures.gap < 0.2 && turns < 1.75) return true;
   const double slant = std::abs(std::sin(2 * measures.direction));
   if (turns > 0.6 && turns < 3.5 && slant > 0.25 && measures.gap > 0.1) return true;

@@ -11,7 +11,7 @@ struct StrokeMeasures {
   double turns = 0;      ///< Full turns of its direction from end to end, clockwise on the screen (y down).
   double direction = 0;  ///< From the first point to the last, radians from the right, clockwise.
 
-  bool is_nearly_straight() const { return gap > 0.9 && deviation < 0.1; }
+  bool is_nearly_straight() const { return gap > 0.85 && deviation < 0.12; }
   bool is_nearly_closed() const { return gap < 0.15 && turns * turns > 0.3 && turns * turns < 2.9; }
 };
 

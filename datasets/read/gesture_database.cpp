@@ -29,7 +29,7 @@ int CheckShard(const SafetensorsFile& shard, const fs::path& file, int num_hands
                                [&](int32_t value) { return value >= least && value < end; });
   };
   DAUMIER_CHECK(offsets.front() == 0 && offsets.back() == num_points && std::ranges::is_sorted(offsets) &&
-                    in_range("gestures", 0, kNumGestures + 1) && in_range("other_strokes", -1, kNumOtherStrokes) &&
+                    in_range("gestures", 0, kNumGestures + 1) && in_range("other_strokes", -1, kNumOtherStrokeKinds) &&
                     in_range("hands", 0, num_hands),
                 "{}: its numbers are no strokes of gestures. Build the folder again: daumier dataset gestures",
                 file.string());
@@ -76,7 +76,8 @@ LabelledStroke GestureDatabase::stroke(int index) const {
   LabelledStroke stroke{.gesture = Gesture(shard.at("gestures").As<int32_t>()[row]), .hand = hand(index)};
   for (auto i = size_t(offsets[row]); i < size_t(offsets[row + 1]); ++i)
     stroke.points.emplace_back(points[2 * i], points[2 * i + 1]);
-  if (const int32_t other = shard.at("other_strokes").As<int32_t>()[row]; other >= 0) stroke.other = OtherStroke(other);
+  if (const int32_t other = shard.at("other_strokes").As<int32_t>()[row]; other >= 0)
+    stroke.other = OtherStrokeKind(other);
   return stroke;
 }
 

@@ -13,13 +13,13 @@ struct GestureNetworkOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("kind", kind, Choices{{"compact", "paper"}},
-          "paper: as printed in DeepSketch2Face, of a binary picture of 256 x 256. compact: of a picture of 64 x 64, "
+          "paper: as printed in DeepSketch2Face, of a binary picture of 256 x 256. compact: of a picture of 80 x 80, "
           "fast on a CPU.");
   }
 
   datasets::GestureRaster raster() const {
     if (kind == "paper") return {.side = 256, .width = 3, .binary = true};
-    return {.side = 64, .width = 1.5, .binary = false};
+    return {.side = 80, .width = 1.5, .binary = false};
   }
 };
 

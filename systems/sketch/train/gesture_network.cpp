@@ -13,7 +13,7 @@ namespace {
 
 namespace nn = torch::nn;
 
-constexpr int kLastSide = 4, kCompactHidden = 96;
+constexpr int kLastSide = 5, kCompactHidden = 96;
 constexpr int kPaperLastSide = 8, kPaperHidden = 256;
 
 void PushHead(nn::Sequential& layers, int inputs, int hidden) {

@@ -10,7 +10,7 @@ namespace daumier::sketch {
 ///   paper    [Han et al. 2017, section 5.2] S = 256: convolutions 11 x 11 x 32, 5 x 5 x 64 and 3 x 3 x 16, each with
 ///            ReLU and a 3 x 3 maximum, fully connected 256 and 11. Strides and padding are not printed: convolutions
 ///            have none, maxima do not overlap.
-///   compact  S = 64: 5 x 5 x 16 of stride 2, 3 x 3 x 32, 3 x 3 x 48, 3 x 3 x 64, each with batch norm and ReLU, the
+///   compact  S = 80: 5 x 5 x 16 of stride 2, 3 x 3 x 32, 3 x 3 x 48, 3 x 3 x 64, each with batch norm and ReLU, the
 ///            last three with a 2 x 2 maximum, fully connected 96 and 11.
 torch::nn::Sequential MakeGestureNetwork(const GestureNetworkOptions& options);
 

@@ -46,7 +46,7 @@ TEST(BuildGestures, TheManifestNamesTheClassesAndASheetShowsThem) {
   BuildGestures(kTwoShards, folder / "gestures");
   const Manifest manifest = ReadManifest(folder / "gestures", "gestures");
   EXPECT_EQ(manifest.details.at("gestures").size(), size_t{kNumGestures} + 1);
-  EXPECT_EQ(manifest.details.at("other_strokes").size(), size_t{kNumOtherStrokes});
+  EXPECT_EQ(manifest.details.at("other_strokes").size(), size_t{kNumOtherStrokeKinds});
   EXPECT_EQ(manifest.counts.at("strokes"), 60 * 12);
   EXPECT_TRUE(manifest.checksums.contains("examples.png"));
 }

@@ -13,14 +13,14 @@ namespace daumier::datasets {
 namespace {
 
 TEST(StrokesOfHand, HasTheCountsOfEachKind) {
-  const auto strokes = StrokesOfHand({}, {.per_gesture = 2, .none = 2 * kNumOtherStrokes}, 1, 3);
+  const auto strokes = StrokesOfHand({}, {.per_gesture = 2, .none = 2 * kNumOtherStrokeKinds}, 1, 3);
   std::map<std::pair<Gesture, int>, int> counts;
   for (const LabelledStroke& stroke : strokes) {
     ++counts[{stroke.gesture, stroke.other ? int(*stroke.other) : -1}];
     EXPECT_EQ(stroke.hand, 3);
     EXPECT_EQ(stroke.other.has_value(), stroke.gesture == Gesture::kNone);
   }
-  EXPECT_EQ(counts.size(), size_t{kNumGestures + kNumOtherStrokes});
+  EXPECT_EQ(counts.size(), size_t{kNumGestures + kNumOtherStrokeKinds});
   for (const auto& [kind, count] : counts) EXPECT_EQ(count, 2);
 }
 

@@ -9,26 +9,26 @@
 namespace daumier::datasets {
 namespace {
 
-TEST(OtherStroke, HasANameOfItsOwn) {
+TEST(OtherStrokeKind, HasANameOfItsOwn) {
   std::set<std::string> names;
-  for (int i = 0; i < kNumOtherStrokes; ++i) names.insert(NameOf(OtherStroke(i)));
-  EXPECT_EQ(names.size(), size_t{kNumOtherStrokes});
-  EXPECT_EQ(NameOf(OtherStroke::kWandering), "wandering");
+  for (int i = 0; i < kNumOtherStrokeKinds; ++i) names.insert(NameOf(OtherStrokeKind(i)));
+  EXPECT_EQ(names.size(), size_t{kNumOtherStrokeKinds});
+  EXPECT_EQ(NameOf(OtherStrokeKind::kWandering), "wandering");
 }
 
 TEST(OtherShapes, AreNeitherNearlyStraightNorNearlyClosed) {
-  for (int kind = 0; kind < kNumOtherStrokes; ++kind) {
+  for (int kind = 0; kind < kNumOtherStrokeKinds; ++kind) {
     for (int i = 0; i < 60; ++i) {
       Rng rng = Stream(1, "others", uint64_t(kind * 1000 + i));
-      const StrokeMeasures measures = MeasureStroke(DrawOtherShape(OtherStroke(kind), rng));
-      EXPECT_FALSE(measures.is_nearly_straight()) << NameOf(OtherStroke(kind)) << " " << i;
-      EXPECT_FALSE(measures.is_nearly_closed()) << NameOf(OtherStroke(kind)) << " " << i;
+      const StrokeMeasures measures = MeasureStroke(DrawOtherShape(OtherStrokeKind(kind), rng));
+      EXPECT_FALSE(measures.is_nearly_straight()) << NameOf(OtherStrokeKind(kind)) << " " << i;
+      EXPECT_FALSE(measures.is_nearly_closed()) << NameOf(OtherStrokeKind(kind)) << " " << i;
     }
   }
 }
 
 TEST(OtherShapes, DrawnWithoutRegardToGesturesAreCheckedForAllOfThem) {
-  for (const OtherStroke kind : {OtherStroke::kWandering, OtherStroke::kScribble}) {
+  for (const OtherStrokeKind kind : {OtherStrokeKind::kWandering, OtherStrokeKind::kScribble}) {
     for (int i = 0; i < 60; ++i) {
       Rng rng = Stream(2, "others", uint64_t(i));
       EXPECT_FALSE(MayBeGesture(DrawOtherShape(kind, rng))) << NameOf(kind) << " " << i;
