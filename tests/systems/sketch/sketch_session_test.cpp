@@ -173,10 +173,10 @@ TEST_F(SketchSessionTest, RefinementMovesTheFaceItBeganWith) {
 
 TEST_F(SketchSessionTest, AGestureDoesWhatItMeans) {
   using enum datasets::Gesture;
+  const GestureDecision decision{.rejection = {.threshold = 0.5}};
   const auto session_with = [&](datasets::Gesture gesture) {
-    return SketchSession(
-        predictor_, 256, 256,
-        std::make_shared<const GestureRecogniser>(GestureDecision(), std::make_shared<FixedScores>(gesture)));
+    return SketchSession(predictor_, 256, 256,
+                         std::make_shared<const GestureRecogniser>(decision, std::make_shared<FixedScores>(gesture)));
   };
   const CanvasPoints stroke = {{100, 100}, {150, 110}};
   SketchSession left = session_with(kLeftArrow);
@@ -267,7 +267,9 @@ TEST_F(SketchSessionTest, AReplayGivesTheStatesOfTheCalls) {
   Replay(script, replayed, [&](size_t number, const std::shared_ptr<const SketchState>& state) {
     EXPECT_EQ(number, wrinkles.size() + 1);
     wrinkles.push_back(state->lines.wrinkles.size());
-    if (number == 3) EXPECT_EQ(state->vertices, session.state()->vertices);
+    if (number == 3) {
+      EXPECT_EQ(state->vertices, session.state()->vertices);
+    }
   });
   EXPECT_EQ(wrinkles, (std::vector<size_t>{0, 0, 1, 0})) << "nothing lies under the eraser";
   script.events[2].points = {{1, 1}};
