@@ -55,6 +55,9 @@ void Run(const std::string& weights, const std::filesystem::path& session_file, 
   DAUMIER_CHECK(predictor != nullptr, "{}: no weights of sketches", weights);
   const faces::FaceTemplate& face_template = predictor->run().face_template;
   SketchSession session(predictor, script.width, script.height);
+  DAUMIER_CHECK(script.begin.empty() || script.begin == "mean", "{} begins with a face of a file, expected \"mean\"",
+                session_file.string());
+  if (!script.begin.empty()) session.FollowUp();
   std::shared_ptr<const SketchState> last;
   Replay(script, session, [&](size_t, std::shared_ptr<const SketchState> state) {
     if (state->is_follow_up()) last = std::move(state);

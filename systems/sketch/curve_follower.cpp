@@ -77,7 +77,9 @@ geometry::Points CurveFollower::Inferred(const FollowUpStart& start, const Sessi
 geometry::Points CurveFollower::ChangeOfWrinkles(const SessionLines& lines) const {
   SessionLines without = lines;
   without.wrinkles.clear();
-  return NetworkOf(StrokesOf(lines)) - NetworkOf(StrokesOf(without));
+  const Eigen::RowVector3d axis = predictor_->curves().camera.camera_from_world.row(2);
+  const geometry::Points change = NetworkOf(StrokesOf(lines)) - NetworkOf(StrokesOf(without));
+  return change * axis.transpose() * axis;
 }
 
 geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const SessionLines& lines) const {

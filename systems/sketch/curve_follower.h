@@ -29,7 +29,7 @@ struct FollowUpStart {
 };
 
 /// Faces that follow redrawn curves [Han et al. 2017, section 5.1]:
-///   start + inferred change + network(lines with wrinkles) - network(lines without) + d,
+///   start + inferred change + depth of (network(lines with wrinkles) - network(lines without)) + d,
 /// the third term by Inference::kFaces where there are wrinkles, of which the normal distribution says nothing; d the PinnedDeformation that takes the vertices of curves to their lines in x and y and leaves their depth. So lines
 /// in which nothing was redrawn give the start. May be used from several threads.
 class CurveFollower {
@@ -56,7 +56,7 @@ class CurveFollower {
 
  private:
   geometry::Points Pulled(const geometry::Points& face, const SessionLines& lines, Untouched untouched) const;
-  /// What the network sees in wrinkles, V x 3.
+  /// What the network sees in wrinkles, V x 3, along the view.
   geometry::Points ChangeOfWrinkles(const SessionLines& lines) const;
   /// The most likely change of the start's faces, V x 3, by the redrawn curves.
   geometry::Points ChangeOfFaces(const FollowUpStart& start, const SessionLines& lines) const;

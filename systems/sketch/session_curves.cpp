@@ -142,6 +142,24 @@ void MapByEnds(CanvasPoints& points, const Eigen::Vector2d& a, const Eigen::Vect
   }
 }
 
+/// Moves points of a partner that have crossed the curve back to it, across the line from corner to corner; both run from
+/// the same corner. Returns whether any was moved.
+bool Uncross(CanvasPoints& partner, const SessionCurve& curve) {
+  const Eigen::Vector2d along = curve.points.back() - curve.points.front();
+  if (along.norm() == 0) return false;
+  const double side = curve.name.starts_with("upper_") == (along.x() >= 0) ? 1 : -1;  // y is down.
+  const Eigen::Vector2d away = side * Eigen::Vector2d(-along.y(), along.x()).normalized();
+  const std::vector<double> lengths = datasets::ArcLengths(partner);
+  bool is_moved = false;
+  for (size_t i = 0; i < partner.size() && lengths.back() > 0; ++i) {
+    const double gap = away.dot(partner[i] - datasets::AtShare(curve.points, lengths[i] / lengths.back()));
+    if (gap >= 0) continue;
+    partner[i] -= gap * away;
+    is_moved = true;
+  }
+  return is_moved;
+}
+
 /// What an eraser comes nearest to.
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
@@ -253,11 +271,10 @@ std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke) {
   Fill(curve, *direction);
   curve.drawn = ++lines.num_drawn;
   const auto partner = std::ranges::find(lines.curves, PartnerOf(curve.name), &SessionCurve::name);
+  if (partner == lines.curves.end()) return filled;
   const bool ends_moved = first != curve.points.front() || last != curve.points.back();
-  if (partner != lines.curves.end() && ends_moved) {
-    MapByEnds(partner->points, first, last, curve.points.front(), curve.points.back());
-    partner->drawn = lines.num_drawn;
-  }
+  if (ends_moved) MapByEnds(partner->points, first, last, curve.points.front(), curve.points.back());
+  if (Uncross(partner->points, curve) || ends_moved) partner->drawn = lines.num_drawn;
   return filled;
 }
 

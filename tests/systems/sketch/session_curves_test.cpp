@@ -92,6 +92,34 @@ TEST(SessionCurves, TheDirectionOfAStrokeDoesNotMatter) {
     EXPECT_LT((forward.curves[0].points[i] - backward.curves[0].points[i]).norm(), 1e-9);
 }
 
+TEST(SessionCurves, ClosedLipsStayClosedInASmile) {
+  SessionLines lines;
+  lines.curves.push_back({"upper_mouth", "upper_mouth", false, Row(100, 160, 200)});
+  lines.curves.push_back({"lower_mouth", "lower_mouth", false, Row(100, 160, 200, 6)});
+  for (double x = 100; x <= 160; x += 5) Erase(lines, {{x, 200}});
+  Erase(lines, {{160, 200}});
+  ASSERT_TRUE(lines.curves[0].gap.has_value());
+  const CurveGap gap = *lines.curves[0].gap;
+  ASSERT_EQ(gap.last - gap.first + 1, lines.curves[0].points.size()) << "the whole lip is erased";
+  const size_t drawn = Draw(lines, {{100, 200}, {130, 220}, {160, 200}}).value();
+  EXPECT_EQ(drawn, 0u);
+  const CanvasPoints &upper = lines.curves[0].points, &lower = lines.curves[1].points;
+  EXPECT_NEAR(lower[lower.size() / 2].y(), 220, 1e-6) << "the lower lip is not left above the upper one";
+  for (const Eigen::Vector2d& point : lower) EXPECT_LT(datasets::DistanceTo(upper, point), 1e-6);
+  EXPECT_EQ(lines.curves[1].drawn, 1);
+}
+
+TEST(SessionCurves, AnOpenedLipLeavesItsPartner) {
+  SessionLines lines;
+  lines.curves.push_back({"upper_mouth", "upper_mouth", false, Row(100, 160, 200)});
+  lines.curves.push_back({"lower_mouth", "lower_mouth", false, Row(100, 160, 200)});
+  const CanvasPoints before = lines.curves[1].points;
+  for (double x = 100; x <= 160; x += 5) Erase(lines, {{x, 200}});
+  ASSERT_TRUE(Draw(lines, {{100, 200}, {130, 180}, {160, 200}}).has_value());
+  EXPECT_EQ(lines.curves[1].points, before);
+  EXPECT_EQ(lines.curves[1].drawn, 0);
+}
+
 TEST(SessionCurves, ARedrawnLidCarriesItsPartnerAlong) {
   SessionLines lines = Face();
   for (const double x : {110.0, 130.0, 150.0}) Erase(lines, {{x, 99}});
