@@ -52,7 +52,7 @@ BENCHMARK(RegionOfCheek)->Name("region of a cheek, factorised")->Unit(benchmark:
 template <class Work>
 void Register(const char* name, const Work& work) {
   for (const bool is_whole : {true, false}) {
-    for (const double radius : {15.0, 30.0}) {
+    for (const double radius : {15.0, 30.0, 60.0}) {
       const std::string full = fmt::format("{}/{}/brush {:g}", name, is_whole ? "whole mesh" : "cheek", radius);
       benchmark::RegisterBenchmark(full.c_str(), [=](benchmark::State& state) {
         const RefinementCase& c = TheCase();

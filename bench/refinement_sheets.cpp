@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 
@@ -42,6 +43,10 @@ std::vector<RefinedFace> RefinedFaces(const RefinementSubject& subject, const Re
   faces.push_back({"cheek in a region, roll 3", in_region, refinement.Roll(in_region, front, 3), kFront, kTurned});
   faces.push_back({"the same, roll -3", in_region, refinement.Roll(in_region, front, -3), kFront, kTurned});
 
+  const RefinementState filled = refinement.Brush(in_region, front, {cheek}, 200);
+  const CanvasPoints raise = {cheek, cheek + Eigen::Vector2d(0, -8)};
+  faces.push_back({"all of the region, up", filled, refinement.Translate(filled, front, raise), kFront, kTurned});
+
   const CanvasPoints jaw = RefinementSubject::Swollen(subject.Landmarks(4, 12, kFront), {0, 28});
   faces.push_back({"chin pulled", start, refinement.PullSilhouette(start, front, jaw), kFront, kRight, jaw});
 
@@ -61,13 +66,13 @@ std::vector<RefinedFace> RefinedFaces(const RefinementSubject& subject, const Re
   const RefinementState brow_whole = refinement.Brush(start, front, brow, 8);
   faces.push_back({"brow, up", brow_whole, refinement.Translate(brow_whole, front, up), kFront, kTurned});
 
-  const CanvasPoints outline = [&] {
-    CanvasPoints line;
-    for (int landmark = 4; landmark >= 1; --landmark) line.push_back(subject.Landmark(landmark, kTurned));
-    return line;
-  }();
-  const Eigen::Vector2d away(-14, 0);
-  const CanvasPoints bulge = RefinementSubject::Swollen(datasets::Resampled(outline, 60), away);
+  const geometry::TriangleMesh mesh{start.vertices, subject.face_template.triangles};
+  const std::vector<SurfaceLine> lines = VisibleSilhouettes(mesh, turned, VisibleSurface(mesh, turned));
+  const auto length = [](const SurfaceLine& line) { return datasets::LengthOf(line.points); };
+  CanvasPoints outline;  // Of the far cheek.
+  for (const Eigen::Vector2d& point : std::ranges::max_element(lines, {}, length)->points)
+    if (point.x() < 256 && point.y() > 250 && point.y() < 380) outline.push_back(point);
+  const CanvasPoints bulge = RefinementSubject::Swollen(datasets::Resampled(outline, 60), {-14, 0});
   faces.push_back(
       {"outline pulled, turned", start, refinement.PullSilhouette(start, turned, bulge), kTurned, kFront, bulge});
   return faces;

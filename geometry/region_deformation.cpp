@@ -11,6 +11,9 @@
 namespace daumier::geometry {
 namespace {
 
+/// Right-hand sides that are substituted together.
+constexpr Eigen::Index kTogether = 8;
+
 /// The rows and columns of a symmetric matrix that have a place, in the order of the places.
 SparseMatrix OfRegion(const SparseMatrix& matrix, const std::vector<int>& region, const std::vector<int>& place_of) {
   std::vector<Eigen::Triplet<double>> triplets;
@@ -86,14 +89,19 @@ RegionDeformation::UnitSolutions RegionDeformation::SubstituteUnits(const std::v
     SparseMatrix::InnerIterator entry(lower, j);  // The first of a column is its diagonal.
     if (++entry) index[size_t(entry.row())] = 0;
   }
-  Rows& x = solutions.values;
-  x = Rows::Zero(std::ssize(solutions.rows), std::ssize(places));
+  const Eigen::Index count = std::ssize(places), padded = (count + kTogether - 1) / kTogether * kTogether;
+  Rows x = Rows::Zero(std::ssize(solutions.rows), padded);
   for (size_t k = 0; k < places.size(); ++k) x(index[size_t(row_of(places[k]))], Eigen::Index(k)) = 1;
-  for (Eigen::Index i = 0; i < x.rows(); ++i) {
-    SparseMatrix::InnerIterator entry(lower, solutions.rows[size_t(i)]);
-    x.row(i) /= entry.value();
-    for (++entry; entry; ++entry) x.row(index[size_t(entry.row())]).noalias() -= entry.value() * x.row(i);
+  for (Eigen::Index first = 0; first < padded; first += kTogether) {
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+      auto row = x.block<1, kTogether>(i, first);
+      if (row.isZero(0)) continue;
+      SparseMatrix::InnerIterator entry(lower, solutions.rows[size_t(i)]);
+      row /= entry.value();
+      for (++entry; entry; ++entry) x.block<1, kTogether>(index[size_t(entry.row())], first) -= entry.value() * row;
+    }
   }
+  solutions.values = x.leftCols(count);
   return solutions;
 }
 

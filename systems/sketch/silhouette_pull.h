@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-/// Silhouettes that follow a drawn line [Nealen et al. 2005, section 4]. Lengths in a view are pixels of its camera.
+/// Silhouettes that follow a drawn line [Nealen et al. 2005]. Lengths in a view are pixels of its camera.
 namespace daumier::sketch {
 
 /// A line on a surface, as a view shows it.

@@ -31,9 +31,21 @@ render::Camera DepthCamera(const render::Camera& camera, const geometry::Points&
   return depth;
 }
 
+/// The triangles that face the viewer. projected: y is down.
+geometry::Triangles FrontTriangles(const geometry::Points& projected, const geometry::Triangles& triangles) {
+  std::vector<Eigen::Index> front;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3i corners = triangles.row(f);
+    const Eigen::RowVector2d a = (projected.row(corners[1]) - projected.row(corners[0])).head<2>();
+    const Eigen::RowVector2d b = (projected.row(corners[2]) - projected.row(corners[0])).head<2>();
+    if (a.x() * b.y() - a.y() * b.x() < 0) front.push_back(f);
+  }
+  return triangles(front, Eigen::all);
+}
+
 render::Visibility DepthMap(const geometry::TriangleMesh& mesh, const render::Camera& camera) {
   const render::Camera depth = DepthCamera(camera, mesh.vertices);
-  return {depth, render::Rasterise(depth, mesh, {.cull_back_faces = true}), 2 / depth.scale};
+  return {depth, mesh, 2 / depth.scale};
 }
 
 /// How often a closed polygon winds around a point.
@@ -91,17 +103,15 @@ render::Camera ViewCamera(const render::Camera& canvas, const render::Placement&
 }
 
 VisibleSurface::VisibleSurface(const geometry::TriangleMesh& mesh, const render::Camera& camera)
-    : projected_(render::Project(camera, mesh.vertices)), visibility_(DepthMap(mesh, camera)) {
-  std::vector<bool> faces_viewer(size_t(projected_.rows()), false);
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::RowVector3i corners = mesh.triangles.row(f);
-    const Eigen::RowVector2d a = projected_.row(corners[1]).head<2>() - projected_.row(corners[0]).head<2>();
-    const Eigen::RowVector2d b = projected_.row(corners[2]).head<2>() - projected_.row(corners[0]).head<2>();
-    if (a.x() * b.y() - a.y() * b.x() >= 0) continue;  // y is down.
-    for (const int v : corners) faces_viewer[size_t(v)] = true;
+    : projected_(render::Project(camera, mesh.vertices)),
+      visibility_(DepthMap({mesh.vertices, FrontTriangles(projected_, mesh.triangles)}, camera)),
+      is_visible_(size_t(projected_.rows()), false) {
+  const std::vector<bool> sees = Sees(mesh.vertices);
+  const geometry::Triangles front = FrontTriangles(projected_, mesh.triangles);
+  for (Eigen::Index corner = 0; corner < front.size(); ++corner) {
+    const size_t v = size_t(front.data()[corner]);
+    is_visible_[v] = sees[v];
   }
-  is_visible_ = Sees(mesh.vertices);
-  for (size_t v = 0; v < is_visible_.size(); ++v) is_visible_[v] = is_visible_[v] && faces_viewer[v];
 }
 
 std::vector<bool> VisibleSurface::Sees(const geometry::Points& points) const {
