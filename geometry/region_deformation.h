@@ -35,7 +35,7 @@ class RegionDeformation {
 
   /// d of least E with d = moves at the handles, exactly: R x C, in the order of the region. handles: K distinct
   /// vertices of the region; moves: K x C. Of the handles, those that are coupled to a free vertex, within two edges,
-  /// cost a substitution each. @throws Error if a handle is repeated or not in the region, a shape disagrees, there is
+  /// cost a substitution each, up to 400; then the free vertices are factorised. @throws Error if a handle is repeated or not in the region, a shape disagrees, there is
   /// no handle, or a move is not finite.
   Eigen::MatrixXd Solve(const std::vector<int>& handles, const Eigen::MatrixXd& moves) const;
 
@@ -55,6 +55,10 @@ class RegionDeformation {
 
   std::vector<int> Places(const std::vector<int>& handles) const;
   UnitSolutions SubstituteUnits(const std::vector<int>& places) const;
+  /// d of least E with these values at places, which are right up to rounding. R x C.
+  Eigen::MatrixXd SolveCoupled(const std::vector<int>& places, const Eigen::MatrixXd& moves) const;
+  /// The rows of free vertices, 0 before.
+  void SolveFree(Eigen::MatrixXd& displacement, const std::vector<bool>& is_handle) const;
 
   std::vector<int> region_;
   std::vector<int> place_of_vertex_;  ///< V: row in the region; -1 outside.

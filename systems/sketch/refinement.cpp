@@ -137,9 +137,9 @@ RefinementState Refinement::PullSilhouette(const RefinementState& state, const r
   std::optional<LinePull> pull =
       PullToStroke(VisibleSilhouettes({state.vertices, triangles_}, camera, surface), line, reach);
   if (const auto view = DefinedView(camera)) {
-    const double least = pull ? pull->distance + kDefinedBonus * face_height_ * camera.scale : reach;
-    if (auto defined = PullToStroke({DefinedSilhouette(annotation_, *view, surface.projected())}, line, least))
-      pull = std::move(defined);
+    auto defined = PullToStroke({DefinedSilhouette(annotation_, *view, surface.projected())}, line, reach);
+    const double bonus = kDefinedBonus * face_height_ * camera.scale;
+    if (defined && (!pull || defined->distance <= pull->distance + bonus)) pull = std::move(defined);
   }
   std::vector<int> handles, rows;
   for (size_t k = 0; pull && k < pull->vertices.size(); ++k) {

@@ -31,10 +31,10 @@ class Refinement {
  public:
   /// Shares of the height of the mean neutral face from chin to hairline, 200 mm: bulges of 2, 4 and 8 mm; the least
   /// distance of handles from fixed vertices, 8 mm, so that no cliff arises between them; the reach of handles in the
-  /// whole mesh, 20 mm; and how far a line may be from the silhouette that it pulls, 30 mm on average.
+  /// whole mesh, 20 mm; and how far a line may be from the silhouette that it pulls, 40 mm.
   static constexpr double kLevels[] = {0.01, 0.02, 0.04};
   static constexpr double kRegionMargin = 0.04;
-  static constexpr double kWholeReach = 0.1, kSilhouetteReach = 0.15;
+  static constexpr double kWholeReach = 0.1, kSilhouetteReach = 0.2;
   /// Degrees from the exact front or side view up to which the annotation defines a silhouette, and by which share of
   /// the height (2 mm) a computed one must be nearer to the line to be taken instead.
   static constexpr double kDefinedView = 10, kDefinedBonus = 0.01;

@@ -45,7 +45,7 @@ void BeginAt(render::ContourChain& chain, std::vector<bool>& is_seen, size_t fir
 struct MatchedPart {
   std::vector<size_t> points;
   CanvasPoints targets;
-  double distance = 0;  ///< Mean, pixels.
+  double distance = 0, farthest = 0;  ///< Of points from targets, mean and greatest, pixels.
 };
 
 /// The points of a line from one share of its length to another, forwards, beyond its end if it is closed, matched with
@@ -65,7 +65,9 @@ MatchedPart MatchedFrom(const SurfaceLine& line, double from, double to, const C
   for (const auto& [share, i] : on_part) {
     part.points.push_back(i);
     part.targets.push_back(datasets::AtShare(stroke, share));
-    part.distance += (part.targets.back() - line.points[i]).norm() / double(on_part.size());
+    const double distance = (part.targets.back() - line.points[i]).norm();
+    part.distance += distance / double(on_part.size());
+    part.farthest = std::max(part.farthest, distance);
   }
   return part;
 }
@@ -177,14 +179,9 @@ SurfaceLine DefinedSilhouette(const faces::Annotation& annotation, faces::View v
 std::optional<LinePull> PullToStroke(const std::vector<SurfaceLine>& lines, const CanvasPoints& stroke, double reach) {
   CheckStroke(stroke);
   std::optional<LinePull> pull;
-  double least = reach;
-  for (const SurfaceLine& line : lines) {
-    for (const MatchedPart& part : MatchedParts(line, stroke)) {
-      if (part.distance > least) continue;
-      least = part.distance;
-      pull = PullOf(line, part);
-    }
-  }
+  for (const SurfaceLine& line : lines)
+    for (const MatchedPart& part : MatchedParts(line, stroke))
+      if (part.farthest <= reach && (!pull || part.distance < pull->distance)) pull = PullOf(line, part);
   return pull;
 }
 

@@ -34,9 +34,9 @@ struct LinePull {
 };
 
 /// The part of a line between the places that are nearest to the stroke's ends (of a closed line either part), each point
-/// of it matched with the stroke by its share of the arc length; of all lines the one whose points are nearest to
-/// theirs on average, at most `reach` pixels. Both vertices of a point's edge move as it does, a vertex of several points
-/// by their mean. Nothing if no line is that near. @throws Error as CheckStroke.
+/// of it matched with the stroke by its share of the arc length, none farther than `reach` pixels; of all lines the one
+/// whose points are nearest to theirs on average. Both vertices of a point's edge move as it does, a vertex of several
+/// points by their mean. Nothing if no line is that near. @throws Error as CheckStroke.
 std::optional<LinePull> PullToStroke(const std::vector<SurfaceLine>& lines, const CanvasPoints& stroke, double reach);
 
 }  // namespace daumier::sketch

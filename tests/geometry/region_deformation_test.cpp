@@ -74,6 +74,18 @@ TEST(RegionDeformation, SolvesTheEnergyOfTheWholeSurface) {
   }
 }
 
+TEST(RegionDeformation, SolvesTheEnergyForManyHandles) {
+  const TriangleMesh sphere = testing::Sphere(2, 4);
+  const std::vector<int> region = CapAbove(sphere, -1.5);
+  std::vector<int> handles;  // Two of three, so that each is next to a free vertex.
+  for (const int v : region)
+    if (v % 3 != 0) handles.push_back(v);
+  ASSERT_GT(handles.size(), 400u);
+  const Eigen::MatrixXd moves = RandomHandleMoves(std::ssize(handles));
+  const Eigen::MatrixXd found = RegionDeformation(MakeSurfaceStiffness(sphere), region, 3).Solve(handles, moves);
+  EXPECT_LT((found - DenseSolution(sphere, region, 3, handles, moves)).cwiseAbs().maxCoeff(), 1e-8);
+}
+
 TEST(RegionDeformation, HandlesMoveExactlyAndNoMoveChangesNothing) {
   const TriangleMesh sphere = testing::Sphere(2, 3);
   const std::vector<int> region = CapAbove(sphere, 0), handles = CapAbove(sphere, 1.5);
