@@ -191,7 +191,7 @@ std::unique_ptr<systems::Predictor> OpenSketchPredictor(const std::filesystem::p
   std::optional<SketchRunFolder> folder;
   std::unique_ptr<runtime::NetworkRunner> network;
   std::shared_ptr<const DrawingParser> parser;
-  OnAllCores(3, [&](int64_t part) {  // On two cores the first beside the others, which take as long.
+  OnAllCores(3, [&](int64_t part) {  // On two cores the first next to the others, which take as long.
     if (part == 0) folder = ReadSketchFolder(run);
     if (part == 1) network = systems::OpenNetwork(run, device);
     if (part == 2 && is_framed) {

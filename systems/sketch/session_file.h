@@ -21,7 +21,7 @@ struct SessionEvent {
 
 /// A recorded session: versioned JSON
 ///   {"version": 1, "sheet": [width, height], "begin": "mean", "events": [{"do": "draw", "points": [[x, y], ...]}, ...]}
-/// begin, if there is one: "mean", the mean neutral face, or the file of a face, beside the session's file; follow-up mode
+/// begin, if there is one: "mean", the mean neutral face, or the file of a face, next to the session's file; follow-up mode
 /// begins with it. do, and what else an event has, or may have (in brackets):
 ///   draw                     points, [mirror: true or false], [stabiliser: pixels of the sheet]
 ///   erase                    points, [mirror]

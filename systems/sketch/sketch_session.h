@@ -86,7 +86,7 @@ class SketchSession {
   using StatePointer = std::shared_ptr<const SketchState>;
 
   void Add(SketchState state);
-  /// Where a mirror stands, x in pixels of the sheet.
+  /// Where a mirror is, x in pixels of the sheet.
   double MirrorOf(const SketchState& state) const;
   const Refinement& OpenRefinement();
   SketchState Refined(const SketchState& from, RefinementState refinement) const;
