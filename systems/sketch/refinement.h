@@ -13,7 +13,8 @@ namespace daumier::sketch {
 /// A region of interest: what may move.
 struct RefinementRegion {
   geometry::RegionDeformation deformation;  ///< Factorised.
-  std::vector<bool> is_inner;  ///< V: more than kRegionMargin edges inside of the region, where handles may be.
+  std::vector<bool>
+      is_inner;  ///< V: in the region, farther than kRegionMargin from what is fixed: handles may be there.
 };
 
 /// A face that is being refined. Immutable; undo is to take an earlier one.
