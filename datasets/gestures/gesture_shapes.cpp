@@ -30,7 +30,7 @@ Polyline BlobShape(Rng& rng) {
     phases[k] = rng.Uniform(-pi, pi);
   }
   const double drift = Deviate(0.06, rng), begin = rng.Uniform(-pi, pi);
-  const double kind = rng.Uniform(), most = kind < 0.9 ? 0.14 : 0.45;  // One in ten goes round half as far again.
+  const double kind = rng.Uniform(), most = kind < 0.9 ? 0.14 : 0.25;
   const double angle = 2 * pi * (1 + (kind < 0.5 ? rng.Uniform(-0.1, 0) : rng.Uniform(0, most)));
   Polyline line;
   constexpr int kCount = 300;
