@@ -1,7 +1,7 @@
 #include "datasets/gestures/gesture_hand.h"
 
 #include "datasets/gestures/path_pen.h"
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <algorithm>
 #include <cmath>

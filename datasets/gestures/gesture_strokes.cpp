@@ -2,7 +2,7 @@
 
 #include "datasets/gestures/gesture_shapes.h"
 
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <cmath>
 
@@ -20,20 +20,20 @@ Polyline DrawGesture(Gesture gesture, const GestureHand& hand, Rng& rng) {
 Polyline DrawOther(OtherStrokeKind kind, const GestureHand& hand, Rng& rng) {
   while (true) {
     Polyline stroke = DrawWithHand(DrawOtherShape(kind, rng), hand, rng);
-    const StrokeMeasures measures = MeasureStroke(stroke);
-    if (!measures.is_nearly_straight() && !measures.is_nearly_closed()) return stroke;
+    const StrokeForm form = FormOf(stroke);
+    if (!form.is_nearly_straight() && !form.is_nearly_closed()) return stroke;
   }
 }
 
 }  // namespace
 
 bool KeepsDefinition(Gesture gesture, const Polyline& stroke) {
-  const StrokeMeasures measures = MeasureStroke(stroke);
-  if (gesture == Gesture::kLine) return measures.deviation <= 0.12;
-  if (gesture == Gesture::kRegion) return measures.gap <= 0.2;
+  const StrokeForm form = FormOf(stroke);
+  if (gesture == Gesture::kLine) return form.deviation <= 0.12;
+  if (gesture == Gesture::kRegion) return form.gap <= 0.2;
   if (gesture < Gesture::kUpRoll1 || gesture == Gesture::kNone) return true;
   const int num_loops = 1 + (int(gesture) - int(Gesture::kUpRoll1)) % 3;
-  return std::abs(std::abs(measures.turns) - num_loops) <= 0.35;
+  return std::abs(std::abs(form.turns) - num_loops) <= 0.35;
 }
 
 std::vector<LabelledStroke> StrokesOfHand(const GestureHandOptions& options, const GestureCounts& counts, uint64_t seed,

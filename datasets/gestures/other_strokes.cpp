@@ -5,7 +5,7 @@
 #include "datasets/gestures/glyph_strokes.h"
 #include "datasets/gestures/near_gestures.h"
 #include "datasets/gestures/path_pen.h"
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <array>
 #include <cmath>
@@ -171,8 +171,8 @@ Polyline DrawOnce(OtherStrokeKind kind, Rng& rng) {
 bool IsNone(OtherStrokeKind kind, const Polyline& line) {
   using enum OtherStrokeKind;
   if (kind == kWandering || kind == kScribble || kind == kOpenPolygon) return !MayBeGesture(line);
-  const StrokeMeasures measures = MeasureStroke(line);
-  return !measures.is_nearly_straight() && !measures.is_nearly_closed();
+  const StrokeForm form = FormOf(line);
+  return !form.is_nearly_straight() && !form.is_nearly_closed();
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ inline constexpr int kNumOtherStrokeKinds = 17;
 /// "glyph", "arc" ...
 std::string NameOf(OtherStrokeKind kind);
 
-/// One of these, of a size of any order. Promises: neither nearly straight nor nearly closed (StrokeMeasures).
+/// One of these, of a size of any order. Promises: neither nearly straight nor nearly closed (StrokeForm).
 Polyline DrawOtherShape(OtherStrokeKind kind, Rng& rng);
 
 }  // namespace daumier::datasets

@@ -8,7 +8,7 @@
 #include "core/statistics.h"
 #include "core/stopwatch.h"
 #include "datasets/gallery/gesture_sheet.h"
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 #include "datasets/gestures/test_gestures.h"
 #include "datasets/read/gesture_database.h"
 #include "datasets/read/run_data.h"
@@ -19,6 +19,7 @@
 #include "systems/sketch/gesture_options.h"
 #include "systems/sketch/gesture_predictor.h"
 
+#include <algorithm>
 #include <array>
 
 namespace daumier::sketch {
@@ -115,6 +116,7 @@ class GestureEvaluation {
       const RecognisedGesture found = recogniser_.Recognise(stroke.points);
       milliseconds_.push_back(1e3 * stopwatch.seconds());
       counts_.Add(stroke.gesture, found, KindOf(stroke));
+      (stroke.gesture == Gesture::kNone ? none_probabilities_ : probabilities_).push_back(found.probability);
       if (stroke.gesture != Gesture::kNone) {
         gestures_.push_back(int(i));
         hands_.push_back(stroke.hand);
@@ -136,10 +138,10 @@ class GestureEvaluation {
           ++num_points;
           continue;
         }
-        const datasets::StrokeMeasures measures = datasets::MeasureStroke(line);
-        if (measures.is_nearly_straight())
+        const datasets::StrokeForm form = datasets::FormOf(line);
+        if (form.is_nearly_straight())
           ++num_straight;
-        else if (measures.is_nearly_closed())
+        else if (form.is_nearly_closed())
           ++num_closed;
         else
           counts.Add(Gesture::kNone, recogniser_.Recognise(line));
@@ -147,6 +149,18 @@ class GestureEvaluation {
     }
     drawings_ = counts.ToJson();
     drawings_.update({{"nearly_straight", num_straight}, {"nearly_closed", num_closed}, {"points", num_points}});
+  }
+
+  /// Of other strokes, at the threshold that accepts as many of these gestures as the run's does of validation ones.
+  Json RejectedAtAccepted() const {
+    const auto options = ParseOptions<GestureRejectionOptions>(run_.config.at("rejection"), "rejection of the run");
+    const GestureRejection rejection = ChooseRejection(probabilities_, options.accepted);
+    Json json = RejectionToJson(rejection);
+    if (none_probabilities_.empty()) return json;
+    const auto num_rejected =
+        std::ranges::count_if(none_probabilities_, [&](double p) { return p < rejection.threshold; });
+    json["rejected"] = double(num_rejected) / double(none_probabilities_.size());
+    return json;
   }
 
   reports::MetricTable Table() const {
@@ -168,6 +182,7 @@ class GestureEvaluation {
                     {"num_faces", gestures_.size()},
                     {"table", reports::TableJson(table)},
                     {"rejection", run_.manifest.details.at("rejection")},
+                    {"at_accepted", RejectedAtAccepted()},
                     {"milliseconds", Median(milliseconds_)},
                     {"data_hash", table.data_hash},
                     {"faces", table.faces},
@@ -252,6 +267,7 @@ class GestureEvaluation {
   GestureCounts counts_;
   std::vector<int> gestures_, hands_;  ///< Of strokes_, those of the ten gestures.
   std::vector<double> errors_, missed_, milliseconds_;
+  std::vector<double> probabilities_, none_probabilities_;  ///< Of the likeliest gesture.
   std::vector<Mistake> mistakes_;
   Json drawings_;
 };

@@ -1,7 +1,7 @@
 #include "datasets/gestures/gesture_shapes.h"
 
 #include "datasets/gestures/path_pen.h"
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 #include "tests/support/expect_error.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ void ForShapesOf(Gesture gesture, const Check& check) {
   for (int i = 0; i < kNumDrawn; ++i) {
     Rng rng = Stream(7, NameOf(gesture), uint64_t(i));
     const Polyline shape = DrawGestureShape(gesture, rng);
-    check(shape, MeasureStroke(shape));
+    check(shape, FormOf(shape));
     if (::testing::Test::HasFailure()) FAIL() << NameOf(gesture) << " " << i;
   }
 }
@@ -33,11 +33,11 @@ double InkAlongX(const Polyline& line) {
 }
 
 TEST(GestureShapes, ALineDeviatesLittle) {
-  ForShapesOf(Gesture::kLine, [](const Polyline&, const StrokeMeasures& of) { EXPECT_LT(of.deviation, 0.1); });
+  ForShapesOf(Gesture::kLine, [](const Polyline&, const StrokeForm& of) { EXPECT_LT(of.deviation, 0.1); });
 }
 
 TEST(GestureShapes, TheEndsOfARegionMeet) {
-  ForShapesOf(Gesture::kRegion, [](const Polyline& line, const StrokeMeasures& of) {
+  ForShapesOf(Gesture::kRegion, [](const Polyline& line, const StrokeForm& of) {
     EXPECT_LT(of.gap, 0.2);
     EXPECT_GT(BoxOf(line).sizes().minCoeff(), 0.1 * BoxOf(line).sizes().maxCoeff()) << "it lies around an area";
   });
@@ -47,7 +47,7 @@ TEST(GestureShapes, ARollTurnsOnceALoopAndClimbsOrFalls) {
   for (int loops = 1; loops <= 3; ++loops) {
     for (const bool climbs : {true, false}) {
       const auto gesture = Gesture(int(climbs ? Gesture::kUpRoll1 : Gesture::kDownRoll1) + loops - 1);
-      ForShapesOf(gesture, [&](const Polyline& line, const StrokeMeasures& of) {
+      ForShapesOf(gesture, [&](const Polyline& line, const StrokeForm& of) {
         EXPECT_NEAR(std::abs(of.turns), loops, 0.35);
         const Eigen::Vector2d way = line.back() - line.front();
         EXPECT_EQ(way.x() * way.y() < 0, climbs) << "y points down";
@@ -60,18 +60,18 @@ TEST(GestureShapes, ARollTurnsOnceALoopAndClimbsOrFalls) {
 }
 
 TEST(GestureShapes, AnArrowIsLevelWithItsHookAtTheNamedEnd) {
-  ForShapesOf(Gesture::kRightArrow, [](const Polyline& line, const StrokeMeasures&) {
+  ForShapesOf(Gesture::kRightArrow, [](const Polyline& line, const StrokeForm&) {
     EXPECT_GT(InkAlongX(line), 0.5);
     EXPECT_GT(BoxOf(line).sizes().x(), 0.8 * BoxOf(line).sizes().y());
   });
   ForShapesOf(Gesture::kLeftArrow,
-              [](const Polyline& line, const StrokeMeasures&) { EXPECT_LT(InkAlongX(line), 0.5); });
+              [](const Polyline& line, const StrokeForm&) { EXPECT_LT(InkAlongX(line), 0.5); });
 }
 
 TEST(GestureShapes, AreDrawnInBothDirections) {
   for (int gesture = 0; gesture < kNumGestures; ++gesture) {
     int num_rightwards = 0;
-    ForShapesOf(Gesture(gesture), [&](const Polyline& line, const StrokeMeasures& of) {
+    ForShapesOf(Gesture(gesture), [&](const Polyline& line, const StrokeForm& of) {
       num_rightwards += Gesture(gesture) == Gesture::kRegion ? of.turns > 0 : line.back().x() > line.front().x();
     });
     EXPECT_GT(num_rightwards, kNumDrawn / 20) << NameOf(Gesture(gesture));
@@ -87,7 +87,7 @@ TEST(GestureShapes, NoneHasNoShape) {
 TEST(DrawLoops, HasAsManyTurnsAsLoops) {
   for (int loops = 1; loops <= 6; ++loops) {
     Rng rng = Stream(3, "loops", uint64_t(loops));
-    EXPECT_NEAR(std::abs(MeasureStroke(DrawLoops(loops, rng)).turns), loops, 0.4);
+    EXPECT_NEAR(std::abs(FormOf(DrawLoops(loops, rng)).turns), loops, 0.4);
   }
 }
 

@@ -1,7 +1,7 @@
 #include "datasets/gestures/gesture_strokes.h"
 
 #include "datasets/gestures/path_pen.h"
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <gtest/gtest.h>
 
@@ -40,10 +40,10 @@ TEST(StrokesOfHand, GesturesKeepTheirDefinition) {
   for (int hand = 0; hand < 8; ++hand) {
     for (const LabelledStroke& stroke : StrokesOfHand({}, {.per_gesture = 4, .none = 0}, 5, hand)) {
       EXPECT_TRUE(KeepsDefinition(stroke.gesture, stroke.points)) << NameOf(stroke.gesture);
-      const StrokeMeasures measures = MeasureStroke(stroke.points);
+      const StrokeForm form = FormOf(stroke.points);
       const bool is_up = stroke.gesture >= Gesture::kUpRoll1 && stroke.gesture <= Gesture::kUpRoll3;
       const bool is_down = stroke.gesture >= Gesture::kDownRoll1;
-      if (is_up || is_down) EXPECT_EQ(std::sin(2 * measures.direction) < 0, is_up) << NameOf(stroke.gesture);
+      if (is_up || is_down) EXPECT_EQ(std::sin(2 * form.direction) < 0, is_up) << NameOf(stroke.gesture);
     }
   }
 }

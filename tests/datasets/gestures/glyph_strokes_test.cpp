@@ -1,6 +1,6 @@
 #include "datasets/gestures/glyph_strokes.h"
 
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ TEST(Glyphs, AreNamedAndNoneIsALine) {
   for (const Glyph& glyph : Glyphs()) {
     names.insert(glyph.name);
     ASSERT_GE(glyph.points.size(), 3u) << glyph.name;
-    EXPECT_FALSE(MeasureStroke(glyph.points).is_nearly_straight()) << glyph.name;
+    EXPECT_FALSE(FormOf(glyph.points).is_nearly_straight()) << glyph.name;
   }
   EXPECT_EQ(names.size(), Glyphs().size());
   EXPECT_GE(names.size(), 50u);

@@ -1,6 +1,6 @@
 #include "datasets/gestures/near_gestures.h"
 
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(LevelLoops, LieAlongALevelOrAnUprightLine) {
 TEST(MixedLoops, DoNotTurnAsOftenAsTheyHaveLoops) {
   Rng rng(3);
   for (int i = 0; i < kNumMisses; ++i) {
-    const double turns = std::abs(MeasureStroke(MixedLoops(rng)).turns);
+    const double turns = std::abs(FormOf(MixedLoops(rng)).turns);
     EXPECT_LT(std::min(std::abs(turns - std::round(turns)), 1.0), 0.5);
     EXPECT_LT(turns, 2.2);
   }
@@ -56,14 +56,14 @@ TEST(TurnedArrow, IsHigherThanAnArrowMayTilt) {
 TEST(DoubleArrow, HasHooksAtBothEnds) {
   Rng rng(5);
   for (int i = 0; i < kNumMisses; ++i) {
-    const StrokeMeasures measures = MeasureStroke(DoubleArrow(rng));
-    EXPECT_GT(measures.length, 1.2) << "a shaft of 1 and two barbs";
+    const StrokeForm form = FormOf(DoubleArrow(rng));
+    EXPECT_GT(form.length, 1.2) << "a shaft of 1 and two barbs";
   }
 }
 
 TEST(BrokenArrow, BeginsInAnotherDirectionThanTheArrow) {
   Rng rng(6);
-  for (int i = 0; i < kNumMisses; ++i) EXPECT_LT(MeasureStroke(BrokenArrow(rng)).gap, 0.93);
+  for (int i = 0; i < kNumMisses; ++i) EXPECT_LT(FormOf(BrokenArrow(rng)).gap, 0.93);
 }
 
 TEST(TailedRegion, HasItsEndsApart) {

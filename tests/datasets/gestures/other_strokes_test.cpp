@@ -1,6 +1,6 @@
 #include "datasets/gestures/other_strokes.h"
 
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ TEST(OtherShapes, AreNeitherNearlyStraightNorNearlyClosed) {
   for (int kind = 0; kind < kNumOtherStrokeKinds; ++kind) {
     for (int i = 0; i < 60; ++i) {
       Rng rng = Stream(1, "others", uint64_t(kind * 1000 + i));
-      const StrokeMeasures measures = MeasureStroke(DrawOtherShape(OtherStrokeKind(kind), rng));
-      EXPECT_FALSE(measures.is_nearly_straight()) << NameOf(OtherStrokeKind(kind)) << " " << i;
-      EXPECT_FALSE(measures.is_nearly_closed()) << NameOf(OtherStrokeKind(kind)) << " " << i;
+      const StrokeForm form = FormOf(DrawOtherShape(OtherStrokeKind(kind), rng));
+      EXPECT_FALSE(form.is_nearly_straight()) << NameOf(OtherStrokeKind(kind)) << " " << i;
+      EXPECT_FALSE(form.is_nearly_closed()) << NameOf(OtherStrokeKind(kind)) << " " << i;
     }
   }
 }

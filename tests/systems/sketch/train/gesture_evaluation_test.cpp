@@ -22,6 +22,8 @@ TEST_F(GestureEvaluationTest, MeasuresStrokesOfUnseenHands) {
     for (const auto& [found, count] : row.items()) num_counted += count.get<int64_t>();
   EXPECT_EQ(num_counted, 40);
   EXPECT_NEAR(evaluation.table.rows[0].error().mean, 1 - evaluation.metrics.at("accuracy").get<double>(), 1e-12);
+  EXPECT_GE(evaluation.metrics.at("at_accepted").at("accepted"), 0.97);
+  EXPECT_LE(evaluation.metrics.at("at_accepted").at("rejected"), 1);
   EXPECT_GT(evaluation.metrics.at("milliseconds"), 0);
   EXPECT_EQ(GestureSystem().read_metrics(evaluation.metrics).rows.size(), 1u);
   reports::WriteEvaluation(folder() / "report", evaluation);

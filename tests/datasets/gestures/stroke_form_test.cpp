@@ -1,4 +1,4 @@
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include "datasets/gestures/path_pen.h"
 #include "tests/support/expect_error.h"
@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(StrokeMeasures, OfALineARingAndTwoLoops) {
-  const StrokeMeasures line = MeasureStroke({{0, 0}, {3, 4}});
+TEST(StrokeForm, OfALineARingAndTwoLoops) {
+  const StrokeForm line = FormOf({{0, 0}, {3, 4}});
   EXPECT_NEAR(line.length, 5, 1e-12);
   EXPECT_NEAR(line.gap, 1, 1e-12);
   EXPECT_NEAR(line.deviation, 0, 1e-12);
@@ -21,34 +21,34 @@ TEST(StrokeMeasures, OfALineARingAndTwoLoops) {
   EXPECT_NEAR(line.direction, std::atan2(4, 3), 1e-12);
   EXPECT_TRUE(line.is_nearly_straight());
 
-  const StrokeMeasures ring = MeasureStroke(PathPen().Arc(2 * pi, 1).points());
+  const StrokeForm ring = FormOf(PathPen().Arc(2 * pi, 1).points());
   EXPECT_LT(ring.gap, 1e-6);
   EXPECT_NEAR(ring.turns, 1, 0.05);
   EXPECT_TRUE(ring.is_nearly_closed());
   EXPECT_FALSE(ring.is_nearly_straight());
 
   const Polyline loops = PathPen().Forward(2).Arc(-2 * pi, 0.5).Forward(1).Arc(-2 * pi, 0.5).Forward(2).points();
-  EXPECT_NEAR(MeasureStroke(loops).turns, -2, 0.05);
-  EXPECT_NEAR(MeasureStroke(Reversed(loops)).turns, 2, 0.05);
+  EXPECT_NEAR(FormOf(loops).turns, -2, 0.05);
+  EXPECT_NEAR(FormOf(Reversed(loops)).turns, 2, 0.05);
 }
 
-TEST(StrokeMeasures, AHalfRingDeviatesByHalfItsChord) {
-  const StrokeMeasures half = MeasureStroke(PathPen().Arc(pi, 2).points());
+TEST(StrokeForm, AHalfRingDeviatesByHalfItsChord) {
+  const StrokeForm half = FormOf(PathPen().Arc(pi, 2).points());
   EXPECT_NEAR(half.deviation, 0.5, 1e-3);
   EXPECT_NEAR(half.gap, 2 / pi, 1e-3);
 }
 
-TEST(StrokeMeasures, DependOnNeitherPlaceNorSize) {
+TEST(StrokeForm, DependsOnNeitherPlaceNorSize) {
   const Polyline line = PathPen().Forward(1).Arc(2, 0.4).Forward(0.3).points();
   Polyline other;
   for (const auto& point : line) other.push_back(70 * point + Eigen::Vector2d(300, -20));
-  EXPECT_NEAR(MeasureStroke(line).gap, MeasureStroke(other).gap, 1e-9);
-  EXPECT_NEAR(MeasureStroke(line).turns, MeasureStroke(other).turns, 1e-9);
-  EXPECT_NEAR(MeasureStroke(line).deviation, MeasureStroke(other).deviation, 1e-9);
+  EXPECT_NEAR(FormOf(line).gap, FormOf(other).gap, 1e-9);
+  EXPECT_NEAR(FormOf(line).turns, FormOf(other).turns, 1e-9);
+  EXPECT_NEAR(FormOf(line).deviation, FormOf(other).deviation, 1e-9);
 }
 
-TEST(StrokeMeasures, RefuseAStrokeWithoutLength) {
-  testing::ExpectError([] { MeasureStroke({{1, 1}, {1, 1}}); }, "without length");
+TEST(StrokeForm, RefusesAStrokeWithoutLength) {
+  testing::ExpectError([] { FormOf({{1, 1}, {1, 1}}); }, "without length");
 }
 
 TEST(Smoothed, KeepsTheEndsAndStraightLines) {

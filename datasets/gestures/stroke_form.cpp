@@ -1,4 +1,4 @@
-#include "datasets/gestures/stroke_measures.h"
+#include "datasets/gestures/stroke_form.h"
 
 #include "core/error.h"
 
@@ -56,29 +56,29 @@ Polyline Smoothed(const Polyline& stroke, double window, int count) {
   return smooth;
 }
 
-StrokeMeasures MeasureStroke(const Polyline& stroke) {
-  StrokeMeasures measures;
-  measures.length = LengthOf(stroke);
-  DAUMIER_CHECK(measures.length > 0, "a stroke of {} points without length has no shape", stroke.size());
+StrokeForm FormOf(const Polyline& stroke) {
+  StrokeForm form;
+  form.length = LengthOf(stroke);
+  DAUMIER_CHECK(form.length > 0, "a stroke of {} points without length has no shape", stroke.size());
   const Vector2d chord = stroke.back() - stroke.front();
-  measures.gap = chord.norm() / measures.length;
-  measures.deviation = DeviationOf(stroke, 0, stroke.size());
-  measures.direction = std::atan2(chord.y(), chord.x());
+  form.gap = chord.norm() / form.length;
+  form.deviation = DeviationOf(stroke, 0, stroke.size());
+  form.direction = std::atan2(chord.y(), chord.x());
   const Polyline smooth = Smoothed(stroke, 1.0 / 40, kMeasuredPoints);
   double angle = 0;
   for (size_t i = 2; i < smooth.size(); ++i)
     angle += TurnBetween(smooth[i - 1] - smooth[i - 2], smooth[i] - smooth[i - 1]);
-  measures.turns = angle / (2 * std::numbers::pi);
-  return measures;
+  form.turns = angle / (2 * std::numbers::pi);
+  return form;
 }
 
 bool MayBeGesture(const Polyline& stroke) {
-  const StrokeMeasures measures = MeasureStroke(stroke);
-  const double turns = std::abs(measures.turns);
-  if (measures.is_nearly_straight()) return true;
-  if (measures.gap < 0.2 && turns < 1.75) return true;
-  const double slant = std::abs(std::sin(2 * measures.direction));
-  if (turns > 0.6 && turns < 3.5 && slant > 0.25 && measures.gap > 0.1) return true;
+  const StrokeForm form = FormOf(stroke);
+  const double turns = std::abs(form.turns);
+  if (form.is_nearly_straight()) return true;
+  if (form.gap < 0.2 && turns < 1.75) return true;
+  const double slant = std::abs(std::sin(2 * form.direction));
+  if (turns > 0.6 && turns < 3.5 && slant > 0.25 && form.gap > 0.1) return true;
   return HasLevelShaft(Smoothed(stroke, 1.0 / 40, kMeasuredPoints));
 }
 

@@ -4,7 +4,7 @@
 namespace daumier::datasets {
 
 /// Measures of a stroke by which classes of gestures differ; none depends on its place or size.
-struct StrokeMeasures {
+struct StrokeForm {
   double length = 0;
   double gap = 0;        ///< Distance of its ends over its length: 1 of a straight line, 0 of a closed one.
   double deviation = 0;  ///< Largest distance from the line through its ends, over their distance.
@@ -15,8 +15,9 @@ struct StrokeMeasures {
   bool is_nearly_closed() const { return gap < 0.15 && turns * turns > 0.3 && turns * turns < 2.9; }
 };
 
-/// Of a stroke of at least two points that differ: its direction is that of the stroke smoothed over 1/40 of its length, so that tremor does not count. @throws Error otherwise.
-StrokeMeasures MeasureStroke(const Polyline& stroke);
+/// Its direction is that of the stroke smoothed over 1/40 of its length, so that tremor does not count. @throws Error
+/// unless it has two points that differ.
+StrokeForm FormOf(const Polyline& stroke);
 
 /// Moving average over `window` of the length; the ends stay where they are. Points are resampled to `count`.
 Polyline Smoothed(const Polyline& stroke, double window, int count);
