@@ -45,7 +45,7 @@ class FacePredictor : public Predictor {
     return results;
   }
 
-  const faces::FaceTemplate& face_template() const { return *face_template_; }
+  std::shared_ptr<const faces::FaceTemplate> face_template() const override { return face_template_; }
 
  private:
   std::shared_ptr<const faces::FaceTemplate> face_template_ =
@@ -118,7 +118,7 @@ TEST_F(PredictFilesTest, WritesMeshSheetAndStrokesOfADrawing) {
   Predict({file});
   EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "anna.svg", "manifest.json"}));
   const geometry::PolygonMesh mesh = geometry::ReadObj(out() / "anna.obj");
-  const geometry::Points& neutral = predictor_.face_template().neutral;
+  const geometry::Points& neutral = predictor_.face_template()->neutral;
   ASSERT_GT(mesh.vertices.rows(), neutral.rows()) << "a finished head";
   EXPECT_EQ(mesh.vertices.topRows(neutral.rows()), neutral);
   const render::Image sheet = render::ReadImage(out() / "anna.png");
@@ -129,7 +129,7 @@ TEST_F(PredictFilesTest, WritesMeshSheetAndStrokesOfADrawing) {
 }
 
 TEST_F(PredictFilesTest, AMeshHasNoStrokes) {
-  const auto& face_template = predictor_.face_template();
+  const faces::FaceTemplate& face_template = *predictor_.face_template();
   geometry::WriteObj(folder_ / "anna.obj", geometry::TriangleMesh{face_template.neutral, face_template.triangles});
   Predict({folder_ / "anna.obj"});
   EXPECT_EQ(Written(), (std::set<std::string>{"anna.mtl", "anna.obj", "anna.png", "manifest.json"}));
