@@ -40,13 +40,14 @@ const std::vector<Polyline>& FaceParts() {
 Polyline DrawingStroke(Rng& rng) {
   Polyline points = FaceParts()[rng.Below(FaceParts().size())];
   const double shift = 0.04 * BoxOf(points).sizes().maxCoeff();
-  for (Eigen::Vector2d& point : points) point += shift * Eigen::Vector2d(rng.Normal(), rng.Normal());
+  for (Eigen::Vector2d& point : points) point += shift * Eigen::Vector2d{rng.Normal(), rng.Normal()};
   if (Happens(0.3, rng)) {  // A part of it.
     const double from = rng.Uniform(0, 0.35);
     points = Part(points, from, from + rng.Uniform(0.45, 0.65), 40);
   }
   const Polyline line = Happens(0.8, rng) ? Smooth(points, 240) : Resampled(points, 240);
-  const Polyline sized = Scaled(line, EitherSign(rng), LogUniform(0.6, 1.6, rng));
+  const double side = EitherSign(rng), height = LogUniform(0.6, 1.6, rng);
+  const Polyline sized = Scaled(line, side, height);
   const Polyline turned = Turned(sized, Deviate(0.3, rng));
   return Happens(0.5, rng) ? Reversed(turned) : turned;
 }

@@ -21,8 +21,8 @@ constexpr double kSampledTurn = 0.75;
 /// Slow waves along the line, of that deviation.
 void Bend(Polyline& line, double deviation, Rng& rng) {
   for (const double waves : {0.5, 1.0, 2.0, 3.5}) {
-    const Vector2d phase(rng.Uniform(-pi, pi), rng.Uniform(-pi, pi));
-    const Vector2d amplitude = deviation / (0.7 + 0.3 * waves) * Vector2d(rng.Normal(), rng.Normal());
+    const Vector2d phase{rng.Uniform(-pi, pi), rng.Uniform(-pi, pi)};
+    const Vector2d amplitude = deviation / (0.7 + 0.3 * waves) * Vector2d{rng.Normal(), rng.Normal()};
     for (size_t i = 0; i < line.size(); ++i) {
       const double angle = 2 * pi * waves * double(i) / double(line.size());
       line[i] += Vector2d(amplitude.x() * std::sin(angle + phase.x()), amplitude.y() * std::sin(angle + phase.y()));
@@ -36,7 +36,7 @@ void Tremble(Polyline& line, double deviation, Rng& rng) {
   constexpr double kMemory = 0.93;
   const double step = deviation * std::sqrt(1 - kMemory * kMemory);
   for (Vector2d& point : line) {
-    noise = kMemory * noise + step * Vector2d(rng.Normal(), rng.Normal());
+    noise = kMemory * noise + step * Vector2d{rng.Normal(), rng.Normal()};
     point += noise;
   }
 }
@@ -49,10 +49,17 @@ void AddFlick(Polyline& line, double length, Rng& rng) {
   for (int i = 1; i <= 4; ++i) line.push_back(from + length * i / 4.0 * Vector2d(std::cos(angle), std::sin(angle)));
 }
 
-/// Time that each point is reached: a hand is slow where it turns and at both ends. Returns the turning, radians.
-double TimesOf(const Polyline& line, double slowness, std::vector<double>& times) {
-  times.assign(line.size(), 0);
+/// When each point is reached, and how much the hand turns on its way, radians.
+struct Pace {
+  std::vector<double> times;
   double turning = 0;
+};
+
+/// A hand is slow where it turns and at both ends.
+Pace PaceOf(const Polyline& line, double slowness) {
+  Pace pace;
+  std::vector<double>& times = pace.times;
+  times.assign(line.size(), 0);
   const double length = LengthOf(line);
   for (size_t i = 1; i < line.size(); ++i) {
     const Vector2d step = line[i] - line[i - 1];
@@ -61,18 +68,17 @@ double TimesOf(const Polyline& line, double slowness, std::vector<double>& times
       const Vector2d next = line[i + 1] - line[i];
       turn = std::abs(std::atan2(step.x() * next.y() - step.y() * next.x(), step.dot(next)));
     }
-    turning += turn;
+    pace.turning += turn;
     const double share = double(i) / double(line.size()), at_ends = 0.004 / (0.02 + std::min(share, 1 - share));
     times[i] = times[i - 1] + step.norm() / length * (1 + at_ends) + slowness * turn;
   }
-  return turning;
+  return pace;
 }
 
-Polyline SampledInTime(const Polyline& line, const GestureHand& hand, double jitter, Rng& rng) {
-  std::vector<double> times;
-  const double turning = TimesOf(line, LogUniform(0.02, 0.12, rng), times);
+Polyline SampledInTime(const Polyline& line, const Pace& pace, const GestureHand& hand, double jitter, Rng& rng) {
+  const std::vector<double>& times = pace.times;
   const double spacing = Happens(hand.sparse, rng) ? LogUniform(25, 120, rng) : LogUniform(4, 30, rng);
-  const int least = 3 + static_cast<int>(turning / kSampledTurn);
+  const int least = 3 + static_cast<int>(pace.turning / kSampledTurn);
   const int count = std::clamp(static_cast<int>(LengthOf(line) / spacing), least, std::max(least, 600));
   Polyline sampled;
   size_t next = 0;
@@ -117,7 +123,7 @@ Polyline DrawWithHand(const Polyline& shape, const GestureHand& hand, Rng& rng) 
   Polyline line = Smoothed(shape, hand.rounding * rng.Uniform(0, 2), kHandPoints);
   const Eigen::AlignedBox2d box = BoxOf(line);
   const double size = LogUniform(hand.smallest_px, hand.largest_px, rng), scale = size / box.sizes().maxCoeff();
-  const Vector2d place(rng.Uniform(0, kScreen), rng.Uniform(0, kScreen));
+  const Vector2d place{rng.Uniform(0, kScreen), rng.Uniform(0, kScreen)};
   for (Vector2d& point : line) point = place + scale * (point - box.min());
   Bend(line, hand.bend * size * rng.Uniform(0, 2), rng);
   if (Happens(0.15, rng)) AddFlick(line, rng.Uniform(0, 0.035) * size, rng);
@@ -126,9 +132,10 @@ Polyline DrawWithHand(const Polyline& shape, const GestureHand& hand, Rng& rng) 
     AddFlick(line, rng.Uniform(0, 0.035) * size, rng);
     line = Reversed(line);
   }
+  const Pace pace = PaceOf(line, LogUniform(0.02, 0.12, rng));
   // In small strokes a hand trembles less.
   Tremble(line, hand.tremor_px * std::min(1.0, size / 200), rng);
-  Polyline sampled = SampledInTime(line, hand, rng.Uniform(0, 0.4), rng);
+  Polyline sampled = SampledInTime(line, pace, hand, rng.Uniform(0, 0.4), rng);
   if (hand.has_mouse)
     for (Vector2d& point : sampled) point = {std::round(point.x()), std::round(point.y())};
   return WithoutRepeats(sampled);

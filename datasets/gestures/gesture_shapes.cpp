@@ -17,7 +17,10 @@ constexpr double kDegree = pi / 180;
 
 Polyline LineShape(Rng& rng) {
   Polyline line = DrawShaft(rng);
-  if (Happens(0.2, rng)) line = Waved(line, rng.Uniform(0, 0.025), rng.Uniform(1, 3), rng.Uniform());
+  if (Happens(0.2, rng)) {
+    const double amplitude = rng.Uniform(0, 0.025), waves = rng.Uniform(1, 3);
+    line = Waved(line, amplitude, waves, rng.Uniform());
+  }
   return Turned(line, rng.Uniform(-pi, pi));
 }
 
@@ -55,7 +58,7 @@ Polyline PolygonShape(Rng& rng) {
     corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
   const Vector2d first = corners.front();
-  corners.emplace_back(first + 0.05 * Vector2d(rng.Normal(), rng.Normal()));
+  corners.emplace_back(first + 0.05 * Vector2d{rng.Normal(), rng.Normal()});
   Polyline line;
   for (size_t i = 0; i + 1 < corners.size(); ++i) {
     const Vector2d from = corners[i], way = corners[i + 1] - from, side(-way.y(), way.x());
@@ -106,7 +109,7 @@ Polyline RegionShape(Rng& rng) {
 
 /// Where the pen is at the tip again: near it.
 Vector2d NearTip(const Vector2d& tip, Rng& rng) {
-  return tip + 0.015 * Vector2d(Deviate(1, rng), Deviate(1, rng));
+  return tip + 0.015 * Vector2d{Deviate(1, rng), Deviate(1, rng)};
 }
 
 /// The end of a barb from the tip of a shaft with that heading. side: 1 or -1.
@@ -146,7 +149,8 @@ Polyline ArrowAlongX(Rng& rng) {
     DrawBarb(pen, second, rng);
     if (Happens(0.6, rng)) DrawBarb(pen, NearTip(tip, rng), rng);
   } else if (kind < 0.9) {  // A small round hook.
-    pen.Arc(side * rng.Uniform(1.9, 3.0), rng.Uniform(0.04, 0.1)).Forward(rng.Uniform(0.03, 0.2));
+    const double angle = rng.Uniform(1.9, 3.0), radius = rng.Uniform(0.04, 0.1);
+    pen.Arc(side * angle, radius).Forward(rng.Uniform(0.03, 0.2));
   } else {  // The head first: a barb, the tip, the other barb, the tip, the shaft.
     const Polyline head = Joined(Resampled({first, tip}, 40), Resampled({NearTip(tip, rng), second}, 40));
     return Joined(Joined(head, Resampled({second, NearTip(tip, rng)}, 40)), Reversed(pen.points()));
@@ -155,7 +159,8 @@ Polyline ArrowAlongX(Rng& rng) {
 }
 
 Polyline ArrowShape(bool points_left, Rng& rng) {
-  const Polyline arrow = Turned(DrawArrow(rng), rng.Uniform(-kShaftTilt, kShaftTilt) * kDegree);
+  const double tilt = rng.Uniform(-kShaftTilt, kShaftTilt) * kDegree;
+  const Polyline arrow = Turned(DrawArrow(rng), tilt);
   return points_left ? Scaled(arrow, -1, 1) : arrow;
 }
 

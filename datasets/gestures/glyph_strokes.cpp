@@ -93,12 +93,13 @@ const std::vector<Glyph>& Glyphs() {
 
 Polyline DrawGlyph(Rng& rng) {
   Polyline points = Glyphs()[rng.Below(Glyphs().size())].points;
-  for (Eigen::Vector2d& point : points) point += 0.5 * Eigen::Vector2d(rng.Normal(), rng.Normal());
+  for (Eigen::Vector2d& point : points) point += 0.5 * Eigen::Vector2d{rng.Normal(), rng.Normal()};
   const Polyline line = Happens(0.65, rng) ? Smooth(points, 240) : Resampled(points, 240);
   const double slant = Deviate(0.2, rng);
   Polyline written;
   for (const Eigen::Vector2d& point : line) written.emplace_back(point.x() - slant * point.y(), point.y());
-  return Turned(Scaled(written, 1, LogUniform(0.6, 1.6, rng)), Deviate(0.12, rng));
+  const Polyline sized = Scaled(written, 1, LogUniform(0.6, 1.6, rng));
+  return Turned(sized, Deviate(0.12, rng));
 }
 
 }  // namespace daumier::datasets

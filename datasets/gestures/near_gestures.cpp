@@ -25,17 +25,20 @@ Polyline Continued(const Polyline& first, const Polyline& second, double turn) {
 }
 
 double LevelOrUpright(Rng& rng) {
-  return (double(rng.Below(4)) * 90 + rng.Uniform(-6, 6)) * kDegrees;
+  const double quarter = double(rng.Below(4)) * 90;
+  return (quarter + rng.Uniform(-6, 6)) * kDegrees;
 }
 
 }  // namespace
 
 Polyline ManyLoops(Rng& rng) {
-  return Aimed(DrawLoops(4 + int(rng.Below(6)), rng), rng.Uniform(-pi, pi));
+  const Polyline loops = DrawLoops(4 + int(rng.Below(6)), rng);
+  return Aimed(loops, rng.Uniform(-pi, pi));
 }
 
 Polyline LevelLoops(Rng& rng) {
-  return Aimed(DrawLoops(1 + int(rng.Below(3)), rng), LevelOrUpright(rng));
+  const Polyline loops = DrawLoops(1 + int(rng.Below(3)), rng);
+  return Aimed(loops, LevelOrUpright(rng));
 }
 
 Polyline MixedLoops(Rng& rng) {
@@ -49,15 +52,17 @@ Polyline MixedLoops(Rng& rng) {
   const int num_loops = 2 + int(rng.Below(3));
   double side = sense;
   for (int i = 0; i < num_loops; ++i) {
-    pen.Forward(LogUniform(0.6, 3, rng)).Arc(side * 2 * pi, LogUniform(0.5, 1.2, rng));
+    pen.Forward(LogUniform(0.6, 3, rng));
+    pen.Arc(side * 2 * pi, LogUniform(0.5, 1.2, rng));
     side = i + 2 == num_loops && side == sense ? -side : side * EitherSign(rng);
   }
-  return Aimed(pen.Forward(rng.Uniform(0.5, 2)).points(), LevelOrUpright(rng));
+  pen.Forward(rng.Uniform(0.5, 2));
+  return Aimed(pen.points(), LevelOrUpright(rng));
 }
 
 Polyline TurnedArrow(Rng& rng) {
-  const double angle = EitherSign(rng) * (Happens(0.7, rng) ? rng.Uniform(62, 118) : rng.Uniform(46, 134));
-  return Turned(DrawArrow(rng), angle * kDegrees);
+  const double side = EitherSign(rng), angle = Happens(0.7, rng) ? rng.Uniform(62, 118) : rng.Uniform(46, 134);
+  return Turned(DrawArrow(rng), side * angle * kDegrees);
 }
 
 Polyline DoubleArrow(Rng& rng) {
@@ -80,7 +85,10 @@ Polyline BrokenArrow(Rng& rng) {
   PathPen pen(rng.Uniform(-pi, pi));
   pen.Forward(rng.Uniform(0.4, 1.2));
   const bool has_corner = Happens(0.5, rng);
-  if (!has_corner) pen.Arc(side * rng.Uniform(1.4, 3.2), rng.Uniform(0.2, 0.6));
+  if (!has_corner) {
+    const double angle = rng.Uniform(1.4, 3.2);
+    pen.Arc(side * angle, rng.Uniform(0.2, 0.6));
+  }
   const Polyline arrow = DrawArrow(rng);
   const bool begins_at_shaft = arrow.front().norm() < 0.05;
   return Continued(pen.points(), begins_at_shaft ? arrow : Reversed(arrow),
@@ -94,7 +102,7 @@ Polyline TailedRegion(Rng& rng) {
   if (Happens(0.5, rng))
     tail.Forward(length);
   else
-    tail.Arc(EitherSign(rng) * rng.Uniform(0.4, 2), length);
+    tail.Arc(Signed(0.4, 2, rng), length);
   // Outwards: the tail of a lasso, a balloon, a key.
   const Vector2d outwards = region.back() - BoxOf(region).center(), leaves = region.back() - region[region.size() - 2];
   const double to_outside = std::atan2(leaves.x() * outwards.y() - leaves.y() * outwards.x(), leaves.dot(outwards));

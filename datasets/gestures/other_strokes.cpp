@@ -18,7 +18,8 @@ using Eigen::Vector2d;
 using std::numbers::pi;
 
 Polyline AnyWay(const Polyline& line, Rng& rng) {
-  return Turned(Scaled(line, EitherSign(rng), 1), rng.Uniform(-pi, pi));
+  const Polyline mirrored = Scaled(line, EitherSign(rng), 1);
+  return Turned(mirrored, rng.Uniform(-pi, pi));
 }
 
 Polyline ArcStroke(Rng& rng) {
@@ -102,12 +103,12 @@ Polyline ScribbleStroke(Rng& rng) {
     const double step = rng.Uniform(0.03, 0.2);
     Polyline corners;
     for (int i = 0; i < num_lines; ++i)
-      corners.emplace_back(0.15 * rng.Normal() + (i % 2 == 0 ? 0 : 1), step * (i + 0.3 * rng.Normal()));
+      corners.push_back(Vector2d{0.15 * rng.Normal() + (i % 2 == 0 ? 0 : 1), step * (i + 0.3 * rng.Normal())});
     return AnyWay(Happens(0.6, rng) ? Smooth(corners, 400) : Resampled(corners, 400), rng);
   }
   Polyline through;
   const int num_points = 6 + int(rng.Below(14));
-  for (int i = 0; i < num_points; ++i) through.emplace_back(rng.Normal(), rng.Normal());
+  for (int i = 0; i < num_points; ++i) through.push_back(Vector2d{rng.Normal(), rng.Normal()});
   return AnyWay(Smooth(through, 500), rng);
 }
 
@@ -121,8 +122,8 @@ Polyline WanderingStroke(Rng& rng) {
     else if (kind < 0.85)
       pen.Arc(Deviate(1.8, rng), 0.6 * size);
     else
-      pen.Arc(EitherSign(rng) * rng.Uniform(4, 7), 0.25 * size);
-    if (Happens(0.55, rng)) pen.Turn(EitherSign(rng) * rng.Uniform(0.6, 2.9));
+      pen.Arc(Signed(4, 7, rng), 0.25 * size);
+    if (Happens(0.55, rng)) pen.Turn(Signed(0.6, 2.9, rng));
   }
   return pen.points();
 }

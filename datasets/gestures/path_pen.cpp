@@ -58,6 +58,11 @@ double LogUniform(double low, double high, Rng& rng) {
   return low * std::pow(high / low, rng.Uniform());
 }
 
+double Signed(double low, double high, Rng& rng) {
+  const double sign = EitherSign(rng);
+  return sign * rng.Uniform(low, high);
+}
+
 double EitherSign(Rng& rng) {
   return rng.Uniform() < 0.5 ? -1 : 1;
 }

@@ -35,6 +35,8 @@ Polyline Scaled(Polyline line, double x, double y);
 
 /// Uniform in the logarithm.
 double LogUniform(double low, double high, Rng& rng);
+/// Of either sign, its absolute value uniform.
+double Signed(double low, double high, Rng& rng);
 /// 1 or -1.
 double EitherSign(Rng& rng);
 

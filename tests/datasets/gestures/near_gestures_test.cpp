@@ -17,6 +17,7 @@ double TurnsOf(const Polyline& line) {
   double angle = 0;
   for (size_t i = 2; i < line.size(); ++i) {
     const Eigen::Vector2d a = line[i - 1] - line[i - 2], b = line[i] - line[i - 1];
+    if (a.isZero(0) || b.isZero(0)) continue;
     angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
   }
   return angle / (2 * std::numbers::pi);
