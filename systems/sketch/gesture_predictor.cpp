@@ -1,9 +1,17 @@
 #include "systems/sketch/gesture_predictor.h"
 
+#include "datasets/gallery/gesture_sheet.h"
 #include "systems/predict_each.h"
 #include "systems/sketch/input_drawing.h"
 
 namespace daumier::sketch {
+
+namespace {
+
+constexpr size_t kMostShown = 40;
+constexpr int kNoStrokeSide = 96;
+
+}  // namespace
 
 datasets::Polyline PolylineOf(const render::Stroke& stroke) {
   datasets::Polyline line;
@@ -14,6 +22,7 @@ datasets::Polyline PolylineOf(const render::Stroke& stroke) {
 std::vector<systems::FaceResult> GesturePredictor::Predict(std::span<const systems::Input> inputs,
                                                            const Task& task) const {
   return systems::PredictEach(inputs, task, "drawings", [&](const systems::Input& input) {
+    systems::FaceResult result;
     Json strokes = Json::array();
     for (const render::Stroke& stroke : DrawingOf(input).strokes) {
       const datasets::Polyline line = PolylineOf(stroke);
@@ -23,8 +32,12 @@ std::vector<systems::FaceResult> GesturePredictor::Predict(std::span<const syste
       }
       const RecognisedGesture found = recogniser_.Recognise(line);
       strokes.push_back({{"gesture", NameOf(found.gesture)}, {"probability", found.probability}});
+      if (result.pictures.size() < kMostShown && datasets::BoxOf(line).sizes().maxCoeff() > 0)
+        result.pictures.push_back(
+            {datasets::PictureOfStroke(line),
+             fmt::format("{}: {} {:.2f}", strokes.size() - 1, NameOf(found.gesture), found.probability)});
     }
-    systems::FaceResult result;
+    if (result.pictures.empty()) result.pictures = {{render::Image(kNoStrokeSide, kNoStrokeSide, 1, 255), "points"}};
     result.record = {{"strokes", strokes}};
     result.files = {{".json", result.record.dump(1) + "\n"}};
     return result;

@@ -15,7 +15,7 @@ struct GesturePredictOptions {
 };
 
 /// Recognises each stroke of a drawing by itself: results without a mesh; record and file .json
-/// {strokes: [{gesture, probability}]}, one a stroke, null for strokes of one point.
+/// {strokes: [{gesture, probability}]}, one a stroke, null for strokes of one point; pictures of the first strokes.
 class GesturePredictor : public systems::Predictor {
  public:
   explicit GesturePredictor(GestureRecogniser recogniser) : recogniser_(std::move(recogniser)) {}

@@ -110,7 +110,7 @@ systems::System GestureSystem() {
       .input_extensions = DrawingExtensions(),
       .shipped_rank = -2,
       .picture_content = systems::LineDrawings(),
-      .result_files = {".json"},
+      .result_files = {".png", ".json"},
   };
 }
 

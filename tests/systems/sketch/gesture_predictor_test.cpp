@@ -21,6 +21,10 @@ TEST(GesturePredictor, RecognisesEachStrokeOfADrawing) {
   EXPECT_TRUE(strokes[1].is_null()) << "a point";
   EXPECT_EQ(strokes[2].at("gesture"), "none");
   EXPECT_EQ(results[0].files.at(0).suffix, ".json");
+  ASSERT_EQ(results[0].pictures.size(), 2u);
+  EXPECT_EQ(results[0].pictures[1].caption.substr(0, 7), "2: none");
+  drawing.strokes = {{0, {{3, 3}}}};
+  EXPECT_EQ(predictor.Predict(std::vector<systems::Input>{drawing})[0].pictures.size(), 1u) << "a sheet needs one";
   testing::ExpectError([&] { predictor.Predict(std::vector<systems::Input>{geometry::PolygonMesh{}}); }, "a mesh");
 }
 
