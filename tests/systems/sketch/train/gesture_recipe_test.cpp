@@ -36,7 +36,8 @@ TEST_F(GestureRecipeTest, LearnsTheStrokesOfAHand) {
   options_.trainer.epochs = options_.trainer.validate_every = 25;
   options_.trainer.batch = 16;
   GestureRecipe recipe = Recipe({First(48), First(48), {}});
-  const TrainingSummary summary = train::Train(recipe, options_.trainer, options_.optimiser, 1, folder_ / "run");
+  const testing::TempDir run;
+  const TrainingSummary summary = train::Train(recipe, options_.trainer, options_.optimiser, 1, run.path());
   EXPECT_LT(summary.best, 25) << "% of 48 strokes, that were trained on, wrong";
 }
 
