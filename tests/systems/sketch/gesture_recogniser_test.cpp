@@ -2,6 +2,9 @@
 
 #include "core/median_time.h"
 #include "datasets/gestures/gesture_strokes.h"
+#include "datasets/gestures/stroke_form.h"
+#include "render/quickdraw.h"
+#include "systems/sketch/gesture_predictor.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/from_threads.h"
 #include "tests/support/gesture_runs.h"
@@ -90,6 +93,26 @@ TEST_F(ShippedGestures, RecogniseGeneratedStrokesAndRejectOthers) {
   }
   EXPECT_GE(num_right, 0.93 * num_gestures);
   EXPECT_GE(num_rejected, 0.9 * num_none);
+}
+
+TEST_F(ShippedGestures, RejectMostLinesOfDrawingsByPeople) {
+  const auto data = testing::SharedData();
+  if (!data) GTEST_SKIP() << "there is no shared/data/sketches";
+  const std::filesystem::path file = *data / "sketches/quickdraw_face.ndjson";
+  const GestureRecogniser recogniser = Open();
+  int num_lines = 0, num_rejected = 0;
+  for (const render::Drawing& drawing : render::ReadQuickDraw(file)) {
+    for (const render::Stroke& stroke : drawing.strokes) {
+      const Polyline line = PolylineOf(stroke);
+      if (datasets::BoxOf(line).sizes().maxCoeff() < GestureRecogniser::kLeastExtent) continue;
+      const datasets::StrokeForm form = datasets::FormOf(line);
+      if (form.is_nearly_straight() || form.is_nearly_closed()) continue;
+      ++num_lines;
+      num_rejected += recogniser.Recognise(line).gesture == Gesture::kNone;
+    }
+  }
+  EXPECT_GE(num_lines, 20);
+  EXPECT_GE(num_rejected, 0.7 * num_lines);
 }
 
 TEST_F(ShippedGestures, GiveTheSameFromThreads) {
