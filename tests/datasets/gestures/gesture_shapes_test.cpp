@@ -64,8 +64,7 @@ TEST(GestureShapes, AnArrowIsLevelWithItsHookAtTheNamedEnd) {
     EXPECT_GT(InkAlongX(line), 0.5);
     EXPECT_GT(BoxOf(line).sizes().x(), 0.8 * BoxOf(line).sizes().y());
   });
-  ForShapesOf(Gesture::kLeftArrow,
-              [](const Polyline& line, const StrokeForm&) { EXPECT_LT(InkAlongX(line), 0.5); });
+  ForShapesOf(Gesture::kLeftArrow, [](const Polyline& line, const StrokeForm&) { EXPECT_LT(InkAlongX(line), 0.5); });
 }
 
 TEST(GestureShapes, AreDrawnInBothDirections) {
