@@ -8,6 +8,7 @@
 #include "core/output_place.h"
 #include "core/process_task.h"
 #include "core/staged_directory.h"
+#include "geometry/alignment.h"
 #include "geometry/obj.h"
 #include "render/draw.h"
 #include "render/shading.h"
@@ -35,6 +36,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSessionKind = "session";
 constexpr int64_t kMostShown = 24;
+constexpr char kStoppedWhileWriting[] = "stopped while the session was written; nothing is left of it";
 
 /// A state, and what led to it.
 struct RecordedState {
@@ -65,14 +67,38 @@ std::shared_ptr<const sketch::GestureRecogniser> OpenGestures(const sketch::Sess
                   places.empty() ? std::string("any folder") : places.front().string()));
 }
 
+/// Of a session's folder and `begin`; empty if there is no such file.
+fs::path FaceToBeginWith(const SessionArguments& arguments, const sketch::SessionScript& script) {
+  if (script.begin.empty() || script.begin == "mean") return {};
+  return arguments.session.parent_path() / script.begin;
+}
+
+/// @throws Error if a face does not lie as those of the template do.
+void CheckPlace(const fs::path& face, const geometry::Points& vertices, const faces::FaceTemplate& face_template) {
+  constexpr double kMostShift = 0.25, kMostTurn = 30, kMostDifference = 0.2;  // Of the height, degrees, of the height.
+  const double height = (face_template.neutral.col(1).maxCoeff() - face_template.neutral.col(1).minCoeff());
+  const geometry::Similarity placed = geometry::AlignSimilarity(face_template.neutral, vertices);
+  const double turn = Eigen::AngleAxisd(placed.rotation).angle() * 180 / M_PI;
+  const double shift = (vertices.colwise().mean() - face_template.neutral.colwise().mean()).norm();
+  const double difference = (placed.Apply(face_template.neutral) - vertices).rowwise().norm().mean();
+  DAUMIER_CHECK(
+      turn <= kMostTurn && shift <= kMostShift * height && difference <= kMostDifference * height,
+      "{} is turned by {:.0f} degrees, moved by {:.1f} cm and differs by {:.1f} cm on average from the mean face "
+      "(expected at most {:.0f} degrees, {:.1f} and {:.1f} cm). Export it in the frame and with the vertices of "
+      "the template, or begin with another face",
+      face.string(), turn, shift, difference, kMostTurn, kMostShift * height, kMostDifference * height);
+}
+
 /// Begins follow-up mode with the face that the script names.
 void Begin(const SessionArguments& arguments, const sketch::SessionScript& script,
            const faces::FaceTemplate& face_template, sketch::SketchSession& session) {
   if (script.begin.empty()) return;
   if (script.begin == "mean") return session.FollowUp();
-  const fs::path face = arguments.session.parent_path() / script.begin;
-  session.FollowUpFrom(
-      ReadFaceOf(face, face_template, "Register it first (`daumier register`), or begin with another face"));
+  const fs::path face = FaceToBeginWith(arguments, script);
+  const geometry::Points vertices =
+      ReadFaceOf(face, face_template, "Register it first (`daumier register`), or begin with another face");
+  CheckPlace(face, vertices, face_template);
+  session.FollowUpFrom(vertices);
 }
 
 std::string CaptionOf(size_t number, const sketch::SessionEvent& event, const sketch::SketchState& state) {
@@ -107,11 +133,22 @@ render::Image ViewOf(const RecordedState& recorded, const faces::FinishedHead& h
   return image;
 }
 
+/// Whether a face takes part in the scale of the sheet: one with a vertex that was moved far away would make the others dots.
+bool IsShown(const geometry::Points& face, const faces::FaceTemplate& face_template) {
+  constexpr double kMost = 2;
+  const auto extent = [](const geometry::Points& points) -> Eigen::RowVector3d {
+    return points.colwise().maxCoeff() - points.colwise().minCoeff();
+  };
+  return extent(face).maxCoeff() <= kMost * extent(face_template.neutral).maxCoeff();
+}
+
 render::Image SheetOfSession(const std::vector<RecordedState>& states, const sketch::SketchSession& session,
-                             const sketch::SessionScript& script, const faces::FaceTemplate& face_template) {
+                             const sketch::SessionScript& script, const faces::FaceTemplate& face_template,
+                             const Task& task) {
   std::vector<geometry::Points> faces;
   for (const RecordedState& recorded : states)
-    if (recorded.state->vertices.rows() > 0) faces.push_back(recorded.state->vertices);
+    if (recorded.state->vertices.rows() > 0 && IsShown(recorded.state->vertices, face_template))
+      faces.push_back(recorded.state->vertices);
   if (faces.empty()) faces.push_back(face_template.neutral);
   const faces::FinishedHead head = reports::HeadOf(reports::SurfaceOf(face_template), face_template.neutral);
   const render::Frame frame = reports::FrameOfFaces(faces);
@@ -119,6 +156,7 @@ render::Image SheetOfSession(const std::vector<RecordedState>& states, const ske
   std::vector<RecordedState> shown = EvenlySpaced(states, kMostShown);
   shown.back() = states.back();
   for (const RecordedState& recorded : shown) {
+    task.ThrowIfCancelled(kStoppedWhileWriting);
     const bool is_view = recorded.event != nullptr && recorded.state->is_refinement();
     cells.push_back({is_view ? ViewOf(recorded, head, session, script)
                              : render::DrawnWithCurves(recorded.on_canvas, {}, reports::kCell),
@@ -147,7 +185,9 @@ void ReplayNaming(const fs::path& file, const sketch::SessionScript& script, ske
 
 void ReplaySession(const SessionArguments& arguments) {
   const sketch::SessionScript script = sketch::ReadSession(arguments.session);
-  CheckReplacedFolder(arguments.out, kSessionKind, {arguments.session, arguments.run});
+  std::vector<fs::path> inputs = {arguments.session, arguments.run};
+  if (const fs::path face = FaceToBeginWith(arguments, script); !face.empty()) inputs.push_back(face);
+  CheckReplacedFolder(arguments.out, kSessionKind, inputs);
   const auto predictor = OpenForSession(arguments);
   const faces::FaceTemplate& face_template = predictor->run().face_template;
   sketch::SketchSession session(predictor, script.width, script.height, OpenGestures(script));
@@ -175,6 +215,7 @@ void ReplaySession(const SessionArguments& arguments) {
   manifest.details["run_data_hash"] = DataHash(arguments.run);
   const auto add = [&](const std::string& name) { manifest.checksums[name] = Sha256OfFile(staged.path() / name); };
   for (const RecordedState& recorded : states) {
+    task.ThrowIfCancelled(kStoppedWhileWriting);
     const std::string drawing = recorded.name + ".svg", mesh = recorded.name + ".obj";
     render::WriteSvg(staged.path() / drawing, recorded.on_canvas, {"line"});
     add(drawing);
@@ -187,7 +228,7 @@ void ReplaySession(const SessionArguments& arguments) {
     }
     manifest.details["states"].push_back(std::move(entry));
   }
-  render::WriteImage(staged.path() / "sheet.png", SheetOfSession(states, session, script, face_template));
+  render::WriteImage(staged.path() / "sheet.png", SheetOfSession(states, session, script, face_template, task));
   add("sheet.png");
   WriteFileAtomically(staged.path() / "session.json", sketch::SessionToJson(script).dump(1) + "\n");
   add("session.json");

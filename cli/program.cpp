@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -124,6 +125,7 @@ void CheckAddressSpace() {
 }  // namespace
 
 int RunProgram(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // A file beyond a limit (ulimit -f) is an error of writing, as a full disk is.
   CLI::App app{"Trains, evaluates and exports systems for stylised 3D faces.", "daumier"};
   app.require_subcommand(1);
   app.set_version_flag("--version", DAUMIER_VERSION, "Print the version and exit");

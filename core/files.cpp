@@ -51,6 +51,8 @@ std::string Cause(int error_number) {
     case EMFILE:
     case ENFILE:
       return "too many open files; close other programs, or raise the limit (ulimit -n)";
+    case EFBIG:
+      return "the file would be larger than the limit; raise it (ulimit -f)";
     case EROFS:
       return "the file system is read-only; choose another place";
     default:

@@ -1,5 +1,6 @@
 #include "render/svg_ink.h"
 
+#include "core/error.h"
 #include "render/svg_areas.h"
 #include "render/svg_canvas.h"
 #include "render/svg_grounds.h"
@@ -315,10 +316,23 @@ void RemoveOutside(SvgScene& scene, std::vector<InkLine>& lines) {
   scene.problems.push_back(fmt::format("{}: {} strokes outside the sheet are left out", scene.file, num_outside));
 }
 
+/// What areas hide and which of their outlines are lines costs by pairs of their points.
+void CheckAreas(const SvgScene& scene) {
+  for (const SvgShape& shape : scene.shapes) {
+    size_t num_points = 0;
+    for (const SvgPolyline& polyline : shape.polylines) num_points += polyline.points.size();
+    DAUMIER_CHECK(
+        !shape.fill || num_points <= kMostPointsOfArea,
+        "{}: a filled path has {} points (expected at most {}). Simplify it, or give it fill=\"none\" and a stroke",
+        scene.file, num_points, kMostPointsOfArea);
+  }
+}
+
 }  // namespace
 
 std::vector<Stroke> InkOfScene(SvgScene& scene) {
   if (scene.shapes.empty()) return {};
+  CheckAreas(scene);
   const SvgColor white{Vector3d::Ones(), 1.0};
   SvgColor paper = scene.background.value_or(SvgColor{Vector3d::Ones(), 0.0});
   paper.rgb = paper.alpha * paper.rgb + (1.0 - paper.alpha) * white.rgb;

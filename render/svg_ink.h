@@ -13,6 +13,8 @@ namespace daumier::render {
 /// inside, its corners rounded or not, as one line or four (the sheet, or its frame); what lies wholly outside the
 /// sheet while other lines lie inside. What is left out for the last two reasons is added to the scene's problems,
 /// except frames as large as the sheet. A line that is seen as a whole keeps its points exactly.
+/// @throws Error naming the file if an area has more than kMostPointsOfArea points, of which pairs are compared.
 std::vector<Stroke> InkOfScene(SvgScene& scene);
+inline constexpr size_t kMostPointsOfArea = 30'000;
 
 }  // namespace daumier::render

@@ -51,7 +51,8 @@ const EventKind& KindOf(const SessionEvent& event) {
   });
 }
 
-constexpr size_t kMostShown = 60;  // Characters.
+constexpr size_t kMostShown = 60;     // Characters.
+constexpr double kMostDegrees = 360;  // Of a view.
 
 /// The value in a message: of a long one the beginning.
 std::string Shown(const Json& json) {
@@ -113,6 +114,8 @@ SessionEvent EventFrom(const Json& json) {
   if (json.contains("level")) event.operation.level = LevelFrom(json.at("level"));
   if (json.contains("view")) {
     const Eigen::Vector2d view = PointFrom(json.at("view"));
+    DAUMIER_CHECK(view.cwiseAbs().maxCoeff() <= kMostDegrees, "'view' is {} (expected at most {} degrees)",
+                  Shown(json.at("view")), kMostDegrees);
     event.operation.view = {view.x(), view.y()};
   }
   return event;
@@ -138,9 +141,14 @@ SessionScript ScriptFrom(const Json& json) {
   DAUMIER_CHECK(json.at("version") == SessionScript::kVersion, "version {} (this program reads {})",
                 Shown(json.at("version")), SessionScript::kVersion);
   SessionScript script;
+  for (const auto& [key, value] : json.items())
+    DAUMIER_CHECK(key == "version" || key == "sheet" || key == "begin" || key == "events",
+                  "'{}' is unknown (expected version, sheet, begin and events)", key.substr(0, kMostShown));
   const Json sheet = json.value("sheet", Json());
   DAUMIER_CHECK(sheet.is_array() && sheet.size() == 2, "'sheet' is {}, expected [width, height]", Shown(sheet));
   const Eigen::Vector2d size = PointFrom(sheet);
+  DAUMIER_CHECK(size.minCoeff() >= 1 && size.maxCoeff() <= SketchSession::kMostSheet,
+                "'sheet' is {}, expected sizes from 1 to {}", Shown(sheet), SketchSession::kMostSheet);
   script.width = size.x(), script.height = size.y();
   const Json begin = json.value("begin", Json(""));
   DAUMIER_CHECK(begin.is_string(), "'begin' is {} (expected \"mean\", or the file of a face)", Shown(begin));

@@ -1,5 +1,7 @@
 #include "render/svg_ink.h"
 
+#include "tests/support/expect_error.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,6 +31,13 @@ size_t NumStrokes(const std::string& elements) {
 /// A drawing of two curves between 60 and 140.
 const std::string kTwoCurves =
     "<g fill='none' stroke='black'><path d='M60 60Q100 180 140 60'/><path d='M80 100Q100 120 120 100'/></g>";
+
+TEST(SvgInk, AnAreaOfVeryManyPointsIsRefused) {
+  std::string data = "M0 0";
+  for (size_t i = 0; i <= kMostPointsOfArea; ++i) data += i % 2 == 0 ? "L9 9" : "L1 3";
+  testing::ExpectError([&] { InkOf("<path d='" + data + "'/>"); }, "a filled path has");
+  EXPECT_EQ(NumStrokes("<path fill='none' stroke='black' d='" + data + "'/>"), 1U);
+}
 
 TEST(SvgInk, PaperColoredStrokesAreNone) {
   for (const std::string color : {"#fff", "#fefefe", "rgb(98% 99% 100%)", "rgba(0,0,0,.02)", "hsl(60, 100%, 99%)"})
