@@ -78,7 +78,7 @@ TEST_F(SessionFileTest, AMalformedEventIsNamedByItsNumber) {
   refused(R"({"do": "draw", "points": [[1, 2]], "stabiliser": "a"})", "\"a\" is no number");
   refused(R"({"do": "brush", "points": [[1, 2]]})", "'brush' has no 'radius'");
   refused(R"({"do": "region", "points": [[1, 2]], "view": [3]})", "[3] is no pair");
-  refused(R"({"do": "region", "points": [[1, 2]], "view": [0, 1e9]})", "expected at most 360 degrees");
+  refused(R"({"do": "region", "points": [[1, 2]], "view": [0, 1e9]})", "'view' is [0,");
   refused(R"({"do": "roll", "level": 0})", "'level' is 0");
   refused(R"({"do": "roll", "level": 1.5})", "'level' is 1.5");
   refused(R"({"do": "draw", "points": [[1]]})", "[1] is no pair [x, y]");
