@@ -59,8 +59,8 @@ void Run(const std::string& weights, const std::filesystem::path& session_file, 
                 session_file.string());
   if (!script.begin.empty()) session.FollowUp();
   std::shared_ptr<const SketchState> last;
-  Replay(script, session, [&](size_t, std::shared_ptr<const SketchState> state) {
-    if (state->is_follow_up()) last = std::move(state);
+  Replay(script, session, [&](const ReplayedEvent& event) {
+    if (event.state->is_follow_up()) last = event.state;
   });
   DAUMIER_CHECK(last != nullptr, "{} has no state in follow-up mode", session_file.string());
 

@@ -231,12 +231,12 @@ Verb PredictVerb() {
             "of lines (PNG, "
             "JPEG, WebP, BMP, TIFF). Of a landmarks or portrait run: pictures of faces. A folder of them; and "
             "key=value");
-        command.add_option(
-            "--weights", arguments->weights,
-            "Shipped weights: their name (sketch-ict, parser, portrait, landmarks), or their folder. Without it the "
-            "choice follows from the inputs: line drawings and portraits are distinguished by content. "
-            "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
-            "program's folder and of those above it");
+        command.add_option("--weights", arguments->weights,
+                           "Shipped weights: their name (sketch-ict, parser, portrait, landmarks, gestures), or their "
+                           "folder. Without it the "
+                           "choice follows from the inputs: line drawings and portraits are distinguished by content. "
+                           "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
+                           "program's folder and of those above it");
         command
             .add_option("--session", arguments->session,
                         "Replay a recorded session of sketching instead (docs/sketching.md): a mesh and a drawing of "

@@ -101,9 +101,9 @@ void Begin(const SessionArguments& arguments, const sketch::SessionScript& scrip
   session.FollowUpFrom(vertices);
 }
 
-std::string CaptionOf(size_t number, const sketch::SessionEvent& event, const sketch::SketchState& state) {
-  std::string caption = fmt::format("{} {}", number, sketch::NameOf(event));
-  if (event.what == sketch::SessionEvent::What::kGesture && state.gesture) caption += ": " + NameOf(*state.gesture);
+std::string CaptionOf(const sketch::ReplayedEvent& replayed, const sketch::SessionEvent& event) {
+  std::string caption = fmt::format("{} {}", replayed.number, sketch::NameOf(event));
+  if (replayed.gesture) caption += ": " + NameOf(*replayed.gesture);
   return caption;
 }
 
@@ -198,13 +198,11 @@ void ReplaySession(const SessionArguments& arguments) {
     states.push_back({"000", "begin", session.state(), LinesOnCanvas(*session.state(), script)});
   ReplayNaming(
       arguments.session, script, session,
-      [&](size_t number, std::shared_ptr<const sketch::SketchState> state) {
-        const sketch::SessionEvent& event = script.events[number - 1];
-        std::string caption = CaptionOf(number, event, *state);
-        std::vector<render::Stroke> lines = LinesOnCanvas(*state, script);
-        states.push_back(
-            {fmt::format("{:03}", number), std::move(caption), std::move(state), std::move(lines), &event});
-        task.Report(int64_t(number), int64_t(script.events.size()), "events");
+      [&](const sketch::ReplayedEvent& replayed) {
+        const sketch::SessionEvent& event = script.events[replayed.number - 1];
+        states.push_back({fmt::format("{:03}", replayed.number), CaptionOf(replayed, event), replayed.state,
+                          LinesOnCanvas(*replayed.state, script), &event});
+        task.Report(int64_t(replayed.number), int64_t(script.events.size()), "events");
       },
       Task(task.stop));  // What a predictor reports of one event is no progress of them all.
   for (const std::string& warning : states.back().state->warnings) log::Warn("the last state: {}", warning);

@@ -12,7 +12,7 @@ namespace daumier::sketch {
 
 namespace {
 
-/// Of a redrawn curve, on the canvas: each stretch of kIndependent counts as one point with this deviation.
+/// Of a curve, on the canvas: each stretch of kIndependent counts as one point with this deviation.
 constexpr double kLineDeviation = 2, kIndependent = 8;
 
 }  // namespace
@@ -36,6 +36,14 @@ CurveFollower::CurveFollower(std::shared_ptr<const SketchPredictor> predictor, I
   for (Eigen::Index pin = 0; pin < std::ssize(pins); ++pin)
     curve_effects_.middleCols<2>(2 * pin) =
         gaussian.rows.middleCols<3>(3 * Eigen::Index(pins[size_t(pin)])).cast<double>() * pixels_from_cm.transpose();
+  for (size_t c = 0; c + 1 < curves.offsets.size(); ++c) {
+    const auto first = size_t(curves.offsets[c]), last = size_t(curves.offsets[c + 1]);
+    Eigen::MatrixXd effects(gaussian.size(), 2 * Eigen::Index(last - first));
+    for (size_t i = first; i < last; ++i)
+      effects.middleCols<2>(2 * Eigen::Index(i - first)) =
+          curve_effects_.middleCols<2>(2 * Eigen::Index(pin_of_point_[i]));
+    curve_normals_.emplace_back(effects * effects.transpose());
+  }
   deformation_ = std::make_unique<geometry::PinnedDeformation>(
       geometry::UniformLaplacian(face_template.triangles, face_template.num_vertices()), std::move(pins));
 }
@@ -86,28 +94,24 @@ geometry::Points CurveFollower::ChangeOfFaces(const FollowUpStart& start, const 
   const faces::FaceGaussian& gaussian = predictor_->run().models.gaussian;
   const geometry::Points seen =
       render::Project(predictor_->curves().camera, start.vertices(deformation_->pins(), Eigen::all));
-  // Of redrawn points: what components do to them, and how far they are to move, over their deviation.
-  Eigen::MatrixXd effects(gaussian.size(), 2 * std::ssize(pin_of_point_));
-  Eigen::VectorXd moved(2 * std::ssize(pin_of_point_));
-  Eigen::Index size = 0;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(gaussian.size(), gaussian.size());
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(gaussian.size());
   size_t point = 0;
-  for (const SessionCurve& curve : lines.curves) {
+  for (size_t c = 0; c < lines.curves.size(); ++c) {
+    const SessionCurve& curve = lines.curves[c];
     const size_t first = point;
     point += curve.points.size();
-    if (curve.drawn == 0) continue;
+    if (curve.drawn == 0 && start.untouched == Untouched::kFollow) continue;
     const double num_independent = std::max(1.0, datasets::LengthOf(curve.points) / kIndependent);
-    const double share = std::sqrt(num_independent / double(curve.points.size())) / kLineDeviation;
+    const double weight = num_independent / double(curve.points.size()) / (kLineDeviation * kLineDeviation);
+    normal += weight * curve_normals_[c];
     for (size_t i = 0; i < curve.points.size(); ++i) {
       const int pin = pin_of_point_[first + i];
-      effects.middleCols<2>(size) = share * curve_effects_.middleCols<2>(2 * Eigen::Index(pin));
-      moved.segment<2>(size) = share * (curve.points[i] - seen.row(pin).head<2>().transpose());
-      size += 2;
+      const Eigen::Vector2d moved = curve.points[i] - seen.row(pin).head<2>().transpose();
+      rhs += weight * (curve_effects_.middleCols<2>(2 * Eigen::Index(pin)) * moved);
     }
   }
-  if (moved.head(size).isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(gaussian.size(), gaussian.size());
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(effects.leftCols(size));
-  const Eigen::VectorXd rhs = effects.leftCols(size) * moved.head(size);
+  if (rhs.isZero(0)) return geometry::Points::Zero(start.vertices.rows(), 3);
   const Eigen::VectorXf weights = normal.selfadjointView<Eigen::Lower>().llt().solve(rhs).cast<float>();
   const Eigen::VectorXf change = gaussian.rows.transpose() * weights;
   return geometry::PointsFrom(std::span(change.data(), size_t(change.size())));

@@ -13,11 +13,11 @@ namespace daumier::sketch {
 enum class Inference {
   kNone,     ///< Nothing: deformation alone.
   kNetwork,  ///< network(lines) - network(curves of start), as printed.
-  kFaces,    ///< E[x - start | redrawn curves] of the run's normal distribution of faces, about the start.
+  kFaces,    ///< E[x - start | known curves] of the run's normal distribution of faces, about the start.
 };
 /// Where curves are that were never redrawn.
 enum class Untouched {
-  kStay,    ///< At their lines, as printed.
+  kStay,    ///< At their lines, as printed: known as redrawn ones are.
   kFollow,  ///< Where the inference has them.
 };
 
@@ -58,14 +58,15 @@ class CurveFollower {
   geometry::Points Pulled(const geometry::Points& face, const SessionLines& lines, Untouched untouched) const;
   /// What the network sees in wrinkles, V x 3, along the view.
   geometry::Points ChangeOfWrinkles(const SessionLines& lines) const;
-  /// The most likely change of the start's faces, V x 3, by the redrawn curves.
+  /// The most likely change of the start's faces, V x 3, by the known curves.
   geometry::Points ChangeOfFaces(const FollowUpStart& start, const SessionLines& lines) const;
 
   std::shared_ptr<const SketchPredictor> predictor_;
   Inference inference_;
   std::vector<int> pin_of_point_;  ///< K: which pin the vertex of each curve point is.
   std::unique_ptr<const geometry::PinnedDeformation> deformation_;
-  Eigen::MatrixXd curve_effects_;  ///< K x 2P: what components of faces do to pins on the canvas, pixels.
+  Eigen::MatrixXd curve_effects_;               ///< K x 2P: what components of faces do to pins on the canvas, pixels.
+  std::vector<Eigen::MatrixXd> curve_normals_;  ///< K x K of each curve: the effects on its points by their transpose.
 };
 
 }  // namespace daumier::sketch

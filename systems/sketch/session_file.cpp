@@ -169,29 +169,34 @@ SessionScript ScriptFrom(const Json& json) {
   return script;
 }
 
-void Do(const SessionEvent& event, SketchSession& session, const Task& task) {
+/// Returns what a stroke was recognised as, if the event is a gesture.
+std::optional<datasets::Gesture> Do(const SessionEvent& event, SketchSession& session, const Task& task) {
   switch (event.what) {
     case What::kDraw:
-      return session.Draw(event.points, event.pen, task);
+      session.Draw(event.points, event.pen, task);
+      break;
     case What::kErase:
       session.Erase(event.points, event.pen.mirror, task);
-      return;
+      break;
     case What::kFollowUp:
-      return session.FollowUp();
+      session.FollowUp();
+      break;
     case What::kRefine:
-      return session.Refine();
+      session.Refine();
+      break;
     case What::kOperation:
-      return session.Apply(event.operation);
+      session.Apply(event.operation);
+      break;
     case What::kGesture:
-      session.DoGesture(event.points, event.operation.view);
-      return;
+      return session.DoGesture(event.points, event.operation.view);
     case What::kUndo:
       session.Undo();
-      return;
+      break;
     case What::kRedo:
       session.Redo();
-      return;
+      break;
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -215,18 +220,19 @@ Json SessionToJson(const SessionScript& script) {
 }
 
 void Replay(const SessionScript& script, SketchSession& session,
-            const std::function<void(size_t number, std::shared_ptr<const SketchState> state)>& report,
-            const Task& task) {
+            const std::function<void(const ReplayedEvent& event)>& report, const Task& task) {
   for (size_t i = 0; i < script.events.size(); ++i) {
     task.ThrowIfCancelled("stopped before event {} of {}", i + 1, script.events.size());
+    ReplayedEvent replayed{.number = i + 1};
     try {
-      Do(script.events[i], session, task);
+      replayed.gesture = Do(script.events[i], session, task);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
       throw Error(fmt::format("event {} ({}): {}", i + 1, NameOf(script.events[i]), error.what()));
     }
-    report(i + 1, session.state());
+    replayed.state = session.state();
+    report(replayed);
   }
 }
 

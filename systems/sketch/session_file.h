@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,17 @@ inline constexpr size_t kMostEvents = 2'000, kMostSessionPoints = 1'000'000;
 SessionScript ReadSession(const std::filesystem::path& file);
 Json SessionToJson(const SessionScript& script);
 
+/// What is reported of an event.
+struct ReplayedEvent {
+  size_t number = 0;  ///< The first is 1.
+  std::shared_ptr<const SketchState> state;
+  std::optional<datasets::Gesture> gesture = {};  ///< What a stroke was recognised as, of kGesture.
+};
+
 /// Does the events one after the other, those that have no effect (nothing under the eraser) as well, and calls
-/// `report(number, state)` after each, the first is 1.
-/// @throws Error naming the event that failed; Cancelled if the task is.
+/// `report` after each. @throws Error naming the event that failed; Cancelled if the task is.
 void Replay(const SessionScript& script, SketchSession& session,
-            const std::function<void(size_t number, std::shared_ptr<const SketchState> state)>& report,
-            const Task& task = {});
+            const std::function<void(const ReplayedEvent& event)>& report, const Task& task = {});
 
 /// "draw", ... as in the file.
 std::string NameOf(const SessionEvent& event);

@@ -278,9 +278,7 @@ datasets::Gesture SketchSession::DoGesture(const CanvasPoints& stroke, const Vie
     return gesture;
   }
   const auto operation = OperationOf(gesture, stroke, view, !now->refinement->handles.empty());
-  SketchState next = operation ? Applied(*now, *operation) : *now;
-  next.gesture = gesture;
-  Add(std::move(next));
+  Add(operation ? Applied(*now, *operation) : *now);
   return gesture;
 }
 

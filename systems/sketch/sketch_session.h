@@ -9,7 +9,6 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,6 @@ struct SketchState {
   render::Placement frame;            ///< Sheet to canvas, where the camera of the sketches sees the face.
   geometry::Points vertices;          ///< V x 3, cm; empty while there is no face.
   std::vector<std::string> warnings;  ///< Of the face.
-  /// What the stroke was recognised as that led to this state, if it was a gesture.
-  std::optional<datasets::Gesture> gesture = {};
 
   bool is_follow_up() const { return start != nullptr; }
   bool is_refinement() const { return refinement != nullptr; }
@@ -66,7 +63,7 @@ class SketchSession {
   /// Begins refinement mode where it is not yet. @throws Error as sketch::Apply, or as CheckOnSheet.
   void Apply(const RefinementOperation& operation);
   /// Recognises a stroke and does what it means (OperationOf); arrows undo and redo. In refinement mode alone. Any
-  /// other stroke than the ten gestures changes nothing but `gesture` of the state. @throws Error without gestures, in another mode, or as Apply.
+  /// other stroke than the ten gestures makes an equal state. Returns what it was. @throws Error without gestures, in another mode, or as Apply.
   datasets::Gesture DoGesture(const CanvasPoints& stroke, const View& view);
   /// False where there is nothing to undo or redo.
   bool Undo();

@@ -188,7 +188,6 @@ TEST_F(SketchSessionTest, AGestureDoesWhatItMeans) {
   SketchSession none = session_with(kNone);
   none.Refine();
   EXPECT_EQ(none.DoGesture(stroke, {}), kNone);
-  EXPECT_EQ(none.state()->gesture, kNone);
   EXPECT_EQ(none.state()->vertices, refined->vertices);
   SketchSession roll = session_with(kUpRoll2);
   roll.Refine();
@@ -196,6 +195,20 @@ TEST_F(SketchSessionTest, AGestureDoesWhatItMeans) {
   SketchSession without = Open();
   without.Refine();
   ExpectError([&] { without.DoGesture(stroke, {}); }, "there is no network of gestures");
+}
+
+TEST_F(SketchSessionTest, AReplayReportsWhatStrokesWereRecognisedAs) {
+  SketchSession session(predictor_, 256, 256,
+                        std::make_shared<const GestureRecogniser>(
+                            GestureDecision(), std::make_shared<FixedScores>(datasets::Gesture::kLeftArrow)));
+  const SessionScript script{
+      256,
+      256,
+      "",
+      {{.what = SessionEvent::What::kRefine}, {.what = SessionEvent::What::kGesture, .points = {{1, 1}, {40, 3}}}}};
+  std::vector<std::optional<datasets::Gesture>> gestures;
+  Replay(script, session, [&](const ReplayedEvent& event) { gestures.push_back(event.gesture); });
+  EXPECT_EQ(gestures, (std::vector<std::optional<datasets::Gesture>>{std::nullopt, datasets::Gesture::kLeftArrow}));
 }
 
 TEST_F(SketchSessionTest, FollowUpBeginsWithTheFaceItself) {
@@ -264,16 +277,17 @@ TEST_F(SketchSessionTest, AReplayGivesTheStatesOfTheCalls) {
   session.Draw({{5, 5}, {9, 9}});
   script.events.push_back({SessionEvent::What::kUndo, {}});
   std::vector<size_t> wrinkles;
-  Replay(script, replayed, [&](size_t number, const std::shared_ptr<const SketchState>& state) {
-    EXPECT_EQ(number, wrinkles.size() + 1);
-    wrinkles.push_back(state->lines.wrinkles.size());
-    if (number == 3) {
-      EXPECT_EQ(state->vertices, session.state()->vertices);
+  Replay(script, replayed, [&](const ReplayedEvent& event) {
+    EXPECT_EQ(event.number, wrinkles.size() + 1);
+    EXPECT_FALSE(event.gesture.has_value());
+    wrinkles.push_back(event.state->lines.wrinkles.size());
+    if (event.number == 3) {
+      EXPECT_EQ(event.state->vertices, session.state()->vertices);
     }
   });
   EXPECT_EQ(wrinkles, (std::vector<size_t>{0, 0, 1, 0})) << "nothing lies under the eraser";
   script.events[2].points = {{1, 1}};
-  ExpectError([&] { Replay(script, session, [](size_t, const auto&) {}); }, "event 3 (draw): a stroke is shorter");
+  ExpectError([&] { Replay(script, session, [](const ReplayedEvent&) {}); }, "event 3 (draw): a stroke is shorter");
 }
 
 TEST_F(SketchSessionTest, StatesAreReadWhileAnotherThreadDraws) {
