@@ -204,11 +204,6 @@ class EditFaces {
     if (!arguments_.soft_cm && edit.residual_share > fitting::kHeldShare)
       log::Warn("{}: the model has no face with the handles there; {:.0f} % of the move are missing", caption,
                 100 * edit.residual_share);
-    if (!edit.is_usual)
-      log::Warn(
-          "{}: the face is unlike those that the model was made of: its code is {:.1f} long, 99 % of theirs are below "
-          "{:.1f}. Move the handles less, or drop --local",
-          caption, edit.code.norm(), model_.usual_radius());
   }
 
   void AddArap(const deform::EditHandles& handles, const EditedFace& first, std::vector<int> fixed) {

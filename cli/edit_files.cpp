@@ -1,6 +1,7 @@
 #include "cli/edit_files.h"
 
 #include "core/files.h"
+#include "core/log.h"
 #include "core/staged_directory.h"
 #include "geometry/flips.h"
 #include "geometry/obj.h"
@@ -73,7 +74,14 @@ void MeasureFaces(const fitting::CodeModel& model, std::vector<EditedFace>& face
   for (EditedFace& face : faces) {
     if (face.code.size() > 0) {
       face.record["radius"] = face.code.norm();
-      face.record["usual"] = face.code.norm() <= model.usual_radius();
+      const bool is_usual = face.code.norm() <= model.usual_radius();
+      face.record["usual"] = is_usual;
+      if (!is_usual)
+        log::Warn(
+            "{}: the face is unlike those that the model was made of: its code is {:.1f} long, 99 % of theirs are "
+            "below "
+            "{:.1f}. Change it less, or drop --local",
+            face.caption, face.code.norm(), model.usual_radius());
     }
     face.record["self_intersections"] = geometry::SelfIntersections({face.vertices, face_template.triangles}).size();
     if (&face == &faces.front()) continue;

@@ -162,6 +162,24 @@ systems::PredictionSummary Run(const PredictArguments& arguments, ReadyPredictio
   return summary;
 }
 
+/// Adds the options that the flags mean. @throws UsageError if no task has one of them.
+void AddFlags(const PredictArguments& arguments, const std::vector<const systems::System*>& tasks,
+              std::vector<std::string>& overrides) {
+  const auto add = [&](bool is_given, const char* flag, const std::string& key, const std::string& value) {
+    if (!is_given) return;
+    if (std::ranges::none_of(tasks, [&](const auto* task) { return systems::HasPredictionOption(*task, key); }))
+      throw UsageError(
+          fmt::format("{} is for drawings of faces, and the inputs are predicted by the task '{}'. Leave it "
+                      "out, or name --weights of drawings",
+                      flag, tasks.front()->name));
+    overrides.push_back(key + "=" + value);
+  };
+  add(arguments.keep_frame, "--keep-frame", "framing", "keep");
+  add(arguments.all, "--all", "faces", "all");
+  add(arguments.no_refine, "--no-refine", "refine", "false");
+  add(arguments.no_fit, "--no-fit", "fit", "false");
+}
+
 void Predict(const PredictArguments& arguments) {
   std::vector<fs::path> files;
   std::vector<std::string> overrides;
@@ -173,15 +191,12 @@ void Predict(const PredictArguments& arguments) {
     if (!IsOption(word)) files.emplace_back(word);
   }
   if (files.empty()) throw UsageError(WithoutInput(names_run ? arguments.run : ""));
-  if (arguments.keep_frame) overrides.push_back("framing=keep");
-  if (arguments.all) overrides.push_back("faces=all");
-  if (arguments.no_refine) overrides.push_back("refine=false");
-  if (arguments.no_fit) overrides.push_back("fit=false");
   std::vector<Prediction> predictions =
       names_run ? std::vector<Prediction>{{arguments.run, files, arguments.out}} : ByShippedWeights(arguments, files);
   const Task task = TaskOfProcess();
   std::vector<const systems::System*> tasks;
   for (const Prediction& prediction : predictions) tasks.push_back(&SystemOfRunOrWeights(prediction.run));
+  AddFlags(arguments, tasks, overrides);
   std::vector<ReadyPrediction> ready;  // All are checked before the first is written.
   for (size_t i = 0; i < predictions.size(); ++i)
     ready.push_back(Prepared(arguments, *tasks[i], systems::OverridesOf(*tasks[i], tasks, overrides),
