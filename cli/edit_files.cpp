@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <utility>
 
 namespace daumier::cli {
@@ -74,13 +76,11 @@ void MeasureFaces(const fitting::CodeModel& model, std::vector<EditedFace>& face
   for (EditedFace& face : faces) {
     if (face.code.size() > 0) {
       face.record["radius"] = face.code.norm();
-      const bool is_usual = face.code.norm() <= model.usual_radius();
-      face.record["usual"] = is_usual;
-      if (!is_usual)
+      face.record["usual"] = face.code.norm() <= model.usual_radius();
+      if (face.code.norm() > std::max(model.usual_radius(), faces.front().code.norm()))
         log::Warn(
             "{}: the face is unlike those that the model was made of: its code is {:.1f} long, 99 % of theirs are "
-            "below "
-            "{:.1f}. Change it less, or drop --local",
+            "below {:.1f}. Change it less, or drop --local",
             face.caption, face.code.norm(), model.usual_radius());
     }
     face.record["self_intersections"] = geometry::SelfIntersections({face.vertices, face_template.triangles}).size();

@@ -248,8 +248,8 @@ Verb PredictVerb() {
             "key=value");
         command.add_option("--weights", arguments->weights,
                            "Shipped weights: their name (sketch-ict, parser, portrait, landmarks, gestures), or their "
-                           "folder. Without it the "
-                           "choice follows from the inputs: line drawings and portraits are distinguished by content. "
+                           "folder. Without it the choice follows from the inputs: line drawings and portraits are "
+                           "distinguished by content. "
                            "Searched in $DAUMIER_WEIGHTS, else in `weights` of the "
                            "program's folder and of those above it");
         command

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/normals.h"
+#include "geometry/submatrix.h"
 
 #include <Eigen/Cholesky>
 
@@ -15,18 +16,6 @@ namespace {
 constexpr Eigen::Index kTogether = 8;
 /// With more coupled handles it takes less time to factorise the energy of the free vertices.
 constexpr size_t kMostCoupled = 400;
-
-/// The rows and columns of a symmetric matrix that have a place, in the order of the places.
-SparseMatrix OfRegion(const SparseMatrix& matrix, const std::vector<int>& region, const std::vector<int>& place_of) {
-  std::vector<Eigen::Triplet<double>> triplets;
-  for (size_t column = 0; column < region.size(); ++column)
-    for (SparseMatrix::InnerIterator entry(matrix, region[column]); entry; ++entry)
-      if (const int row = place_of[size_t(entry.row())]; row >= 0)
-        triplets.emplace_back(row, int(column), entry.value());
-  SparseMatrix selected(Eigen::Index(region.size()), Eigen::Index(region.size()));
-  selected.setFromTriplets(triplets.begin(), triplets.end());
-  return selected;
-}
 
 }  // namespace
 
@@ -54,8 +43,10 @@ RegionDeformation::RegionDeformation(const SurfaceStiffness& stiffness, std::vec
   areas_ = stiffness.areas(region_);
   // E = d^T (L + a M) M^-1 (L + a M) d, a = 1 / reach^2.
   const double a = 1 / (reach * reach);
-  energy_ = OfRegion(stiffness.bending, region_, place_of_vertex_) +
-            2 * a * OfRegion(stiffness.laplacian, region_, place_of_vertex_);
+  const auto in_region = [&](const SparseMatrix& matrix) {
+    return Submatrix(matrix, place_of_vertex_, std::ssize(region_), region_);
+  };
+  energy_ = in_region(stiffness.bending) + 2 * a * in_region(stiffness.laplacian);
   energy_.diagonal() += a * a * areas_;
   auto factor = std::make_unique<Factor>(energy_);
   DAUMIER_CHECK(factor->info() == Eigen::Success,
@@ -155,7 +146,7 @@ void RegionDeformation::SolveFree(Eigen::MatrixXd& displacement, const std::vect
     free.push_back(int(place));
   }
   const Eigen::MatrixXd forces = -Eigen::MatrixXd(energy_ * displacement)(free, Eigen::all);  // Of the handles alone.
-  const Eigen::MatrixXd solved = Factor(OfRegion(energy_, free, free_of)).solve(forces);
+  const Eigen::MatrixXd solved = Factor(Submatrix(energy_, free_of, std::ssize(free), free)).solve(forces);
   displacement(free, Eigen::all) = solved;
 }
 

@@ -2,6 +2,7 @@
 #include "core/files.h"
 #include "core/json.h"
 #include "core/manifest.h"
+#include "geometry/obj.h"
 #include "render/image.h"
 #include "tests/cli/pipeline.h"
 
@@ -118,6 +119,29 @@ TEST_F(DrawingsByWeights, ASessionIsReplayedToTheSameBytes) {
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_THAT(both.err, HasSubstr("neither inputs nor key=value"));
   EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+TEST_F(DrawingsByWeights, ASessionBeginsWithAFaceThatLiesAsTheTemplateDoes) {
+  const auto replay = [&](const std::string& begin, const std::string& out) {
+    const Json session = {
+        {"version", 1}, {"sheet", {256, 256}}, {"begin", begin}, {"events", {{{"do", "follow_up"}}, {{"do", "undo"}}}}};
+    WriteFileAtomically(folder_ / "begin.json", session.dump());
+    return RunProcess({"/usr/bin/env", "DAUMIER_WEIGHTS=" + (SourceRoot() / "weights").string(), DAUMIER_PROGRAM,
+                       "--quiet", "predict", "--session", In("begin.json"), "--out", In(out)});
+  };
+  ASSERT_EQ(replay("mean", "mean").exit_code, 0);
+  EXPECT_EQ(replay("mean/000.obj", "again").exit_code, 0);
+  EXPECT_EQ(ReadFile(folder_ / "again/000.obj"), ReadFile(folder_ / "mean/000.obj"));
+  const ProcessResult within = replay("mean/000.obj", "mean");
+  EXPECT_EQ(within.exit_code, 2);
+  EXPECT_THAT(within.err, HasSubstr("lies in the folder to write"));
+  geometry::PolygonMesh moved = geometry::ReadObj(folder_ / "mean/000.obj");
+  moved.vertices.col(0).array() += 100;
+  geometry::WriteObj(folder_ / "moved.obj", moved);
+  const ProcessResult far = replay("moved.obj", "far");
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_THAT(far.err, HasSubstr("moved by 100.0 cm"));
+  EXPECT_FALSE(fs::exists(folder_ / "far"));
 }
 
 TEST_F(DrawingsByWeights, AnAvatarOfADrawingPointsToPredictAndRig) {
