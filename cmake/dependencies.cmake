@@ -54,12 +54,25 @@ find_package(meshoptimizer REQUIRED)
 add_library(compression_libraries INTERFACE)
 target_link_libraries(compression_libraries INTERFACE meshoptimizer::meshoptimizer)
 
+# Loaded when they are needed first (core/late_library.h), by the names under which the dynamic loader finds them. With both
+# come 37 other libraries.
 find_package(LibArchive REQUIRED)
 find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)  # CMake's own module needs the language C.
 find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
 add_library(archive_libraries INTERFACE)
-target_link_libraries(archive_libraries INTERFACE LibArchive::LibArchive ZLIB::ZLIB ${HDF5_LIBRARY})
-target_include_directories(archive_libraries SYSTEM INTERFACE ${HDF5_INCLUDE_DIR})
+target_link_libraries(archive_libraries INTERFACE ZLIB::ZLIB)
+target_include_directories(archive_libraries SYSTEM INTERFACE ${LibArchive_INCLUDE_DIRS} ${HDF5_INCLUDE_DIR})
+foreach(library ${LibArchive_LIBRARIES}:LIBARCHIVE ${HDF5_LIBRARY}:HDF5)
+  string(REPLACE ":" ";" library ${library})
+  list(GET library 0 file)
+  list(GET library 1 name)
+  get_filename_component(file ${file} REALPATH)
+  string(REGEX REPLACE "^.*/([^/]*\\.so\\.[0-9]+)[^/]*$" "\\1" file ${file})
+  target_compile_definitions(archive_libraries INTERFACE DAUMIER_${name}="${file}")
+endforeach()
+# What tests write such files with.
+add_library(archive_writers INTERFACE)
+target_link_libraries(archive_writers INTERFACE LibArchive::LibArchive ${HDF5_LIBRARY})
 
 find_package(Ceres REQUIRED)
 find_path(LIBLINEAR_INCLUDE_DIR linear.h PATH_SUFFIXES liblinear REQUIRED)

@@ -13,6 +13,7 @@ if(DAUMIER_SANITIZE)
   set(DAUMIER_TRAINING OFF)  # LibTorch itself is not built for the sanitizers.
 endif()
 option(DAUMIER_UNITY "Compile several files of a room at once: a cold build takes less time, one changed file more" OFF)
+option(DAUMIER_QUICK_COMPILATION "Compile in the least time: without Eigen's checks, and without the loops that the compiler vectorises and unrolls" OFF)
 set(DAUMIER_UNITY_FILES 12 CACHE STRING "Most files of a room without LibTorch that are compiled at once")
 set(DAUMIER_DEBUG_INFO "" CACHE STRING "Debug information of release builds, for example -g1")
 
@@ -22,6 +23,12 @@ add_compile_options(-Wall -Wextra -Wno-missing-field-initializers ${DAUMIER_DEBU
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_compile_options(-fno-semantic-interposition)
 add_compile_definitions(DAUMIER_VERSION="${PROJECT_VERSION}")
+if(DAUMIER_QUICK_COMPILATION)
+  add_compile_definitions(EIGEN_NO_DEBUG)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    add_compile_options(-fno-vectorize -fno-slp-vectorize -fno-unroll-loops)
+  endif()
+endif()
 
 find_program(ccache_program ccache)
 if(DAUMIER_CCACHE AND ccache_program)

@@ -232,7 +232,7 @@ HeadTexture HeadPainter::Paint(const ShownHead& head, const render::Image& pictu
   const SurfaceTexture surface = CompleteSurface(space_, texels_, mirrored_, guide, *surface_, skin,
                                                  hair ? &*hair : nullptr, head.albedo, options_.fill);
   std::vector<Eigen::Vector3f> colours = surface.colours;
-  PaintEyes(head, posed, cut.camera, eyes, light, MedianColour(skin_of_picture, Eigen::Vector3f::Ones()), colours);
+  PaintEyes(head, cut.camera, eyes, light, MedianColour(skin_of_picture, Eigen::Vector3f::Ones()), colours);
   HeadTexture texture = TextureOf(surface, colours);
   texture.light = light;
   return texture;
@@ -282,9 +282,9 @@ float HeadPainter::At(size_t i, const Eigen::VectorXf& values) const {
   return w[0] * values[corner[0]] + w[1] * values[corner[1]] + w[2] * values[corner[2]];
 }
 
-void HeadPainter::PaintEyes(const ShownHead& head, const geometry::Points& posed, const PictureCamera& camera,
-                            const PictureLayer& eyes, const std::optional<PortraitLight>& light,
-                            const Eigen::Vector3f& skin, std::vector<Eigen::Vector3f>& colours) const {
+void HeadPainter::PaintEyes(const ShownHead& head, const PictureCamera& camera, const PictureLayer& eyes,
+                            const std::optional<PortraitLight>& light, const Eigen::Vector3f& skin,
+                            std::vector<Eigen::Vector3f>& colours) const {
   const Eigen::Matrix3d rotation = RotationOf(head.pose);
   const geometry::Points ahead = rotation.col(2).transpose();
   const float shade = light ? WithContrast(ShadesOf(ahead, *light), options_.light_share)[0] : 1.0F;

@@ -97,8 +97,8 @@ class HeadPainter {
   VertexValues AtVertices(const TexelColours& colours) const;
   void DoubtOutliers(const VertexValues& at_vertices, const Eigen::VectorXf* where, TexelColours& colours) const;
   TextureGuide GuideFor(const VertexValues& skin, const VertexValues& hair) const;
-  void PaintEyes(const ShownHead& head, const geometry::Points& posed, const PictureCamera& camera,
-                 const PictureLayer& eyes, const std::optional<PortraitLight>& light, const Eigen::Vector3f& skin,
+  void PaintEyes(const ShownHead& head, const PictureCamera& camera, const PictureLayer& eyes,
+                 const std::optional<PortraitLight>& light, const Eigen::Vector3f& skin,
                  std::vector<Eigen::Vector3f>& colours) const;
   HeadTexture TextureOf(const SurfaceTexture& surface, std::vector<Eigen::Vector3f> colours) const;
 

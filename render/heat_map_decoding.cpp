@@ -107,24 +107,50 @@ ScoreGrid::ScoreGrid(std::span<const float> scores, int num_classes, int height,
   DAUMIER_CHECK(height > 0 && width > 0 && num_classes > 0 &&
                     scores.size() == size_t(num_classes) * size_t(height) * size_t(width),
                 "{} scores are no {} classes of {} x {}", scores.size(), num_classes, height, width);
+  const size_t cells = size_t(height) * size_t(width);
+  classes_.resize(cells);
+  for (int k = 1; k < num_classes; ++k)
+    for (size_t cell = 0; cell < cells; ++cell)
+      if (scores[size_t(k) * cells + cell] > scores[size_t(classes_[cell]) * cells + cell]) classes_[cell] = k;
+}
+
+ScoreGrid::Place ScoreGrid::PlaceOf(double x, double y) const {
+  const double column = std::clamp(x - 0.5, 0.0, double(width_ - 1)),
+               row = std::clamp(y - 0.5, 0.0, double(height_ - 1));
+  const int left = int(column), upper = int(row);
+  return {left,
+          std::min(left + 1, width_ - 1),
+          upper,
+          std::min(upper + 1, height_ - 1),
+          float(column - left),
+          float(row - upper)};
 }
 
 void ScoreGrid::At(double x, double y, std::span<float> of_classes) const {
-  const double column = std::clamp(x - 0.5, 0.0, double(width_ - 1)),
-               row = std::clamp(y - 0.5, 0.0, double(height_ - 1));
-  const int c0 = int(column), r0 = int(row), c1 = std::min(c0 + 1, width_ - 1), r1 = std::min(r0 + 1, height_ - 1);
-  const auto u = float(column - c0), v = float(row - r0);
+  At(PlaceOf(x, y), of_classes);
+}
+
+void ScoreGrid::At(const Place& place, std::span<float> of_classes) const {
+  const auto [left, right, upper, lower, u, v] = place;
   const size_t cells = size_t(height_) * size_t(width_);
   for (int k = 0; k < num_classes_; ++k) {
     const float* const grid = scores_.data() + size_t(k) * cells;
-    const float *const upper = grid + size_t(r0) * size_t(width_), *const lower = grid + size_t(r1) * size_t(width_);
-    of_classes[size_t(k)] = (1 - v) * ((1 - u) * upper[c0] + u * upper[c1]) + v * ((1 - u) * lower[c0] + u * lower[c1]);
+    const float *const above = grid + size_t(upper) * size_t(width_), *const below =
+                                                                          grid + size_t(lower) * size_t(width_);
+    of_classes[size_t(k)] =
+        (1 - v) * ((1 - u) * above[left] + u * above[right]) + v * ((1 - u) * below[left] + u * below[right]);
   }
 }
 
 int ScoreGrid::ClassAt(double x, double y) const {
+  const Place place = PlaceOf(x, y);
+  // Where one class leads in all four cells, it leads between them.
+  const int first = ClassOfCell(place.upper, place.left);
+  if (first == ClassOfCell(place.upper, place.right) && first == ClassOfCell(place.lower, place.left) &&
+      first == ClassOfCell(place.lower, place.right))
+    return first;
   std::vector<float> scores(static_cast<size_t>(num_classes_));
-  At(x, y, scores);
+  At(place, scores);
   return int(std::max_element(scores.begin(), scores.end()) - scores.begin());
 }
 

@@ -59,8 +59,18 @@ class ScoreGrid {
   std::vector<float> Margin(int of_class) const;
 
  private:
+  /// The cells that a point lies between, and its shares of the second column and row.
+  struct Place {
+    int left, right, upper, lower;
+    float u, v;
+  };
+  Place PlaceOf(double x, double y) const;
+  void At(const Place& place, std::span<float> of_classes) const;
+  int ClassOfCell(int row, int column) const { return classes_[size_t(row) * size_t(width_) + size_t(column)]; }
+
   std::span<const float> scores_;
   int num_classes_, height_, width_;
+  std::vector<int> classes_;  ///< Of each cell, that of the highest score.
 };
 
 }  // namespace daumier::render

@@ -35,7 +35,7 @@ constexpr double kWholeShare = 0.97;
 constexpr double kMiddleLineShare = 0.3;
 /// Steps of the canvas: the shortest piece that is kept of a line; how far from an outline its area is seen.
 constexpr double kShortestPiece = 4.0, kOutlineMargin = 1.5;
-constexpr int kMaxSamplesOfSegment = 4096;
+constexpr int kMaxSamplesOfSegment = 4096, kMaxSamplesOfLine = 65536;
 
 /// A line that may be ink: seen from the sheet until a later shape hides it.
 struct InkLine {
@@ -45,10 +45,23 @@ struct InkLine {
   std::optional<AlignedBox2d> rectangle;  ///< Of which it is a part: its box.
 };
 
+double LengthOf(const SvgPolyline& polyline) {
+  const auto& points = polyline.points;
+  double length = 0.0;
+  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+/// A step of the canvas, or longer: of a drawing far larger than its sheet a line would have millions of samples.
+double StepOn(const SvgPolyline& polyline, double step) {
+  return std::max(step, LengthOf(polyline) / kMaxSamplesOfLine);
+}
+
 /// Calls `visit(point, normal)` along a line at steps of the canvas, normal being of length 1.
 template <class Visit>
-void Walk(const SvgPolyline& polyline, double step, Visit&& visit) {
+void Walk(const SvgPolyline& polyline, double canvas_step, Visit&& visit) {
   const auto& points = polyline.points;
+  const double step = StepOn(polyline, canvas_step);
   if (points.size() == 1) return visit(points[0], Vector2d(0, 1));
   for (size_t i = 1; i < points.size(); ++i) {
     const Vector2d along = points[i] - points[i - 1];
@@ -72,7 +85,8 @@ double SeenShare(const SvgPolyline& polyline, double step, IsSeen&& is_seen) {
 
 /// The pieces of a line on which `is_seen(point, normal)` holds; the whole line if that is nearly everywhere.
 template <class IsSeen>
-std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, IsSeen&& is_seen) {
+std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double canvas_step, IsSeen&& is_seen) {
+  const double step = StepOn(polyline, canvas_step);
   const double share = SeenShare(polyline, step, is_seen);
   if (share == 0.0) return {};
   if (share >= kWholeShare) return {polyline};
@@ -100,11 +114,7 @@ std::vector<SvgPolyline> SeenPieces(const SvgPolyline& polyline, double step, Is
     });
     if (open) append(points[i]);
   }
-  std::erase_if(pieces, [&](const SvgPolyline& piece) {
-    double length = 0.0;
-    for (size_t i = 1; i < piece.points.size(); ++i) length += (piece.points[i] - piece.points[i - 1]).norm();
-    return length < kShortestPiece * step;
-  });
+  std::erase_if(pieces, [&](const SvgPolyline& piece) { return LengthOf(piece) < kShortestPiece * canvas_step; });
   return pieces;
 }
 

@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/weights_folder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace daumier::systems {
@@ -76,6 +77,23 @@ void CheckSameTask(const System& system, const fs::path& folder) {
                                  folder.string(), earlier, system.name));
 }
 
+/// @throws UsageError for names that no file can have, or that no line of an OBJ file, which names others, can hold.
+void CheckName(const std::string& file) {
+  if (file.size() > kLongestName)
+    throw UsageError(
+        fmt::format("the result {}... would have a name of {} bytes (expected at most {}). Rename the input",
+                    file.substr(0, kMostShown), file.size(), kLongestName));
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+  if (std::any_of(file.begin(), file.end(), is_control)) {
+    std::string shown = file;
+    std::replace_if(shown.begin(), shown.end(), is_control, '?');
+    throw UsageError(
+        fmt::format("the result {} would have a line break or another control character (here ?) in its name. "
+                    "Rename the input",
+                    shown));
+  }
+}
+
 }  // namespace
 
 OutputKind PredictionOutput() {
@@ -92,12 +110,7 @@ void CheckPredictionFolder(const System& system, const fs::path& out_directory, 
   std::vector<std::string> written;
   for (const PredictionInput& input : inputs.inputs)
     for (std::string& file : FilesOfResult(system, input.name)) written.push_back(std::move(file));
-  for (const std::string& file : written)
-    if (file.size() > kLongestName)
-      throw UsageError(
-          fmt::format("the result {}... would have a name of {} bytes (expected at most {}). Rename the "
-                      "input",
-                      file.substr(0, kMostShown), file.size(), kLongestName));
+  for (const std::string& file : written) CheckName(file);
   CheckOwnFiles(out_directory, written);
 }
 

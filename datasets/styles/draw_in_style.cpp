@@ -218,9 +218,9 @@ StyledDrawing DrawInStyle(const FaceShape& shape, const StyleOptions& options, R
   StyledDrawing drawing = std::move(maker).Take();
   DAUMIER_CHECK(!drawing.strokes.empty(), "a styled drawing of {} lines has none on the canvas", sheet.lines.size());
   if (drawn.view == faces::DrawnView::kProfile && Happens(0.5, rng)) drawing = Mirrored(std::move(drawing));
-  if (Happens(options.page.prefix, rng))
-    drawing = FirstStrokes(std::move(drawing), 1 + static_cast<int>(rng.Below(drawing.strokes.size())));
-  return drawing;
+  if (!Happens(options.page.prefix, rng)) return drawing;
+  const int num_strokes = 1 + static_cast<int>(rng.Below(drawing.strokes.size()));
+  return FirstStrokes(std::move(drawing), num_strokes);
 }
 
 }  // namespace daumier::datasets

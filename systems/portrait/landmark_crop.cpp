@@ -71,12 +71,17 @@ Eigen::Matrix2d CropFrame::picture_from_crop() const {
   return matrix * Eigen::Vector2d(std::exp(0.5 * stretch), std::exp(-0.5 * stretch)).asDiagonal();
 }
 
+Eigen::Affine2d CropFrame::crop_from_picture() const {
+  const Eigen::Matrix2d linear = picture_from_crop().inverse();
+  return Eigen::Translation2d(Eigen::Vector2d::Constant(0.5 * size) - linear * centre) * linear;
+}
+
 Eigen::Vector2d CropFrame::ToPicture(const Eigen::Vector2d& p_crop) const {
   return centre + picture_from_crop() * (p_crop - Eigen::Vector2d::Constant(0.5 * size));
 }
 
 Eigen::Vector2d CropFrame::ToCrop(const Eigen::Vector2d& p_picture) const {
-  return picture_from_crop().inverse() * (p_picture - centre) + Eigen::Vector2d::Constant(0.5 * size);
+  return crop_from_picture() * p_picture;
 }
 
 PicturePyramid::PicturePyramid(const render::Image& picture) {

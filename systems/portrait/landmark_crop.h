@@ -1,7 +1,7 @@
 #pragma once
 #include "render/image.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <span>
@@ -42,6 +42,8 @@ struct CropFrame {
   /// Pixels of the picture to one of the crop.
   double scale() const { return side / size; }
   Eigen::Matrix2d picture_from_crop() const;
+  /// Of many points: takes those of the picture to the crop.
+  Eigen::Affine2d crop_from_picture() const;
   Eigen::Vector2d ToPicture(const Eigen::Vector2d& p_crop) const;
   Eigen::Vector2d ToCrop(const Eigen::Vector2d& p_picture) const;
 };

@@ -59,11 +59,11 @@ const FloatArray& OutputOf(const NamedArrays& outputs, const char* name) {
 render::Image DetectedFace::Mask(int height, int width) const {
   render::Image mask(height, width, 1, uint8_t(PictureClass::kBackground));
   const int side = LabelSide(frame.size);
-  const double cell = double(frame.size) / side;
+  const Eigen::Affine2d cells_from_picture = Eigen::Scaling(double(side) / frame.size) * frame.crop_from_picture();
   const render::ScoreGrid grid(labels, kNumPictureClasses, side, side);
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const Eigen::Vector2d at = frame.ToCrop({column + 0.5, row + 0.5}) / cell;
+      const Eigen::Vector2d at = cells_from_picture * Eigen::Vector2d(column + 0.5, row + 0.5);
       if (at.x() < 0 || at.y() < 0 || at.x() >= side || at.y() >= side) continue;
       mask.at(row, column) = uint8_t(grid.ClassAt(at.x(), at.y()));
     }
@@ -233,9 +233,10 @@ render::Image LandmarkDetector::HeadMask(const render::Image& picture, const Det
   const render::Image inner = face.Mask(picture.height, picture.width);
   render::Image mask = around.Mask(picture.height, picture.width);
   const double size = face.frame.size, border = kCropBorder * size;
+  const Eigen::Affine2d crop_from_picture = face.frame.crop_from_picture();
   for (int row = 0; row < mask.height; ++row)
     for (int column = 0; column < mask.width; ++column) {
-      const Eigen::Vector2d at = face.frame.ToCrop({column + 0.5, row + 0.5});
+      const Eigen::Vector2d at = crop_from_picture * Eigen::Vector2d(column + 0.5, row + 0.5);
       if (at.minCoeff() >= border && at.maxCoeff() <= size - border) mask.at(row, column) = inner.at(row, column);
     }
   return mask;

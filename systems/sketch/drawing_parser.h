@@ -48,7 +48,7 @@ struct ParsedDrawing {
 };
 
 /// Parses drawings of one face each by the network of a run or of shipped weights: points, labels of lines, states and
-/// view. Of a closed mouth of three lines these decide (ReadMouthLines). Strokes are drawn in one width, as in its training. May be used from several threads.
+/// view. Of a closed mouth its lines decide (ReadMouthLines). Strokes are drawn in one width, as in its training. May be used from several threads.
 class DrawingParser {
  public:
   DrawingParser(const ParserNetworkOptions& network_options, std::shared_ptr<const runtime::NetworkRunner> network,

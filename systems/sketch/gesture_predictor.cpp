@@ -8,7 +8,7 @@ namespace daumier::sketch {
 
 namespace {
 
-constexpr size_t kMostShown = 40;
+constexpr size_t kMostStrokesShown = 40;
 constexpr int kNoStrokeSide = 96;
 
 }  // namespace
@@ -32,7 +32,7 @@ std::vector<systems::FaceResult> GesturePredictor::Predict(std::span<const syste
       }
       const RecognisedGesture found = recogniser_.Recognise(line);
       strokes.push_back({{"gesture", NameOf(found.gesture)}, {"probability", found.probability}});
-      if (result.pictures.size() < kMostShown && datasets::BoxOf(line).sizes().maxCoeff() > 0)
+      if (result.pictures.size() < kMostStrokesShown && datasets::BoxOf(line).sizes().maxCoeff() > 0)
         result.pictures.push_back(
             {datasets::PictureOfStroke(line),
              fmt::format("{}: {} {:.2f}", strokes.size() - 1, NameOf(found.gesture), found.probability)});

@@ -16,9 +16,10 @@ using enum faces::LineLabel;
 constexpr std::array<faces::LineLabel, 3> kLabelsOfLines = {kUpperLip, kInnerMouth, kLowerLip};
 constexpr double kLeastWidth = 8;    // Pixels: lines of a smaller mouth cannot be distinguished.
 constexpr double kMouthReach = 0.9;  // Widths above and below the corners.
-constexpr size_t kLeastThreeCuts = 6;
+constexpr size_t kLeastThreeCuts = 6, kLeastTwoCuts = 7;
 constexpr double kHighestMiddle = -0.1, kLowestMiddle = 0.16, kLeastUpperShare = 0.15, kMostUpperShare = 0.65;
 constexpr double kRaisedLip = -0.06, kLevelMiddle = 0.08;
+constexpr double kThinnestLips = 0.1, kThickestLips = 0.3, kShareOfUpperLip = 0.45;
 constexpr double kSureOfTeeth = 0.5;
 constexpr double kShareOfStroke = 0.8;  // Of its points on one line, from which a stroke belongs to it.
 
@@ -85,17 +86,20 @@ std::vector<LineOnCut> LinesOnCut(const ParsedDrawing& drawing, const MouthFrame
   return lines;
 }
 
-/// Which of the three lines a place in the mouth's frame is nearest to; absent where no cut is near that meets them.
-std::optional<size_t> NearestLine(const ThreeMouthLines& lines, const Vector2d& place) {
+/// Which of the three lines a place in the mouth's frame is nearest to: beyond the outer cuts they run straight to the
+/// corners. Absent beyond these, and where the nearest cut does not meet them.
+std::optional<size_t> NearestLine(const ClosedMouthLines& lines, const Vector2d& place) {
   constexpr double kStep = kMouthCuts[1] - kMouthCuts[0];
-  const double cut = std::round((place.x() - kMouthCuts.front()) / kStep);
-  if (cut < 0 || cut >= double(kMouthCuts.size()) || std::isnan(lines[size_t(cut)][0])) return std::nullopt;
-  const auto& of_cut = lines[size_t(cut)];
-  return size_t(std::ranges::min_element(of_cut, {}, [&](double y) { return std::abs(y - place.y()); }) -
+  const double x = place.x(), first = kMouthCuts.front(), last = kMouthCuts.back();
+  if (x <= 0 || x >= 1) return std::nullopt;
+  const auto& of_cut = lines[size_t(std::round((std::clamp(x, first, last) - first) / kStep))];
+  if (std::isnan(of_cut[0])) return std::nullopt;
+  const double share = std::min({x / first, 1.0, (1 - x) / (1 - last)});
+  return size_t(std::ranges::min_element(of_cut, {}, [&](double y) { return std::abs(share * y - place.y()); }) -
                 of_cut.begin());
 }
 
-void LabelLines(const ThreeMouthLines& lines, const MouthFrame& mouth, ParsedDrawing& drawing) {
+void LabelLines(const ClosedMouthLines& lines, const MouthFrame& mouth, ParsedDrawing& drawing) {
   for (size_t s = 0; s < drawing.strokes.size(); ++s) {
     std::vector<faces::LineLabel>& labels = drawing.labels[s];
     std::vector<std::optional<size_t>> of_points(labels.size());
@@ -119,19 +123,19 @@ void LabelLines(const ThreeMouthLines& lines, const MouthFrame& mouth, ParsedDra
   }
 }
 
-}  // namespace
+using MouthCuts = std::array<std::vector<LineOnCut>, kMouthCuts.size()>;
 
-std::optional<ThreeMouthLines> FindThreeMouthLines(const ParsedDrawing& drawing) {
-  const MouthFrame mouth(drawing);
-  if (!(mouth.width_on_canvas() >= kLeastWidth)) return std::nullopt;
-  ThreeMouthLines result;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<double, 3> kNoLines = {kNone, kNone, kNone};
+
+std::optional<ClosedMouthLines> ThreeLines(const MouthCuts& cuts) {
+  ClosedMouthLines result;
+  result.fill(kNoLines);
   size_t num_three = 0;
   std::array<double, 3> mean = {};
   double upper_labels = 0, lower_labels = 0;
-  for (size_t cut = 0; cut < kMouthCuts.size(); ++cut) {
-    const std::vector<LineOnCut> lines = LinesOnCut(drawing, mouth, kMouthCuts[cut]);
-    if (lines.size() > 3) return std::nullopt;
-    result[cut].fill(std::numeric_limits<double>::quiet_NaN());
+  for (size_t cut = 0; cut < cuts.size(); ++cut) {
+    const std::vector<LineOnCut>& lines = cuts[cut];
     if (lines.size() < 3) continue;
     ++num_three;
     for (size_t i = 0; i < 3; ++i) {
@@ -152,10 +156,44 @@ std::optional<ThreeMouthLines> FindThreeMouthLines(const ParsedDrawing& drawing)
   return result;
 }
 
+std::optional<ClosedMouthLines> Outline(const MouthCuts& cuts) {
+  ClosedMouthLines result;
+  result.fill(kNoLines);
+  size_t num_two = 0;
+  double mean_upper = 0, thickness = 0;
+  for (size_t cut = 0; cut < cuts.size(); ++cut) {
+    if (cuts[cut].size() < 2) continue;
+    const double upper = cuts[cut][0].y, lower = cuts[cut][1].y;
+    result[cut] = {upper, upper + kShareOfUpperLip * (lower - upper), lower};
+    ++num_two;
+    mean_upper += upper;
+    thickness = std::max(thickness, lower - upper);
+  }
+  if (num_two < kLeastTwoCuts || mean_upper / double(num_two) >= kRaisedLip) return std::nullopt;
+  if (thickness < kThinnestLips || thickness > kThickestLips) return std::nullopt;
+  return result;
+}
+
+}  // namespace
+
+std::optional<ClosedMouthLines> FindClosedMouthLines(const ParsedDrawing& drawing) {
+  const MouthFrame mouth(drawing);
+  if (!(mouth.width_on_canvas() >= kLeastWidth)) return std::nullopt;
+  std::array<std::vector<LineOnCut>, kMouthCuts.size()> cuts;
+  size_t most = 0;
+  for (size_t cut = 0; cut < cuts.size(); ++cut) {
+    cuts[cut] = LinesOnCut(drawing, mouth, kMouthCuts[cut]);
+    most = std::max(most, cuts[cut].size());
+  }
+  if (most == 3) return ThreeLines(cuts);
+  if (most == 2) return Outline(cuts);
+  return std::nullopt;
+}
+
 void ReadMouthLines(ParsedDrawing& drawing) {
   using enum faces::MouthState;
   if (drawing.mouth[size_t(kTeeth)] >= kSureOfTeeth) return;
-  const std::optional<ThreeMouthLines> lines = FindThreeMouthLines(drawing);
+  const std::optional<ClosedMouthLines> lines = FindClosedMouthLines(drawing);
   if (!lines) return;
   double& closed = drawing.mouth[size_t(kClosed)];
   if (closed < kClosedByLines) {
@@ -165,7 +203,7 @@ void ReadMouthLines(ParsedDrawing& drawing) {
     closed = kClosedByLines;
   }
   const MouthFrame mouth(drawing);
-  // The middle line at the cut with three lines that is nearest to the middle.
+  // The middle line at the cut with lines that is nearest to the middle.
   std::optional<size_t> middle;
   for (size_t cut = 0; cut < kMouthCuts.size(); ++cut) {
     if (std::isnan((*lines)[cut][1])) continue;

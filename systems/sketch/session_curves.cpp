@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSegmentLength = 20;
 constexpr double kLeastStroke = 1;
-constexpr const char* kSilhouette = "silhouette";
+constexpr const char* kKindOfSilhouette = "silhouette";
 
 bool IsErased(const SessionCurve& curve, size_t point) {
   return curve.gap && point >= curve.gap->first && point <= curve.gap->last;
@@ -242,7 +242,8 @@ bool Erase(SessionLines& lines, const CanvasPoints& path) {
     return true;
   }
   SessionCurve& erased = lines.curves[curve.line];
-  CurveGap gap = erased.kind == kSilhouette ? WithinReach(erased, path, curve.point) : SegmentAt(erased, curve.point);
+  CurveGap gap =
+      erased.kind == kKindOfSilhouette ? WithinReach(erased, path, curve.point) : SegmentAt(erased, curve.point);
   if (erased.gap) gap = {std::min(gap.first, erased.gap->first), std::max(gap.last, erased.gap->last)};
   erased.gap = KeepingBeginning(erased, gap);
   return true;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace daumier::render {
 namespace {
@@ -92,6 +94,21 @@ TEST(ScoreGrid, IsBilinearBetweenCentresAndContinuesBeyondTheBorder) {
   EXPECT_FLOAT_EQ(at[0], 0);
   EXPECT_EQ(grid.ClassAt(0.5, 0.5), 1);
   EXPECT_EQ(grid.ClassAt(1.5, 1.5), 0);
+}
+
+TEST(ScoreGrid, TheClassIsThatOfTheHighestScoreEverywhere) {
+  constexpr int kClasses = 4, kHeight = 5, kWidth = 6;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> number(-1, 1);
+  std::vector<float> scores(kClasses * kHeight * kWidth), at(kClasses);
+  for (float& score : scores) score = number(random);
+  for (int cell = 0; cell < 12; ++cell) scores[size_t(cell)] += 3;  // One class leads in two rows.
+  const ScoreGrid grid(scores, kClasses, kHeight, kWidth);
+  for (double y = -0.7; y < kHeight + 1; y += 0.13)
+    for (double x = -0.7; x < kWidth + 1; x += 0.17) {
+      grid.At(x, y, at);
+      EXPECT_EQ(grid.ClassAt(x, y), std::ranges::max_element(at) - at.begin()) << x << ", " << y;
+    }
 }
 
 TEST(ScoreGrid, MarginIsTheLeadOverTheHighestOther) {

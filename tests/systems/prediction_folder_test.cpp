@@ -76,6 +76,8 @@ TEST_F(PredictionFolderTest, NamesThatNoFileCanHaveAreRefusedAtOnce) {
   EXPECT_FALSE(fs::exists(out()));
   inputs_.inputs.back().name.pop_back();
   EXPECT_NO_THROW(Open().Add(inputs_.inputs.back(), Json::object(), {}, Both(inputs_.inputs.back())));
+  inputs_.inputs.back().name = "two\nlines";
+  testing::ExpectError([&] { Open(); }, "the result two?lines");
 }
 
 TEST_F(PredictionFolderTest, AFailedFirstResultLeavesNoFolder) {
