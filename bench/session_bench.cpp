@@ -68,7 +68,7 @@ void Edit(benchmark::State& state) {
   SessionLines lines = follower.CurvesOf(start.vertices);
   lines.curves[size_t(state.range(0))].drawn = ++lines.num_drawn;
   for (Eigen::Vector2d& point : lines.curves[size_t(state.range(0))].points) point.y() += 3;
-  if (state.range(1) != 0) lines.wrinkles.push_back({{100, 70}, {150, 72}});
+  if (state.range(1) != 0) lines.wrinkles.push_back({.points = {{100, 70}, {150, 72}}});
   for (auto _ : state) benchmark::DoNotOptimize(follower.Follow(start, lines));
 }
 BENCHMARK(Edit)->Name("edit of the jaw")->Args({0, 0})->Unit(benchmark::kMillisecond);

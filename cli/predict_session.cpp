@@ -13,8 +13,8 @@
 #include "render/draw.h"
 #include "render/shading.h"
 #include "render/sheet.h"
-#include "render/stroke_overlay.h"
 #include "render/svg.h"
+#include "render/weighted_strokes.h"
 #include "reports/face_pictures.h"
 #include "reports/face_surface.h"
 #include "systems/shipped_weights.h"
@@ -42,7 +42,7 @@ constexpr char kStoppedWhileWriting[] = "stopped while the session was written; 
 struct RecordedState {
   std::string name, caption;
   std::shared_ptr<const sketch::SketchState> state;
-  std::vector<render::Stroke> on_canvas;
+  std::vector<render::WeightedStroke> on_canvas;
   const sketch::SessionEvent* event = nullptr;  ///< Null: the session began with it.
 };
 
@@ -107,9 +107,10 @@ std::string CaptionOf(const sketch::ReplayedEvent& replayed, const sketch::Sessi
   return caption;
 }
 
-std::vector<render::Stroke> LinesOnCanvas(const sketch::SketchState& state, const sketch::SessionScript& script) {
-  if (state.is_follow_up() || state.is_refinement()) return sketch::StrokesOf(state.lines);
-  return render::MapToCanvas(state.strokes, sketch::SheetPlacement({script.width, script.height, {}}));
+std::vector<render::WeightedStroke> LinesOnCanvas(const sketch::SketchState& state,
+                                                  const sketch::SessionScript& script) {
+  if (state.is_follow_up() || state.is_refinement()) return sketch::WeightedStrokesOf(state.lines);
+  return render::MapWeighted(state.strokes, sketch::SheetPlacement({script.width, script.height, {}}));
 }
 
 /// Where a view of the refinement mode has a stroke: the face in that view, with handles in blue and the stroke in red.
@@ -159,7 +160,7 @@ render::Image SheetOfSession(const std::vector<RecordedState>& states, const ske
     task.ThrowIfCancelled(kStoppedWhileWriting);
     const bool is_view = recorded.event != nullptr && recorded.state->is_refinement();
     cells.push_back({is_view ? ViewOf(recorded, head, session, script)
-                             : render::DrawnWithCurves(recorded.on_canvas, {}, reports::kCell),
+                             : render::ToRgb(render::RasteriseWeighted(recorded.on_canvas, reports::kCell)),
                      recorded.caption});
     const bool has_face = recorded.state->vertices.rows() > 0;
     cells.push_back({has_face ? reports::FrontView(head, recorded.state->vertices, frame) : render::Image()});
@@ -215,7 +216,7 @@ void ReplaySession(const SessionArguments& arguments) {
   for (const RecordedState& recorded : states) {
     task.ThrowIfCancelled(kStoppedWhileWriting);
     const std::string drawing = recorded.name + ".svg", mesh = recorded.name + ".obj";
-    render::WriteSvg(staged.path() / drawing, recorded.on_canvas, {"line"});
+    render::WriteWeightedSvg(staged.path() / drawing, recorded.on_canvas, {"line"});
     add(drawing);
     Json entry = {{"event", recorded.caption},
                   {"canvas_from_sheet", render::PlacementToJson(recorded.state->frame)},

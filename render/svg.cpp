@@ -19,10 +19,29 @@ constexpr double kTolerance = 0.1 / kSketchCanvas;
 /// A file that is not understood has many problems of the same kind.
 constexpr size_t kMaxWarnings = 10;
 
+/// Of a stroke with points.
+std::string PathData(const std::filesystem::path& file, const Stroke& stroke) {
+  std::string data;
+  for (const auto& [x, y] : stroke.points) {
+    DAUMIER_CHECK(std::isfinite(x) && std::isfinite(y), "{}: a point is ({}, {})", file.string(), x, y);
+    data += fmt::format("{}{} {}", data.empty() ? 'M' : 'L', x, y);
+  }
+  // A lone moveto paints nothing; a closed one paints a dot.
+  if (stroke.points.size() == 1) data += 'Z';
+  return data;
+}
+
 }  // namespace
 
 void WriteSvg(const std::filesystem::path& path, const std::vector<Stroke>& strokes,
               const std::vector<std::string>& kind_names) {
+  std::vector<WeightedStroke> plain;
+  for (const Stroke& stroke : strokes) plain.push_back({stroke, {}});
+  WriteWeightedSvg(path, plain, kind_names);
+}
+
+void WriteWeightedSvg(const std::filesystem::path& path, const std::vector<WeightedStroke>& strokes,
+                      const std::vector<std::string>& kind_names) {
   for (const auto& name : kind_names) {
     DAUMIER_CHECK(!name.empty() && name.find_first_of(" \t\r\n") == std::string::npos,
                   "{}: '{}' cannot be the name of a kind of line: it is empty or holds white space", path.string(),
@@ -39,20 +58,16 @@ void WriteSvg(const std::filesystem::path& path, const std::vector<Stroke>& stro
   root.append_attribute("stroke-width") = StrokeStyle{}.width;
   root.append_attribute("stroke-linecap") = "round";
   root.append_attribute("stroke-linejoin") = "round";
-  for (const Stroke& stroke : strokes) {
+  for (const WeightedStroke& stroke : strokes) {
     DAUMIER_CHECK(stroke.kind >= 0 && stroke.kind < std::ssize(kind_names),
                   "{}: a stroke is of kind {}, but there are {} names", path.string(), stroke.kind, kind_names.size());
-    if (stroke.points.empty()) continue;
-    std::string data;
-    for (const auto& [x, y] : stroke.points) {
-      DAUMIER_CHECK(std::isfinite(x) && std::isfinite(y), "{}: a point is ({}, {})", path.string(), x, y);
-      data += fmt::format("{}{} {}", data.empty() ? 'M' : 'L', x, y);
+    for (const StrokePart& part : PartsByWidth(stroke)) {
+      auto element = root.append_child("path");
+      element.append_attribute("class") = kind_names[stroke.kind].c_str();
+      element.append_attribute("d") = PathData(path, part.stroke).c_str();
+      if (part.width != StrokeStyle{}.width)
+        element.append_attribute("stroke-width") = fmt::format("{:g}", part.width).c_str();
     }
-    // A lone moveto paints nothing; a closed one paints a dot.
-    if (stroke.points.size() == 1) data += 'Z';
-    auto element = root.append_child("path");
-    element.append_attribute("class") = kind_names[stroke.kind].c_str();
-    element.append_attribute("d") = data.c_str();
   }
   std::ostringstream text;
   document.save(text, "  ");

@@ -1,5 +1,6 @@
 #pragma once
 #include "render/drawing.h"
+#include "render/weighted_strokes.h"
 
 #include <filesystem>
 #include <string>
@@ -15,6 +16,10 @@ namespace daumier::render {
 /// is not finite.
 void WriteSvg(const std::filesystem::path& path, const std::vector<Stroke>& strokes,
               const std::vector<std::string>& kind_names);
+/// The same with widths: a <path> for each of PartsByWidth. ReadSvg gives the parts, without their widths.
+/// @throws Error as WriteSvg and PartsByWidth.
+void WriteWeightedSvg(const std::filesystem::path& path, const std::vector<WeightedStroke>& strokes,
+                      const std::vector<std::string>& kind_names);
 
 /// The lines that a viewer of an SVG sees [SVG 1.1; SVG 2], plain or gzip: of path, polyline, polygon, line, rect,
 /// circle and ellipse, in the pixels of width and height (else those of the viewBox, else as far as the strokes reach).

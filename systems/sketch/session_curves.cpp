@@ -114,9 +114,20 @@ CanvasPoints Snapped(CanvasPoints stroke, const SessionCurve& curve) {
   return stroke;
 }
 
+/// The line on which the points of a gap are laid, with the widths of the drawn one, which runs from the gap's first end
+/// to its last.
+PenLine LaidOn(const SessionCurve& curve, const PenLine& drawn) {
+  if (!curve.closed || !IsErasedWhole(curve)) return {Snapped(drawn.points, curve), drawn.widths};
+  PenLine loop{LoopLike(curve, drawn.points)};
+  if (drawn.widths.empty()) return loop;
+  for (const Eigen::Vector2d& point : loop.points)
+    loop.widths.push_back(WidthAtShare(drawn, datasets::ShareNearest(drawn.points, point)));
+  return loop;
+}
+
 /// Lays the erased points on a stroke that runs from the gap's first end to its last.
-void Fill(SessionCurve& curve, const CanvasPoints& drawn) {
-  const CanvasPoints stroke = curve.closed && IsErasedWhole(curve) ? LoopLike(curve, drawn) : Snapped(drawn, curve);
+void Fill(SessionCurve& curve, const PenLine& drawn) {
+  const PenLine stroke = LaidOn(curve, drawn);
   const size_t first = curve.gap->first, last = curve.gap->last;
   const size_t from = EndBefore(curve).is_open ? first - 1 : first, to = EndBehind(curve).is_open ? last + 1 : last;
   const std::vector<double> old =
@@ -124,7 +135,11 @@ void Fill(SessionCurve& curve, const CanvasPoints& drawn) {
   for (size_t i = first; i <= last; ++i) {
     const double share =
         old.back() > 0 ? old[i - from] / old.back() : double(i - from) / double(std::max<size_t>(1, to - from));
-    curve.points[i] = datasets::AtShare(stroke, share);
+    curve.points[i] = datasets::AtShare(stroke.points, share);
+    if (!curve.widths.empty() || !stroke.widths.empty()) {
+      curve.widths.resize(curve.points.size(), 0);
+      curve.widths[i] = WidthAtShare(stroke, share);
+    }
   }
   curve.gap.reset();
 }
@@ -232,7 +247,7 @@ bool Erase(SessionLines& lines, const CanvasPoints& path) {
   DAUMIER_CHECK(!path.empty(), "the eraser's path has no point");
   Nearest wrinkle;
   for (size_t w = 0; w < lines.wrinkles.size(); ++w)
-    for (const Eigen::Vector2d& point : lines.wrinkles[w])
+    for (const Eigen::Vector2d& point : lines.wrinkles[w].points)
       if (const double distance = datasets::DistanceTo(path, point); distance < wrinkle.distance)
         wrinkle = {distance, w, 0};
   const Nearest curve = NearestCurve(lines, path);
@@ -249,22 +264,24 @@ bool Erase(SessionLines& lines, const CanvasPoints& path) {
   return true;
 }
 
-std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke) {
+std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, const std::vector<double>& widths) {
   CheckStroke(stroke);
-  const CanvasPoints reversed = datasets::Reversed(stroke);
+  DAUMIER_CHECK(widths.empty() || widths.size() == stroke.size(), "{} widths of {} points", widths.size(),
+                stroke.size());
+  const PenLine forwards{stroke, widths}, backwards = Reversed(forwards);
   std::optional<size_t> filled;
-  const CanvasPoints* direction = nullptr;
+  const PenLine* direction = nullptr;
   double least = kSnapReach;
   for (size_t c = 0; c < lines.curves.size(); ++c) {
     if (!lines.curves[c].gap) continue;
-    for (const CanvasPoints* way : {&stroke, &reversed}) {
-      const double distance = EndDistance(*way, lines.curves[c]);
+    for (const PenLine* way : {&forwards, &backwards}) {
+      const double distance = EndDistance(way->points, lines.curves[c]);
       if (distance > least || (filled && distance == least)) continue;
       least = distance, filled = c, direction = way;
     }
   }
   if (!filled) {
-    lines.wrinkles.push_back(stroke);
+    lines.wrinkles.push_back(forwards);
     return std::nullopt;
   }
   SessionCurve& curve = lines.curves[*filled];
@@ -279,24 +296,35 @@ std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke) {
   return filled;
 }
 
-std::vector<render::Stroke> StrokesOf(const SessionLines& lines) {
-  std::vector<render::Stroke> strokes;
-  const auto add = [&](std::span<const Eigen::Vector2d> points) {
-    if (points.size() < 2) return;
-    render::Stroke& stroke = strokes.emplace_back();
-    for (const Eigen::Vector2d& point : points) stroke.points.push_back({float(point.x()), float(point.y())});
+void KeepWidths(SessionLines& lines, const SessionLines& from) {
+  for (SessionCurve& curve : lines.curves) {
+    const auto known = std::ranges::find(from.curves, curve.name, &SessionCurve::name);
+    if (known != from.curves.end()) curve.widths = known->widths;
+  }
+}
+
+std::vector<render::WeightedStroke> WeightedStrokesOf(const SessionLines& lines) {
+  std::vector<render::WeightedStroke> strokes;
+  const auto add = [&](const PenLine& line, size_t first, size_t last) {
+    if (last < first + 2) return;
+    render::WeightedStroke& stroke = strokes.emplace_back();
+    for (size_t i = first; i < last; ++i) {
+      stroke.points.push_back({float(line.points[i].x()), float(line.points[i].y())});
+      if (!line.widths.empty()) stroke.widths.push_back(float(line.widths[i]));
+    }
   };
   for (const SessionCurve& curve : lines.curves) {
-    const std::span<const Eigen::Vector2d> points(curve.points);
-    if (!curve.gap) {
-      add(points);
-    } else {
-      add(points.first(curve.gap->first));
-      add(points.subspan(curve.gap->last + 1));
-    }
+    const PenLine line{curve.points, curve.widths};
+    add(line, 0, curve.gap ? curve.gap->first : line.points.size());
+    if (curve.gap) add(line, curve.gap->last + 1, line.points.size());
   }
-  for (const CanvasPoints& wrinkle : lines.wrinkles) add(wrinkle);
+  for (const PenLine& wrinkle : lines.wrinkles) add(wrinkle, 0, wrinkle.points.size());
   return strokes;
+}
+
+std::vector<render::Stroke> StrokesOf(const SessionLines& lines) {
+  const std::vector<render::WeightedStroke> strokes = WeightedStrokesOf(lines);
+  return {strokes.begin(), strokes.end()};
 }
 
 }  // namespace daumier::sketch

@@ -1,8 +1,8 @@
 #pragma once
-#include "datasets/styles/polylines.h"
 #include "faces/face_model.h"
 #include "fitting/projected_curves.h"
-#include "render/strokes.h"
+#include "render/weighted_strokes.h"
+#include "systems/sketch/pen_line.h"
 
 #include <Eigen/Core>
 
@@ -15,8 +15,6 @@
 /// person erases a part and draws it again. All lengths are pixels of the canvas.
 namespace daumier::sketch {
 
-using CanvasPoints = datasets::Polyline;
-
 /// Points of a curve that are erased, first..last, both included.
 struct CurveGap {
   size_t first = 0, last = 0;
@@ -27,14 +25,15 @@ struct SessionCurve {
   bool closed = false;     ///< The last point is the first one again.
   CanvasPoints points;     ///< One a point of the curve: where the face is to have it.
   std::optional<CurveGap> gap = {};
-  int drawn = 0;  ///< The number of the stroke that it was last redrawn by; 0: never.
+  int drawn = 0;                    ///< The number of the stroke that it was last redrawn by; 0: never.
+  std::vector<double> widths = {};  ///< Of PenLine: of the strokes that redrew it.
 };
 
 /// A sketch of follow-up mode.
 struct SessionLines {
   std::vector<SessionCurve> curves;
-  std::vector<CanvasPoints> wrinkles;  ///< All other lines.
-  int num_drawn = 0;                   ///< Strokes that redrew curves.
+  std::vector<PenLine> wrinkles;  ///< All other lines.
+  int num_drawn = 0;              ///< Strokes that redrew curves.
 };
 
 /// The feature curves of a face, none erased. points: 2K, of fitting::Project. @throws Error if a size differs.
@@ -60,10 +59,16 @@ bool Erase(SessionLines& lines, const CanvasPoints& path);
 /// direction: its ends are moved to the open ends, what is between follows in proportion to arc length, and the points
 /// of the gap are laid on it by arc length. A partner of the curve is mapped by the similarity that takes the curve's old
 /// ends to its new ones, and moved where the curve has crossed it, so that lips that were closed stay closed in a smile. A closed curve that is erased whole is filled by the stroke as a loop, which begins where it fits it best. Else it is a wrinkle. Returns the curve's index, or nothing for a wrinkle.
+/// widths: of PenLine; the redrawn points have those of the stroke where it is laid on, all others keep their own.
 /// @throws Error as CheckStroke.
-std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke);
+std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, const std::vector<double>& widths = {});
 
-/// What is on the canvas, as a network reads it: curves without their gaps, and wrinkles.
+/// Gives curves the widths that those of the same name have in `from`.
+void KeepWidths(SessionLines& lines, const SessionLines& from);
+
+/// What is on the canvas: curves without their gaps, and wrinkles.
+std::vector<render::WeightedStroke> WeightedStrokesOf(const SessionLines& lines);
+/// The same as a network reads it.
 std::vector<render::Stroke> StrokesOf(const SessionLines& lines);
 
 }  // namespace daumier::sketch

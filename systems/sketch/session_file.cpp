@@ -28,7 +28,7 @@ struct EventKind {
 
 const std::vector<EventKind>& EventKinds() {
   static const std::vector<EventKind> kinds = {
-      {"draw", What::kDraw, {}, {"points"}, {"mirror", "stabiliser"}},
+      {"draw", What::kDraw, {}, {"points"}, {"mirror", "stabiliser", "weight", "pressure"}},
       {"erase", What::kErase, {}, {"points"}, {"mirror"}},
       {"follow_up", What::kFollowUp, {}, {}},
       {"refine", What::kRefine, {}, {}},
@@ -77,6 +77,20 @@ CanvasPoints PointsFrom(const Json& json) {
   return points;
 }
 
+double WeightFrom(const Json& json) {
+  const double weight = FiniteNumber(json);
+  DAUMIER_CHECK(weight > 0, "'weight' is {} (expected a positive number)", Shown(json));
+  return weight;
+}
+
+std::vector<double> PressureFrom(const Json& json) {
+  DAUMIER_CHECK(json.is_array() && !json.empty(), "'pressure' is {}, expected a number from 0 to 1 for each point",
+                Shown(json));
+  std::vector<double> pressure;
+  for (const Json& number : json) pressure.push_back(FiniteNumber(number));
+  return pressure;
+}
+
 int LevelFrom(const Json& json) {
   const double level = FiniteNumber(json);
   DAUMIER_CHECK(level == std::round(level) && level != 0 && std::abs(level) <= 3,
@@ -110,6 +124,9 @@ SessionEvent EventFrom(const Json& json) {
     event.pen.mirror = json.at("mirror").get<bool>();
   }
   if (json.contains("stabiliser")) event.pen.stabiliser = FiniteNumber(json.at("stabiliser"));
+  if (json.contains("weight")) event.pen.weight = WeightFrom(json.at("weight"));
+  if (json.contains("pressure")) event.pen.pressure = PressureFrom(json.at("pressure"));
+  WithWeight(event.points, event.pen);  // Throws what is wrong with them.
   if (json.contains("radius")) event.operation.radius = FiniteNumber(json.at("radius"));
   if (json.contains("level")) event.operation.level = LevelFrom(json.at("level"));
   if (json.contains("view")) {
@@ -129,6 +146,8 @@ Json EventToJson(const SessionEvent& event) {
     json["points"].push_back({point.x(), point.y()});
   if (event.pen.mirror) json["mirror"] = true;
   if (event.pen.stabiliser != 0) json["stabiliser"] = event.pen.stabiliser;
+  if (event.pen.weight != 0) json["weight"] = event.pen.weight;
+  if (!event.pen.pressure.empty()) json["pressure"] = event.pen.pressure;
   if (kind.has("radius")) json["radius"] = operation.radius;
   if (kind.has("level")) json["level"] = operation.level;
   const View& view = operation.view;

@@ -24,7 +24,8 @@ struct SessionEvent {
 ///   {"version": 1, "sheet": [width, height], "begin": "mean", "events": [{"do": "draw", "points": [[x, y], ...]}, ...]}
 /// begin, if there is one: "mean", the mean neutral face, or the file of a face, next to the session's file; follow-up mode
 /// begins with it. do, and what else an event has, or may have (in brackets):
-///   draw                     points, [mirror: true or false], [stabiliser: pixels of the sheet]
+///   draw                     points, [mirror: true or false], [stabiliser: pixels of the sheet],
+///                            [weight: pixels of the sheet], [pressure: 0 to 1, one a point, with a weight]
 ///   erase                    points, [mirror]
 ///   follow_up, refine, undo, redo
 ///   region, translate, pull  points, [view: [yaw, pitch] in degrees]

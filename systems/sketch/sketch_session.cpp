@@ -8,16 +8,22 @@
 namespace daumier::sketch {
 namespace {
 
-render::Stroke StrokeOf(const CanvasPoints& points) {
-  render::Stroke stroke;
-  for (const Eigen::Vector2d& point : points) stroke.points.push_back({float(point.x()), float(point.y())});
+render::WeightedStroke StrokeOf(const PenLine& line) {
+  render::WeightedStroke stroke;
+  for (const Eigen::Vector2d& point : line.points) stroke.points.push_back({float(point.x()), float(point.y())});
+  stroke.widths.assign(line.widths.begin(), line.widths.end());
   return stroke;
 }
 
-CanvasPoints PointsOfStroke(const render::Stroke& stroke) {
-  CanvasPoints points;
-  for (const auto& [x, y] : stroke.points) points.emplace_back(x, y);
-  return points;
+PenLine LineOfStroke(const render::WeightedStroke& stroke) {
+  PenLine line;
+  for (const auto& [x, y] : stroke.points) line.points.emplace_back(x, y);
+  line.widths.assign(stroke.widths.begin(), stroke.widths.end());
+  return line;
+}
+
+std::vector<render::Stroke> PlainStrokes(const std::vector<render::WeightedStroke>& strokes) {
+  return {strokes.begin(), strokes.end()};
 }
 
 CanvasPoints OnCanvas(const render::Placement& canvas_from_sheet, const CanvasPoints& points) {
@@ -26,33 +32,34 @@ CanvasPoints OnCanvas(const render::Placement& canvas_from_sheet, const CanvasPo
   return mapped;
 }
 
-/// The line with points at most `step` apart.
-CanvasPoints Densified(const CanvasPoints& line, double step) {
-  CanvasPoints dense{line.front()};
-  for (size_t i = 1; i < line.size(); ++i) {
-    const int count = int((line[i] - line[i - 1]).norm() / step) + 1;
-    for (int k = 1; k <= count; ++k) dense.push_back(line[i - 1] + double(k) / count * (line[i] - line[i - 1]));
-  }
-  return dense;
+PenLine OnCanvas(const render::Placement& canvas_from_sheet, const PenLine& line) {
+  PenLine mapped{OnCanvas(canvas_from_sheet, line.points), line.widths};
+  for (double& width : mapped.widths) width *= canvas_from_sheet.scale;
+  return mapped;
 }
 
 /// What an eraser leaves of a stroke: the stroke itself where it does not reach it.
-std::vector<render::Stroke> LeftOf(const render::Stroke& stroke, const CanvasPoints& path, double reach) {
-  const CanvasPoints dense = Densified(PointsOfStroke(stroke), reach);
-  std::vector<render::Stroke> parts;
-  CanvasPoints part;
+std::vector<render::WeightedStroke> LeftOf(const render::WeightedStroke& stroke, const CanvasPoints& path,
+                                           double reach) {
+  const PenLine dense = Densified(LineOfStroke(stroke), reach);
+  std::vector<render::WeightedStroke> parts;
+  PenLine part;
   bool is_cut = false;
   const auto end_part = [&] {
-    if (part.size() > 1) parts.push_back(StrokeOf(part));
-    part.clear();
+    if (part.points.size() > 1) parts.push_back(StrokeOf(part));
+    part = {};
   };
-  for (const Eigen::Vector2d& point : dense) {
-    const bool is_erased = datasets::DistanceTo(path, point) <= reach;
-    is_cut = is_cut || is_erased;
-    is_erased ? end_part() : part.push_back(point);
+  for (size_t i = 0; i < dense.points.size(); ++i) {
+    if (datasets::DistanceTo(path, dense.points[i]) <= reach) {
+      is_cut = true;
+      end_part();
+      continue;
+    }
+    part.points.push_back(dense.points[i]);
+    if (!dense.widths.empty()) part.widths.push_back(dense.widths[i]);
   }
   end_part();
-  return is_cut ? parts : std::vector<render::Stroke>{stroke};
+  return is_cut ? parts : std::vector<render::WeightedStroke>{stroke};
 }
 
 /// How near the mirror a line ends that meets it, and how near a line's image is that counts as the line, pixels of the canvas.
@@ -124,12 +131,12 @@ double SketchSession::MirrorOf(const SketchState& state) const {
   return render::ToCanvas(render::Inverse(state.frame), seen.row(0).head<2>().transpose()).x();
 }
 
-SketchState SketchSession::Predicted(std::vector<render::Stroke> strokes, const Task& task) const {
+SketchState SketchSession::Predicted(std::vector<render::WeightedStroke> strokes, const Task& task) const {
   SketchState next;
   next.frame = WholeSheet(width_, height_);
   next.strokes = std::move(strokes);
   if (next.strokes.empty()) return next;
-  const systems::Input input = render::Drawing{width_, height_, next.strokes};
+  const systems::Input input = render::Drawing{width_, height_, PlainStrokes(next.strokes)};
   try {
     systems::FaceResult face = std::move(follower_.predictor().Predict(std::span(&input, 1), task).front());
     next.vertices = std::move(face.vertices);
@@ -145,22 +152,28 @@ SketchState SketchSession::Predicted(std::vector<render::Stroke> strokes, const 
 
 void SketchSession::Draw(const CanvasPoints& path, const Pen& pen, const Task& task) {
   CheckOnSheet(path);
-  const CanvasPoints stroke = Stabilised(path, pen.stabiliser);
+  DAUMIER_CHECK(pen.weight <= kHeaviest * std::max(width_, height_),
+                "a line that is {:g} pixels wide on a sheet of {:g} x {:g} (expected at most {:g})", pen.weight, width_,
+                height_, kHeaviest * std::max(width_, height_));
+  const PenLine stroke = Stabilised(WithWeight(path, pen), pen.stabiliser);
   const std::scoped_lock lock(calls_);
   const StatePointer now = state();
   CheckNotRefined(*now);
-  const std::vector<CanvasPoints> drawn = pen.mirror
-                                              ? WithMirrorImage(stroke, MirrorOf(*now), kMirrorReach / now->frame.scale)
-                                              : std::vector<CanvasPoints>{stroke};
+  const std::vector<PenLine> drawn = pen.mirror
+                                         ? WithMirrorImage(stroke, MirrorOf(*now), kMirrorReach / now->frame.scale)
+                                         : std::vector<PenLine>{stroke};
   if (now->is_follow_up()) {
     SketchState next = *now;
-    for (const CanvasPoints& one : drawn) sketch::Draw(next.lines, OnCanvas(next.frame, one));
+    for (const PenLine& one : drawn) {
+      const PenLine line = OnCanvas(next.frame, one);
+      sketch::Draw(next.lines, line.points, line.widths);
+    }
     Follow(next, task);
     return Add(std::move(next));
   }
-  std::vector<render::Stroke> strokes = now->strokes;
-  for (const CanvasPoints& one : drawn) {
-    CheckStroke(one);
+  std::vector<render::WeightedStroke> strokes = now->strokes;
+  for (const PenLine& one : drawn) {
+    CheckStroke(one.points);
     strokes.push_back(StrokeOf(one));
   }
   Add(Predicted(std::move(strokes), task));
@@ -185,12 +198,12 @@ bool SketchSession::Erase(const CanvasPoints& path, bool mirror, const Task& tas
     return true;
   }
   const double reach = kEraserReach / WholeSheet(width_, height_).scale;
-  std::vector<render::Stroke> left = now->strokes;
+  std::vector<render::WeightedStroke> left = now->strokes;
   bool is_changed = false;
   for (const CanvasPoints& one : paths) {
-    std::vector<render::Stroke> kept;
-    for (const render::Stroke& stroke : left) {
-      std::vector<render::Stroke> parts = LeftOf(stroke, one, reach);
+    std::vector<render::WeightedStroke> kept;
+    for (const render::WeightedStroke& stroke : left) {
+      std::vector<render::WeightedStroke> parts = LeftOf(stroke, one, reach);
       is_changed = is_changed || parts.size() != 1 || parts.front().points != stroke.points;
       std::ranges::move(parts, std::back_inserter(kept));
     }
@@ -213,6 +226,7 @@ void SketchSession::FollowUpFrom(const geometry::Points& vertices, Untouched unt
   SketchState next;
   next.start = std::make_shared<const FollowUpStart>(follower_.Begin(vertices, untouched));
   next.lines = follower_.CurvesOf(vertices);
+  KeepWidths(next.lines, now->lines);
   const bool is_own = now->vertices.rows() == vertices.rows() && now->vertices == vertices;
   next.frame = is_own ? now->frame : WholeSheet(width_, height_);
   next.vertices = vertices;
@@ -236,6 +250,7 @@ SketchState SketchSession::Refined(const SketchState& from, RefinementState refi
   next.frame = from.frame;
   next.vertices = refinement.vertices;
   next.lines = follower_.CurvesOf(next.vertices);
+  KeepWidths(next.lines, from.lines);
   next.refinement = std::make_shared<const RefinementState>(std::move(refinement));
   return next;
 }
@@ -284,15 +299,15 @@ datasets::Gesture SketchSession::DoGesture(const CanvasPoints& stroke, const Vie
 
 geometry::Points SketchSession::Preview(const CanvasPoints& stroke) const {
   const StatePointer now = state();
-  render::Drawing drawing{width_, height_, now->strokes};
-  drawing.strokes.push_back(StrokeOf(stroke));
+  render::Drawing drawing{width_, height_, PlainStrokes(now->strokes)};
+  drawing.strokes.push_back(StrokeOf({stroke}));
   const render::FramedDrawing framed = render::FrameDrawing(drawing);
   return follower_.NetworkOf(render::MapToCanvas(framed.strokes, framed.placement));
 }
 
-std::vector<render::Stroke> SketchSession::OnSheet(const SketchState& state) {
+std::vector<render::WeightedStroke> SketchSession::OnSheet(const SketchState& state) {
   if (!state.is_follow_up() && !state.is_refinement()) return state.strokes;
-  return render::MapToCanvas(StrokesOf(state.lines), render::Inverse(state.frame));
+  return render::MapWeighted(WeightedStrokesOf(state.lines), render::Inverse(state.frame));
 }
 
 }  // namespace daumier::sketch

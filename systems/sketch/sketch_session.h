@@ -16,7 +16,7 @@ namespace daumier::sketch {
 
 /// A moment of a session. Immutable, shared between threads.
 struct SketchState {
-  std::vector<render::Stroke> strokes;                ///< Of initial mode, in pixels of the sheet.
+  std::vector<render::WeightedStroke> strokes;        ///< Of initial mode, in pixels of the sheet.
   std::shared_ptr<const FollowUpStart> start;         ///< Of follow-up mode alone.
   std::shared_ptr<const RefinementState> refinement;  ///< Of refinement mode alone.
   SessionLines lines;                                 ///< Of both: curves of the face on the canvas.
@@ -37,6 +37,7 @@ class SketchSession {
  public:
   static constexpr double kMostSheet = 100'000;  ///< Pixels a side.
   static constexpr double kFarthest = 10;        ///< Sheets' longer sides that a point may be away from the origin.
+  static constexpr double kHeaviest = 0.1;       ///< Share of the longer side that a line may be wide.
 
   /// gestures: null where none are recognised. sheet: width x height, pixels. @throws Error if a size is not from 1 to kMostSheet, or the predictor has no parser.
   SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height,
@@ -46,8 +47,9 @@ class SketchSession {
 
   /// What a pen draws along a path, in pixels of the sheet. With a mirror also the image of it, by the middle of the
   /// sheet, in follow-up mode by that of the face. In initial mode a sheet that shows no face has a state without a face.
-  /// @throws Error as Stabilised and sketch::Draw, if a point lies farther away than kFarthest, or in refinement mode;
-  /// Cancelled if the task is.
+  /// The face depends on the path alone, the pen's weight is kept for drawings: a redrawn line keeps it, also while the face is refined.
+  /// @throws Error as WithWeight, Stabilised and sketch::Draw, if a point lies farther away than kFarthest, the line is heavier than
+  /// kHeaviest, or in refinement mode; Cancelled if the task is.
   void Draw(const CanvasPoints& path, const Pen& pen = {}, const Task& task = {});
   /// In initial mode what lies within kEraserReach of the path, in follow-up mode as sketch::Erase, in pixels of the
   /// canvas in both; with `mirror` also what its image erases. False, without a new state, if that is nothing.
@@ -75,7 +77,7 @@ class SketchSession {
   /// Sees the face of a state as a view of its sheet shows it. The face turns about the middle of the template.
   render::Camera CameraOf(const SketchState& state, const View& view) const;
   /// The lines of a state on the sheet, in pixels: strokes, or curves and wrinkles.
-  static std::vector<render::Stroke> OnSheet(const SketchState& state);
+  static std::vector<render::WeightedStroke> OnSheet(const SketchState& state);
 
  private:
   void CheckOnSheet(const CanvasPoints& points) const;
@@ -90,7 +92,7 @@ class SketchSession {
   /// Calls are locked. @throws Error as Apply.
   SketchState Applied(const SketchState& from, const RefinementOperation& operation);
   bool Step(int by);
-  SketchState Predicted(std::vector<render::Stroke> strokes, const Task& task) const;
+  SketchState Predicted(std::vector<render::WeightedStroke> strokes, const Task& task) const;
   /// The face of the lines. @throws Cancelled if the task is.
   void Follow(SketchState& state, const Task& task) const;
 

@@ -166,7 +166,7 @@ TEST(SessionCurves, AllOtherStrokesAreWrinklesAndCanBeErased) {
   EXPECT_EQ(lines.wrinkles.size(), 2u);
   EXPECT_TRUE(Erase(lines, {{60, 151}}));
   ASSERT_EQ(lines.wrinkles.size(), 1u);
-  EXPECT_EQ(lines.wrinkles[0].front(), Eigen::Vector2d(60, 200));
+  EXPECT_EQ(lines.wrinkles[0].points.front(), Eigen::Vector2d(60, 200));
 }
 
 TEST(SessionCurves, TheStrokesAreTheCurvesWithoutTheirGaps) {
@@ -178,6 +178,46 @@ TEST(SessionCurves, TheStrokesAreTheCurvesWithoutTheirGaps) {
   ASSERT_EQ(strokes.size(), 6u);
   EXPECT_EQ(strokes[0].points.size(), 5u);
   EXPECT_EQ(strokes[1].points.size(), 4u);
+}
+
+TEST(SessionCurves, ARedrawnLineKeepsTheWidthsOfItsStroke) {
+  SessionLines lines = Face();
+  Erase(lines, {{130, 99}});  // Points 5 to 8, the open ends at 120 and 145.
+  Draw(lines, {{145, 100}, {120, 100}}, {6, 1});
+  const std::vector<double>& widths = lines.curves[0].widths;
+  ASSERT_EQ(widths.size(), lines.curves[0].points.size());
+  EXPECT_EQ(widths[4], 0) << "as it was";
+  EXPECT_NEAR(widths[5], 2, 1e-9) << "a fifth of the way, from the thin end";
+  EXPECT_NEAR(widths[8], 5, 1e-9);
+  EXPECT_EQ(widths[9], 0);
+  Draw(lines, {{60, 150}, {70, 155}}, {3, 3});
+  const auto strokes = WeightedStrokesOf(lines);
+  EXPECT_FLOAT_EQ(strokes[0].widths[8], 5);
+  EXPECT_TRUE(strokes[1].widths.empty());
+  EXPECT_EQ(strokes.back().widths, (std::vector<float>{3, 3}));
+  SessionLines later = Face();
+  KeepWidths(later, lines);
+  EXPECT_EQ(later.curves[0].widths, widths);
+  Erase(lines, {{130, 99}});
+  Draw(lines, {{120, 100}, {145, 100}});
+  EXPECT_EQ(lines.curves[0].widths[6], 0) << "of a stroke without a weight";
+  ExpectError([&] { Draw(lines, {{60, 150}, {70, 155}}, {3}); }, "1 widths of 2 points");
+}
+
+TEST(SessionCurves, AClosedCurveHasTheWidthsOfItsLoop) {
+  SessionLines lines = Face();
+  const CanvasPoints old = lines.curves[3].points;
+  for (const Eigen::Vector2d& point : old) Erase(lines, {point});
+  CanvasPoints loop;
+  std::vector<double> widths;
+  for (int i = 0; i <= 48; ++i) {  // From the left, thin on the left and thick on the right.
+    const double angle = M_PI - 2 * M_PI * i / 48;
+    loop.emplace_back(128 + 30 * std::cos(angle), 60 + 12 * std::sin(angle));
+    widths.push_back(3 + 2 * std::cos(angle));
+  }
+  ASSERT_EQ(Draw(lines, loop, widths), std::optional<size_t>(3));
+  for (size_t i = 0; i < lines.curves[3].points.size(); ++i)
+    EXPECT_NEAR(lines.curves[3].widths[i], 3 + (lines.curves[3].points[i].x() - 128) / 15, 0.1);
 }
 
 TEST(SessionCurves, RefusesStrokesThatAreNone) {

@@ -31,6 +31,7 @@ TEST_F(SessionFileTest, WritingAndReadingGivesTheSameSession) {
   using Operation = RefinementOperation;
   script.begin = "face.obj";
   script.events = {{.what = kDraw, .points = {{1, 2.5}, {3, 4}}, .pen = {true, 12.5}},
+                   {.what = kDraw, .points = {{1, 2.5}, {3, 4}}, .pen = {.weight = 3.25, .pressure = {0.5, 1}}},
                    {.what = kErase, .points = {{7, 8}}, .pen = {true}},
                    {.what = kFollowUp},
                    {.what = kUndo},
@@ -54,6 +55,8 @@ TEST_F(SessionFileTest, WritingAndReadingGivesTheSameSession) {
     EXPECT_EQ(a.points, b.points);
     EXPECT_EQ(a.pen.mirror, b.pen.mirror);
     EXPECT_EQ(a.pen.stabiliser, b.pen.stabiliser);
+    EXPECT_EQ(a.pen.weight, b.pen.weight);
+    EXPECT_EQ(a.pen.pressure, b.pen.pressure);
     EXPECT_EQ(a.operation.points, b.operation.points);
     EXPECT_EQ(a.operation.view.yaw_degrees, b.operation.view.yaw_degrees);
     EXPECT_EQ(a.operation.view.pitch_degrees, b.operation.view.pitch_degrees);
@@ -76,6 +79,13 @@ TEST_F(SessionFileTest, AMalformedEventIsNamedByItsNumber) {
   refused(R"({"do": "draw", "points": 7})", "'points' is 7");
   refused(R"({"do": "draw", "points": [[1, 2]], "mirror": 1})", "'mirror' is 1");
   refused(R"({"do": "draw", "points": [[1, 2]], "stabiliser": "a"})", "\"a\" is no number");
+  refused(R"({"do": "draw", "points": [[1, 2]], "weight": 0})", "'weight' is 0");
+  refused(R"({"do": "draw", "points": [[1, 2]], "weight": "a"})", "\"a\" is no number");
+  refused(R"({"do": "draw", "points": [[1, 2]], "pressure": [1]})", "the pressure of a pen without a weight");
+  refused(R"({"do": "draw", "points": [[1, 2]], "weight": 2, "pressure": []})", "'pressure' is []");
+  refused(R"({"do": "draw", "points": [[1, 2]], "weight": 2, "pressure": [1, 1]})", "the pressure at 2 points of 1");
+  refused(R"({"do": "draw", "points": [[1, 2]], "weight": 2, "pressure": [2]})", "a pressure of 2");
+  refused(R"({"do": "erase", "points": [[1, 2]], "weight": 2})", "'erase' takes no 'weight'");
   refused(R"({"do": "brush", "points": [[1, 2]]})", "'brush' has no 'radius'");
   refused(R"({"do": "region", "points": [[1, 2]], "view": [3]})", "[3] is no pair");
   refused(R"({"do": "region", "points": [[1, 2]], "view": [0, 1e9]})", "'view' is [0,");

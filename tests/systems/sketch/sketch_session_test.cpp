@@ -52,7 +52,7 @@ class SketchSessionTest : public ::testing::Test {
     return largest;
   }
   /// Erases the segment at the middle of a curve and draws it shifted; returns the curve's middle point.
-  static size_t Redraw(SketchSession& session, size_t curve, const Eigen::Vector2d& shift) {
+  static size_t Redraw(SketchSession& session, size_t curve, const Eigen::Vector2d& shift, const Pen& pen = {}) {
     const render::Placement sheet = render::Inverse(session.state()->frame);
     const auto on_sheet = [&](const Eigen::Vector2d& p) { return render::ToCanvas(sheet, p); };
     const CanvasPoints before = session.state()->lines.curves[curve].points;
@@ -62,7 +62,7 @@ class SketchSessionTest : public ::testing::Test {
     CanvasPoints stroke;
     for (size_t i = std::max<size_t>(gap.first, 1) - 1; i <= std::min(gap.last + 1, before.size() - 1); ++i)
       stroke.push_back(on_sheet(before[i] + (i >= gap.first && i <= gap.last ? shift : Eigen::Vector2d(0, 0))));
-    session.Draw(stroke);
+    session.Draw(stroke, pen);
     return middle;
   }
 
@@ -86,7 +86,7 @@ TEST_F(SketchSessionTest, TheEraserCutsStrokesOfInitialMode) {
   session.Draw({{20, 200}, {220, 200}});
   EXPECT_FALSE(session.Erase({{120, 150}}));
   EXPECT_TRUE(session.Erase({{120, 90}, {120, 110}}));
-  const std::vector<render::Stroke>& strokes = session.state()->strokes;
+  const std::vector<render::WeightedStroke>& strokes = session.state()->strokes;
   ASSERT_EQ(strokes.size(), 3u);
   EXPECT_LE(strokes[0].points.back()[0], 115);
   EXPECT_GE(strokes[1].points.front()[0], 125);
@@ -113,7 +113,7 @@ TEST_F(SketchSessionTest, AMirrorRedrawsBothSidesOfTheFace) {
   const CanvasPoints wrinkle = {{60, 60}, {70, 60}};
   session.Draw(wrinkle, {.mirror = true});
   ASSERT_EQ(session.state()->lines.wrinkles.size(), 2u);
-  EXPECT_NEAR(session.state()->lines.wrinkles[1][0].x(), 2 * seen(0, 0) - 60, 1e-9) << "about the face's middle";
+  EXPECT_NEAR(session.state()->lines.wrinkles[1].points[0].x(), 2 * seen(0, 0) - 60, 1e-9) << "about the face's middle";
 }
 
 TEST_F(SketchSessionTest, AStabiliserSmoothsTheStroke) {
@@ -123,6 +123,30 @@ TEST_F(SketchSessionTest, AStabiliserSmoothsTheStroke) {
   session.Draw(shaken, {.stabiliser = 25});
   const CanvasPoints drawn = PointsOf(session.state()->strokes.front());
   for (size_t i = 1; i + 1 < drawn.size(); ++i) EXPECT_LT(std::abs(drawn[i].y() - drawn[i - 1].y()), 1);
+}
+
+TEST_F(SketchSessionTest, TheWeightOfAPenIsKeptAndChangesNoFace) {
+  SketchSession session = Open(), plain = Open();
+  for (const render::Stroke& circle : fitting::Circles()) {
+    session.Draw(PointsOf(circle), {.weight = 4});
+    plain.Draw(PointsOf(circle));
+  }
+  EXPECT_EQ(session.state()->vertices, plain.state()->vertices);
+  EXPECT_EQ(session.state()->strokes.front().widths.front(), 4);
+  session.Erase({PointsOf(session.state()->strokes.front()).front()});
+  for (const render::WeightedStroke& stroke : session.state()->strokes)
+    EXPECT_EQ(stroke.widths, std::vector<float>(stroke.points.size(), 4));
+  session.FollowUp();
+  const double scale = session.state()->frame.scale;
+  const size_t middle = Redraw(session, 0, {2, -3}, {.weight = 5});
+  EXPECT_NEAR(session.state()->lines.curves[0].widths[middle], 5 * scale, 1e-9);
+  session.Refine();
+  EXPECT_NEAR(session.state()->lines.curves[0].widths[middle], 5 * scale, 1e-9);
+  session.FollowUp();
+  EXPECT_NEAR(session.state()->lines.curves[0].widths[middle], 5 * scale, 1e-9);
+  const auto on_sheet = SketchSession::OnSheet(*session.state());
+  EXPECT_NEAR(on_sheet.front().widths[middle], 5, 1e-5);
+  ExpectError([&] { session.Draw({{1, 1}, {9, 9}}, {.weight = 26}); }, "26 pixels wide on a sheet of 256 x 256");
 }
 
 /// Always of the same scores.
