@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/coordinates.h"
+#include "geometry/normals.h"
 #include "geometry/operators.h"
 
 #include <algorithm>
@@ -14,11 +15,16 @@ namespace {
 
 /// Of a curve, on the canvas: each stretch of kIndependent counts as one point with this deviation.
 constexpr double kLineDeviation = 2, kIndependent = 8;
+/// Of a repair: solutions with relaxed pins, passes before each, and passes behind the last.
+constexpr int kRepairRounds = 3, kRepairPasses = 20, kLastPasses = 1000;
 
 }  // namespace
 
-CurveFollower::CurveFollower(std::shared_ptr<const SketchPredictor> predictor, Inference inference)
-    : predictor_(std::move(predictor)), inference_(inference) {
+CurveFollower::CurveFollower(std::shared_ptr<const SketchPredictor> predictor, Inference inference, Agreement agreement)
+    : predictor_(std::move(predictor)),
+      inference_(inference),
+      agreement_(agreement),
+      repair_(predictor_->run().face_template.triangles, predictor_->run().face_template.num_vertices()) {
   const faces::FaceTemplate& face_template = predictor_->run().face_template;
   const fitting::ProjectedCurves& curves = predictor_->curves();
   DAUMIER_CHECK(!curves.camera.perspective, "the camera of the sketches is in perspective");
@@ -65,13 +71,14 @@ void CurveFollower::MoveUntouched(const geometry::Points& face, SessionLines& li
 FollowUpStart CurveFollower::Begin(const geometry::Points& face, Untouched untouched) const {
   const int num_vertices = predictor_->run().face_template.num_vertices();
   DAUMIER_CHECK(face.rows() == num_vertices, "a face of {} vertices, expected {}", face.rows(), num_vertices);
-  FollowUpStart start{face, untouched};
+  const geometry::Triangles& triangles = predictor_->run().face_template.triangles;
+  FollowUpStart start{face, untouched, geometry::AreaNormals({face, triangles})};
   if (inference_ == Inference::kNetwork) start.network = NetworkOf(StrokesOf(CurvesOf(face)));
   return start;
 }
 
 geometry::Points CurveFollower::Follow(const FollowUpStart& start, const SessionLines& lines) const {
-  return Pulled(Inferred(start, lines), lines, start.untouched);
+  return Pulled(start, Inferred(start, lines), lines);
 }
 
 geometry::Points CurveFollower::Inferred(const FollowUpStart& start, const SessionLines& lines) const {
@@ -121,8 +128,26 @@ geometry::Points CurveFollower::NetworkOf(const std::vector<render::Stroke>& on_
   return geometry::PointsFrom(predictor_->FromStrokes({on_canvas}).front().vertices);
 }
 
-geometry::Points CurveFollower::Pulled(const geometry::Points& face, const SessionLines& lines,
-                                       Untouched untouched) const {
+geometry::Points CurveFollower::Pulled(const FollowUpStart& start, const geometry::Points& face,
+                                       const SessionLines& lines) const {
+  geometry::Points displacement = deformation_->Solve(MovesOfPins(face, lines, start.untouched));
+  if (agreement_ == Agreement::kRelaxed) Repair(start, face, displacement);
+  return face + displacement;
+}
+
+void CurveFollower::Repair(const FollowUpStart& start, const geometry::Points& face,
+                           geometry::Points& displacement) const {
+  geometry::SurfaceDefects defects = repair_.Find(face, start.normals, displacement);
+  for (int round = 0; round < kRepairRounds && !defects.empty(); ++round) {
+    repair_.Relax(face, start.normals, std::move(defects), kRepairPasses, displacement);
+    displacement = deformation_->Solve(displacement(deformation_->pins(), Eigen::all));
+    defects = repair_.Find(face, start.normals, displacement);
+  }
+  repair_.Relax(face, start.normals, std::move(defects), kLastPasses, displacement);
+}
+
+geometry::Points CurveFollower::MovesOfPins(const geometry::Points& face, const SessionLines& lines,
+                                            Untouched untouched) const {
   const render::Camera& camera = predictor_->curves().camera;
   const std::vector<int>& pins = deformation_->pins();
   const geometry::Points projected = render::Project(camera, face(pins, Eigen::all));
@@ -140,7 +165,7 @@ geometry::Points CurveFollower::Pulled(const geometry::Points& face, const Sessi
       moves.row(pin) = (camera.camera_from_world.transpose() * in_camera).transpose();
     }
   }
-  return face + deformation_->Solve(moves);
+  return moves;
 }
 
 }  // namespace daumier::sketch

@@ -1,4 +1,5 @@
 #pragma once
+#include "geometry/flip_repair.h"
 #include "geometry/mesh.h"
 #include "geometry/pinned_deformation.h"
 #include "systems/sketch/predictor.h"
@@ -21,10 +22,17 @@ enum class Untouched {
   kFollow,  ///< Where the inference has them.
 };
 
+/// What curves do where following them exactly turns triangles over.
+enum class Agreement {
+  kRelaxed,  ///< They give way, as little as turns them back (geometry/flip_repair.h).
+  kExact,
+};
+
 /// Where follow-up sketching began.
 struct FollowUpStart {
   geometry::Points vertices;  ///< V x 3, cm.
   Untouched untouched = Untouched::kStay;
+  geometry::Points normals = {};  ///< F x 3: geometry::AreaNormals.
   geometry::Points network = {};  ///< V x 3, of Inference::kNetwork: predicted from the curves of this face.
 };
 
@@ -36,7 +44,8 @@ class CurveFollower {
  public:
   /// @throws Error if the camera of the sketches is in perspective, the run has no normal distribution of faces, or as
   /// PinnedDeformation.
-  explicit CurveFollower(std::shared_ptr<const SketchPredictor> predictor, Inference inference = Inference::kFaces);
+  explicit CurveFollower(std::shared_ptr<const SketchPredictor> predictor, Inference inference = Inference::kFaces,
+                         Agreement agreement = Agreement::kRelaxed);
 
   /// face: V x 3, cm. @throws Error if it has other vertices.
   FollowUpStart Begin(const geometry::Points& face, Untouched untouched) const;
@@ -55,7 +64,11 @@ class CurveFollower {
   const SketchPredictor& predictor() const { return *predictor_; }
 
  private:
-  geometry::Points Pulled(const geometry::Points& face, const SessionLines& lines, Untouched untouched) const;
+  geometry::Points Pulled(const FollowUpStart& start, const geometry::Points& face, const SessionLines& lines) const;
+  /// How far pins have to move from a face to their lines, K x 3.
+  geometry::Points MovesOfPins(const geometry::Points& face, const SessionLines& lines, Untouched untouched) const;
+  /// Relaxes a displacement of the pins' solution.
+  void Repair(const FollowUpStart& start, const geometry::Points& face, geometry::Points& displacement) const;
   /// What the network sees in wrinkles, V x 3, along the view.
   geometry::Points ChangeOfWrinkles(const SessionLines& lines) const;
   /// The most likely change of the start's faces, V x 3, by the known curves.
@@ -63,8 +76,10 @@ class CurveFollower {
 
   std::shared_ptr<const SketchPredictor> predictor_;
   Inference inference_;
+  Agreement agreement_;
   std::vector<int> pin_of_point_;  ///< K: which pin the vertex of each curve point is.
   std::unique_ptr<const geometry::PinnedDeformation> deformation_;
+  geometry::FlipRepair repair_;
   Eigen::MatrixXd curve_effects_;               ///< K x 2P: what components of faces do to pins on the canvas, pixels.
   std::vector<Eigen::MatrixXd> curve_normals_;  ///< K x K of each curve: the effects on its points by their transpose.
 };

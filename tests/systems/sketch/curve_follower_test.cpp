@@ -1,11 +1,17 @@
 #include "systems/sketch/curve_follower.h"
 
+#include "core/statistics.h"
 #include "geometry/coordinates.h"
+#include "geometry/flips.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
 #include "tests/support/plain_sketch_run.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace daumier::sketch {
 namespace {
@@ -77,6 +83,61 @@ TEST_F(CurveFollowerTest, UntouchedCurvesStayOrFollow) {
   EXPECT_LT((followed - face_).cwiseAbs().maxCoeff(), 1e-9) << "no line says anything";
   follower.MoveUntouched(face_, lines);
   EXPECT_LT((lines.curves[0].points[0] - moved_lines.curves[0].points[0]).norm() - 4, 1e-3);
+}
+
+/// The triangles that a face has turned over and the inference has not.
+size_t NewFlips(const CurveFollower& follower, const FollowUpStart& start, const SessionLines& lines,
+                const geometry::Points& face) {
+  const geometry::Triangles& triangles = follower.predictor().run().face_template.triangles;
+  const std::vector<int> known = geometry::FlippedTriangles(start.vertices, follower.Inferred(start, lines), triangles);
+  const std::vector<int> flipped = geometry::FlippedTriangles(start.vertices, face, triangles);
+  return size_t(std::ranges::count_if(flipped, [&](int f) { return !std::ranges::binary_search(known, f); }));
+}
+
+TEST_F(CurveFollowerTest, CurvesGiveWayWhereTheyTurnTrianglesOver) {
+  const CurveFollower follower(predictor_), exact(predictor_, Inference::kFaces, Agreement::kExact);
+  const FollowUpStart start = follower.Begin(face_, Untouched::kStay);
+  SessionLines lines = follower.CurvesOf(face_);
+  SessionCurve& curve = lines.curves[0];
+  curve.drawn = ++lines.num_drawn;
+  for (size_t i = 0; i < curve.points.size(); ++i) curve.points[i].x() += i % 2 == 0 ? 25 : -25;
+  EXPECT_GT(NewFlips(exact, start, lines, exact.Follow(start, lines)), 0u);
+  EXPECT_EQ(NewFlips(follower, start, lines, follower.Follow(start, lines)), 0u);
+}
+
+/// As a person misses it by about two pixels: shifted, and bent by one wave.
+CanvasPoints Missed(CanvasPoints line, Rng& rng) {
+  const Eigen::Vector2d shift(2 * rng.Normal(), 2 * rng.Normal()), bend(2 * rng.Normal(), 2 * rng.Normal());
+  for (size_t i = 0; i < line.size(); ++i)
+    line[i] += shift + std::sin(2 * M_PI * double(i) / double(line.size())) * bend;
+  return line;
+}
+
+TEST(CurveFollowerOfShippedWeights, TwentyMissedEditsTurnNoTriangleOverAndAgree) {
+  auto opened =
+      OpenSketchPredictor(testing::SourceRoot() / "weights/sketch-ict", {}, {{"framing", "keep"}, {"refine", false}});
+  const std::shared_ptr<const SketchPredictor> predictor(dynamic_cast<SketchPredictor*>(opened.release()));
+  const CurveFollower follower(predictor);
+  const FollowUpStart start = follower.Begin(predictor->run().face_template.neutral, Untouched::kFollow);
+  SessionLines lines = follower.CurvesOf(start.vertices);
+  Rng rng(3);
+  geometry::Points face;
+  for (size_t edit = 0; edit < 20; ++edit) {
+    SessionCurve& curve = lines.curves[edit * 7 % lines.curves.size()];
+    curve.points = Missed(curve.points, rng);
+    curve.drawn = ++lines.num_drawn;
+    face = follower.Follow(start, lines);
+    EXPECT_EQ(NewFlips(follower, start, lines, face), 0u) << "edit " << edit;
+    follower.MoveUntouched(face, lines);
+  }
+  const SessionLines seen = follower.CurvesOf(face);
+  std::vector<double> distances_mm;
+  const double mm = faces::MillimetresPerCm(predictor->run().face_template) / predictor->curves().camera.scale;
+  for (size_t c = 0; c < lines.curves.size(); ++c)
+    for (size_t i = 0; i < lines.curves[c].points.size(); ++i)
+      distances_mm.push_back(mm * (seen.curves[c].points[i] - lines.curves[c].points[i]).norm());
+  EXPECT_LE(Mean(distances_mm), 0.5);
+  EXPECT_LE(Percentile(distances_mm, 95), 1.5);
 }
 
 TEST_F(CurveFollowerTest, RefusesAFaceOfOtherVertices) {
