@@ -39,7 +39,7 @@ geometry::Points VerticesOf(const fs::path& face, const fs::path& mesh_landmarks
     datasets::MeshInputs inputs;
     inputs.meshes = {face};
     inputs.landmarks = mesh_landmarks;
-    return datasets::RegisterMesh(face_template, inputs);
+    return datasets::RegisterMesh(face_template, inputs).vertices;
   }
   return ReadFaceOf(face, face_template,
                     "Add --mesh-landmarks FILE with its 68 landmarks (docs/formats.md lists the forms), by which it is "

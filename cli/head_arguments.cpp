@@ -21,13 +21,11 @@ rig::NamePreset PresetNamed(const std::string& name) {
   return std::ranges::find(rig::kNamePresets, name, &rig::NamedPreset::name)->preset;
 }
 
-rig::MorphTargets WithVisemes(const rig::MorphTargets& expressions) {
-  const rig::MorphTargets visemes = rig::VisemeTargets(expressions);
-  rig::MorphTargets all = expressions;
-  all.names.insert(all.names.end(), visemes.names.begin(), visemes.names.end());
-  all.offsets.conservativeResize(Eigen::NoChange, std::ssize(all.names));
-  all.offsets.rightCols(visemes.num_targets()) = visemes.offsets;
-  return all;
+void AddMixedTargets(std::span<const rig::Viseme> mixed, rig::MorphTargets& targets) {
+  const rig::MorphTargets added = rig::MixedTargets(targets, mixed);
+  targets.names.insert(targets.names.end(), added.names.begin(), added.names.end());
+  targets.offsets.conservativeResize(Eigen::NoChange, std::ssize(targets.names));
+  targets.offsets.rightCols(added.num_targets()) = added.offsets;
 }
 
 Json SizesOf(const RigFiles& files) {
@@ -56,7 +54,8 @@ void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
   command
       .add_option("--names", arguments.names,
                   "Names and order of the targets: arkit (eyeBlinkLeft), arkit_lr (eyeBlink_L), unreal "
-                  "(EyeBlinkLeft) or mediapipe (`_neutral` first, then MediaPipe's order)")
+                  "(EyeBlinkLeft), mediapipe (`_neutral` first, then MediaPipe's order), rpm (visemes and the other "
+                  "targets, nodes and materials of Ready Player Me) or vrm (as arkit, with an avatar NAME.vrm)")
       ->check(CLI::IsMember([] {
         std::vector<std::string> words;
         for (const rig::NamedPreset& preset : rig::kNamePresets) words.emplace_back(preset.name);
@@ -75,8 +74,10 @@ void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
 }
 
 RigFiles CheckedHeadFiles(const HeadArguments& arguments, const std::vector<fs::path>& inputs) {
-  RigFiles files = RigFilesOf(arguments.out, arguments.compress ? AlsoCompressed::kYes : AlsoCompressed::kNo,
-                              arguments.vrm ? AlsoVrm::kYes : AlsoVrm::kNo, arguments.frames);
+  RigFiles files =
+      RigFilesOf(arguments.out, arguments.compress ? AlsoCompressed::kYes : AlsoCompressed::kNo,
+                 arguments.vrm || PresetNamed(arguments.names) == rig::NamePreset::kVrm ? AlsoVrm::kYes : AlsoVrm::kNo,
+                 arguments.frames);
   std::vector<fs::path> all = inputs;
   all.push_back(arguments.clip);
   CheckRigFiles(files, all, arguments.force);
@@ -94,7 +95,9 @@ std::optional<rig::WeightsClip> ReadHeadClip(const HeadArguments& arguments) {
 
 Json WriteHeadFiles(const HeadArguments& arguments, const RigFiles& files, const std::optional<rig::WeightsClip>& clip,
                     RigContent content) {
-  if (arguments.visemes) content.head.targets = WithVisemes(content.head.targets);
+  const bool is_rpm = PresetNamed(arguments.names) == rig::NamePreset::kReadyPlayerMe;
+  if (arguments.visemes || is_rpm) AddMixedTargets(rig::Visemes(), content.head.targets);
+  if (is_rpm) AddMixedTargets(rig::ReadyPlayerMeExtras(), content.head.targets);
   content.clip = clip ? *clip : rig::DemoClip(content.head.targets.names);  // Which shows what a head can do.
   WriteRigFiles(
       files, content,

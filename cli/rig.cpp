@@ -1,5 +1,6 @@
 #include "cli/head_arguments.h"
 #include "cli/rig_face.h"
+#include "cli/rig_foreign.h"
 #include "cli/verb.h"
 #include "core/log.h"
 #include "core/options.h"
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RigArguments {
-  fs::path face, texture;
+  fs::path face, texture, landmarks;
   bool keep_expression = false;
   HeadArguments head;
   ConfigArguments config;
@@ -59,14 +60,24 @@ rig::RiggedHead HeadOf(const FaceToRig& face) {
 void Rig(const RigArguments& arguments) {
   const Stopwatch watch;
   const std::optional<faces::SourceOptions> source = SourceOf(arguments);
-  const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.face, arguments.texture});
+  const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.face, arguments.texture, arguments.landmarks});
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
   RigContent content{.head = {}, .texture = TextureOf(arguments.texture), .clip = {}};
-  const FaceToRig face = ReadFaceToRig(arguments.face, source,
-                                       arguments.keep_expression ? ShownExpression::kKept : ShownExpression::kRemoved);
-  for (const std::string& remark : face.remarks) log::Info("{}: {}", face.name, remark);
-  content.head = HeadOf(face);
+  const GivenFace given = ReadGivenFace(arguments.face);
+  const auto shown = arguments.keep_expression ? ShownExpression::kKept : ShownExpression::kRemoved;
+  Json facts = Json::object();
+  if (const auto face = arguments.landmarks.empty() ? ReadFaceToRig(given, source, shown) : std::nullopt) {
+    for (const std::string& remark : face->remarks) log::Info("{}: {}", face->name, remark);
+    content.head = HeadOf(*face);
+  } else {
+    RiggedForeignHead foreign = RigForeignHead(given, arguments.landmarks, ModelForForeignHeads(source),
+                                               content.texture ? TakenLook::kNone : TakenLook::kOwn);
+    content.head = std::move(foreign.head);
+    content.stages = std::move(foreign.stages);
+    facts = std::move(foreign.facts);
+  }
   Json result = WriteHeadFiles(arguments.head, files, clip, std::move(content));
+  result.update(facts);
   result["seconds"] = watch.seconds();
   PrintResult(result, arguments.head.as_json);
 }
@@ -80,17 +91,24 @@ Verb RigVerb() {
         auto arguments = std::make_shared<RigArguments>();
         command
             .add_option("face", arguments->face,
-                        "Mesh (.obj, .ply) of a topology of a face model, such as `daumier predict` writes from a "
-                        "drawing or a portrait (predicted/drawing.obj, or predicted/drawing); or FOLDER/NAME of a face "
-                        "in a database (faces/face-00012, faces/person-00003-level-1-neutral)")
+                        "Head mesh of any topology (.obj, .ply), in any unit and with any axes; a face that `daumier "
+                        "predict` wrote from a drawing or a portrait (predicted/drawing.obj, or predicted/drawing); or "
+                        "FOLDER/NAME of a face in a database (faces/face-00012, faces/person-00003-level-1-neutral)")
             ->required();
-        command.add_option("overrides", arguments->config.overrides,
-                           "source.KEY=value: the face model of the mesh's topology. Without it the shipped face model "
-                           "or MakeHuman's, by the number of vertices");
+        command.add_option(
+            "overrides", arguments->config.overrides,
+            "source.KEY=value: the face model of the mesh's topology, or whose expressions a mesh of another "
+            "topology gets. Without it the shipped face model or MakeHuman's, by the number of vertices");
         AddHeadArguments(command, arguments->head);
         command
             .add_option("--texture", arguments->texture,
                         "Picture of the head's atlas (PNG, JPEG); without it materials have plain colours")
+            ->check(CLI::ExistingFile);
+        command
+            .add_option("--landmarks", arguments->landmarks,
+                        "68 landmarks of a mesh of another topology than a face model's, in iBUG order: a file of "
+                        "vertices (0-based) or of points, in the forms that `daumier register` reads. Without it they "
+                        "are found in pictures of the mesh")
             ->check(CLI::ExistingFile);
         command.add_flag("--keep-expression", arguments->keep_expression,
                          "Rig a predicted portrait with the expression that it shows; without it the expression is "

@@ -181,18 +181,19 @@ geometry::Points ReadFaceOf(const fs::path& face, const faces::FaceTemplate& fac
   return CheckedVertices(given, face_template);
 }
 
-FaceToRig ReadFaceToRig(const fs::path& face, const std::optional<faces::SourceOptions>& source,
-                        ShownExpression expression) {
-  const GivenFace given = ReadGivenFace(face);
+std::optional<FaceToRig> ReadFaceToRig(const GivenFace& given, const std::optional<faces::SourceOptions>& source,
+                                       ShownExpression expression) {
   const Eigen::Index num_vertices = given.mesh.vertices.rows();
   FaceModels models(source);
   while (std::optional<faces::FaceModel> model = models.Next()) {
-    if (num_vertices != model->face_template.num_vertices()) {
-      const int num_head_vertices = NumHeadVertices(model->face_template);
-      models.AddTried(model->face_template, num_head_vertices);
-      const bool is_head = num_vertices == num_head_vertices || IsHeadOf(given, model->face_template);
+    const faces::FaceTemplate& face_template = model->face_template;
+    if (num_vertices != face_template.num_vertices()) {
+      const int num_head_vertices = NumHeadVertices(face_template);
+      models.AddTried(face_template, num_head_vertices);
+      const bool is_head = num_vertices == num_head_vertices || IsHeadOf(given, face_template);
       if (!given.is_mesh || !is_head) continue;
     }
+    if (given.is_mesh && ShareOfEdges(given.mesh, face_template) < kLeastShareOfEdges) continue;
     FaceToRig result{std::move(*model), {}, given.file.stem().string(), {}};
     result.neutral = CheckedVertices(given, result.model.face_template);
     if (expression == ShownExpression::kRemoved && given.is_mesh) {
@@ -205,10 +206,21 @@ FaceToRig ReadFaceToRig(const fs::path& face, const std::optional<faces::SourceO
     }
     return result;
   }
+  if (given.is_mesh) return std::nullopt;
   throw Error(
-      fmt::format("{} has {} vertices, which is no topology that can be rigged (tried: {}). Other topologies cannot be "
-                  "rigged yet; name that of a source with source.name=... source.path=...",
+      fmt::format("{} has {} vertices, which is no topology of a face model (tried: {}). Name that of a source with "
+                  "source.name=... source.path=...",
                   given.file.string(), num_vertices, fmt::join(models.tried(), "; ")));
+}
+
+faces::FaceModel ModelForForeignHeads(const std::optional<faces::SourceOptions>& source) {
+  FaceModels models(source);
+  std::optional<faces::FaceModel> model = models.Next();
+  if (!model)
+    throw UsageError(
+        "there is no face model to take expressions from (expected the shipped weights/face-ict, or an installed "
+        "MakeHuman: ./dev setup). Name one with source.name=... source.path=...");
+  return std::move(*model);
 }
 
 }  // namespace daumier::cli

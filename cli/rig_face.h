@@ -50,15 +50,19 @@ struct FaceToRig {
   std::vector<std::string> remarks;  ///< What was done to it.
 };
 
-/// Reads a face:
+/// The face of a mesh, or of a database, with the face model of its topology:
 /// - a mesh (.obj, .ply) of the V vertices of a face model's topology, or with as many as its finished head, of which
 ///   the first V are the face's; as `daumier predict` writes it, also without its extension (predicted/drawing);
 /// - FOLDER/NAME where FOLDER holds a database of faces: "face-00012", or "person-00003-level-1-neutral".
 /// The face model is that of `source`; without it the first that has the topology, of the shipped ones, then MakeHuman's
-/// where it is installed.
-/// @throws UsageError if there is no such face; Error naming the topologies that were tried, if a vertex is not finite,
-/// if the polygons are not the topology's (vertices in another order), or if the size suggests another unit.
-FaceToRig ReadFaceToRig(const std::filesystem::path& face, const std::optional<faces::SourceOptions>& source,
-                        ShownExpression expression);
+/// where it is installed. Nothing for a mesh of another topology.
+/// @throws Error naming the topologies that were tried, for a database of none of them; if a vertex is not finite, or if
+/// the size suggests another unit.
+std::optional<FaceToRig> ReadFaceToRig(const GivenFace& given, const std::optional<faces::SourceOptions>& source,
+                                       ShownExpression expression);
+
+/// The model whose expressions heads of other topologies get: that of `source`; without it the first of the shipped ones,
+/// then MakeHuman's. @throws UsageError if there is none.
+faces::FaceModel ModelForForeignHeads(const std::optional<faces::SourceOptions>& source);
 
 }  // namespace daumier::cli

@@ -108,12 +108,15 @@ void WriteRigFiles(const RigFiles& files, const RigContent& content, const RigFi
   const render::Image* const texture = content.texture.get();
   gltf::HeadFileOptions of_file{.normals = options.normals};
   of_file.title = files.head.stem().string();
+  const auto nodes = options.names == rig::NamePreset::kReadyPlayerMe ? gltf::HeadNodeNames::kReadyPlayerMe
+                                                                      : gltf::HeadNodeNames::kDaumier;
   std::string head;  // Written last.
   const auto write_copies = [&] {
     if (files.vrm) gltf::WriteHead(*files.vrm, content.head, texture, std::nullopt, of_file);
     rig::RiggedHead named = content.head;
     named.targets = InPreset(content.head.targets, options.names);
     const rig::WeightsClip clip = InPreset(content.clip, options.names);
+    of_file.nodes = nodes;
     if (files.compressed) {
       gltf::HeadFileOptions compressed = of_file;
       compressed.compressed = true;

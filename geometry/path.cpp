@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 #include <queue>
+#include <tuple>
+#include <utility>
 
 namespace daumier::geometry {
 
@@ -37,6 +39,38 @@ std::vector<int> ShortestPath(const Points& points, const Adjacency& neighbours,
   while (path.back() != from) path.push_back(previous[path.back()]);
   std::reverse(path.begin(), path.end());
   return path;
+}
+
+NearestSeeds FindNearestSeeds(const Points& points, const Adjacency& neighbours, const std::vector<int>& seeds,
+                              double reach, const std::vector<bool>& is_open) {
+  const size_t num_vertices = size_t(neighbours.size());
+  DAUMIER_CHECK(is_open.empty() || is_open.size() == num_vertices, "{} vertices are open or not, expected {}",
+                is_open.size(), num_vertices);
+  NearestSeeds nearest{std::vector<int>(num_vertices, -1),
+                       std::vector<double>(num_vertices, std::numeric_limits<double>::infinity())};
+  using Entry = std::tuple<double, int, int>;  // Distance, place of the seed, vertex.
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto reach_vertex = [&](int v, double distance, int seed) {
+    const auto known = std::pair(nearest.distances[size_t(v)], nearest.seeds[size_t(v)]);
+    if (distance > reach || std::pair(distance, seed) >= known) return;
+    nearest.distances[size_t(v)] = distance;
+    nearest.seeds[size_t(v)] = seed;
+    queue.emplace(distance, seed, v);
+  };
+  for (size_t i = 0; i < seeds.size(); ++i) {
+    DAUMIER_CHECK(seeds[i] >= 0 && size_t(seeds[i]) < num_vertices, "seed {} is no vertex: there are {}", seeds[i],
+                  num_vertices);
+    reach_vertex(seeds[i], 0, int(i));
+  }
+  while (!queue.empty()) {
+    const auto [distance, seed, v] = queue.top();
+    queue.pop();
+    if (distance > nearest.distances[size_t(v)] || seed != nearest.seeds[size_t(v)]) continue;
+    for (const int next : neighbours[v])
+      if (is_open.empty() || is_open[size_t(next)])
+        reach_vertex(next, distance + (points.row(next) - points.row(v)).norm(), seed);
+  }
+  return nearest;
 }
 
 std::vector<int> TracePath(const Points& points, const Adjacency& neighbours, const std::vector<int>& waypoints,

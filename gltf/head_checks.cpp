@@ -58,6 +58,14 @@ void CheckTargets(const rig::RiggedHead& head) {
   }
 }
 
+void CheckOwn(const rig::RiggedHead& head, const geometry::TriangleMesh& mesh, const std::vector<int>& own) {
+  DAUMIER_CHECK(std::ssize(own) == mesh.triangles.rows(), "{} triangles have materials of their own, expected {}",
+                own.size(), mesh.triangles.rows());
+  for (const int row : own)
+    DAUMIER_CHECK(row >= 0 && row < std::ssize(head.own_materials), "a triangle has the material {}, there are {}", row,
+                  head.own_materials.size());
+}
+
 }  // namespace
 
 void CheckHead(const rig::RiggedHead& head, const render::Image* texture) {
@@ -68,6 +76,10 @@ void CheckHead(const rig::RiggedHead& head, const render::Image* texture) {
   for (const rig::RiggedEye& eye : head.eyes) {
     CheckMesh("eye", eye.mesh, eye.materials, texture);
     DAUMIER_CHECK(eye.centre.allFinite(), "the centre of an eye is not finite");
+  }
+  if (!head.own_materials.empty()) {
+    CheckOwn(head, head.mesh, head.own);
+    for (const rig::RiggedEye& eye : head.eyes) CheckOwn(head, eye.mesh, eye.own);
   }
   DAUMIER_CHECK(head.eyes.empty() || head.eyes[0].centre.x() < head.eyes[1].centre.x(),
                 "the eyes are at x = {} and {}, expected the head's right one (less x) first", head.eyes[0].centre.x(),

@@ -8,10 +8,16 @@ namespace daumier::gltf {
 /// @throws Error as HeadToGlb.
 void CheckHead(const rig::RiggedHead& head, const render::Image* texture);
 
+/// Adds the atlas, if any; materials share it. Returns the texture.
+std::optional<int> AddTexture(GlbBuilder& builder, const render::Image* texture);
+/// Adds a material of the atlas. Returns it.
+int AddMaterial(GlbBuilder& builder, const char* name, std::optional<int> texture, double roughness);
+
 /// Indices of nodes.
 struct HeadNodes {
   int head = 0, jaw = 0;
   std::optional<int> left_eye{}, right_eye{};
+  std::vector<int> with_targets{};  ///< Those whose meshes have the targets; `head` is the first.
 };
 
 /// Adds the nodes of a checked head, with meshes and materials. The head's translation is what its parent lacks of the
@@ -21,6 +27,10 @@ HeadNodes AddHead(GlbBuilder& builder, const rig::RiggedHead& head, const render
 
 /// Adds the animation "Clip"; nothing if it has no keys.
 void AddAnimation(GlbBuilder& builder, const HeadNodes& nodes, const HeadAnimation& animation);
+
+/// As HeadNodeNames::kReadyPlayerMe: a file but for its `asset`. @throws Error as AddHead.
+void AddReadyPlayerMeHead(GlbBuilder& builder, const rig::RiggedHead& head, const render::Image* texture,
+                          const HeadAnimation& animation, const HeadFileOptions& options);
 
 /// `asset`: version, generator, licence and source.
 void AddAsset(GlbBuilder& builder, const rig::RiggedHead& head);

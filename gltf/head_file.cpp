@@ -13,6 +13,10 @@ std::string HeadToGlb(const rig::RiggedHead& head, const render::Image* texture,
   const HeadAnimation animation = ResolveClip(clip ? *clip : rig::DemoClip(head.targets.names), head.targets.names);
   GlbBuilder builder(options.compressed ? GlbEncoding::kMeshopt : GlbEncoding::kPlain);
   AddAsset(builder, head);
+  if (options.nodes == HeadNodeNames::kReadyPlayerMe) {
+    AddReadyPlayerMeHead(builder, head, texture, animation, options);
+    return builder.Finish();
+  }
   const HeadNodes nodes = AddHead(builder, head, texture, options, options.pivot_height_m);
   AddAnimation(builder, nodes, animation);
   builder.json()["scenes"] = Json::array({{{"nodes", {nodes.head}}}});

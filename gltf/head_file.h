@@ -10,6 +10,12 @@
 
 namespace daumier::gltf {
 
+/// Which nodes a .glb has.
+enum class HeadNodeNames {
+  kDaumier,        ///< Head, LeftEye, RightEye, Jaw.
+  kReadyPlayerMe,  ///< The skeleton and the names that players of Ready Player Me's avatars expect.
+};
+
 struct HeadFileOptions {
   /// Targets displace normals, too: exact shading, at twice the size.
   bool normals = false;
@@ -18,6 +24,7 @@ struct HeadFileOptions {
   bool compressed = false;
   /// Of the head's pivot over the ground, m: that of an adult.
   double pivot_height_m = 1.55;
+  HeadNodeNames nodes = HeadNodeNames::kDaumier;
   /// Of a .vrm, which requires both.
   std::string title = "Head";
   std::vector<std::string> authors = {"Daumier"};
@@ -32,6 +39,14 @@ struct HeadFileOptions {
 /// positions and normals; displacements below 1e-6 m are 0. Names are in mesh.extras.targetNames; default weights are 0.
 /// Vertices that no triangle uses are left out; those at seams of UV occur once a side, with the normal of the unsplit
 /// surface.
+///
+/// Materials of its own (RiggedHead::own_materials): a mesh a material. That which moves most is Face, others are Face_NAME
+/// at the nodes Head_NAME below Head, with all targets if any of their vertices moves; eyes likewise.
+///
+/// kReadyPlayerMe: root Armature, below it the 52 bones that TalkingHead requires with LeftEye, RightEye and HeadTop_End, as
+/// nodes in a T-pose (RpmSkeleton); below the bone Head the meshes Wolf3D_Head and Wolf3D_Teeth, below the bones of the eyes
+/// EyeLeft and EyeRight. All have all targets; those named eyeLook* and eyesLook* turn the eyes by 30 degrees, so the
+/// animation does not turn their bones. A triangle of 0.1 mm on the ground lets players measure the height.
 ///
 /// `texture`: the atlas; without it vertices are coloured by their material. `clip`: a single animation of weights, head
 /// and eyes, linear, 0 .. 1, which begins with the neutral pose (ResolveClip); absent: rig::DemoClip; without frames:

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace daumier::gltf {
 namespace {
@@ -114,13 +115,21 @@ int AddMesh(GlbBuilder& builder, const char* name, const geometry::TriangleMesh&
   if (builder.encoding() == GlbEncoding::kMeshopt) split = OrderForCompression(split);
   const FloatRows normals = SplitNormals(mesh, split);
   Json primitive = Primitive(builder, split, PositionsFrom(pivot, mesh.vertices, split), normals, material);
+  std::optional<Json> still;  // Of a mesh of an avatar, whose targets mostly move others: one for all.
   for (int t = 0; t < targets.num_targets(); ++t) {
+    const FloatRows displacements = Displacements(targets, t, split);
+    const bool is_shared = options.nodes == HeadNodeNames::kReadyPlayerMe && displacements.isZero(0);
+    if (is_shared && still) {
+      primitive["targets"].push_back(*still);
+      continue;
+    }
     Json target;
-    target["POSITION"] = builder.AddAttribute(Displacements(targets, t, split), kDisplacementExponent, true);
+    target["POSITION"] = builder.AddAttribute(displacements, kDisplacementExponent, true);
     if (options.normals) {
       const FloatRows displaced = SplitNormals(Displaced(mesh, targets, t), split);
       target["NORMAL"] = builder.AddAttribute(displaced - normals, kNormalExponent);
     }
+    if (is_shared) still = target;
     primitive["targets"].push_back(std::move(target));
   }
   Json item = {{"name", name}};

@@ -56,12 +56,13 @@ VrmPreset VowelPreset(const char* name, std::string_view viseme) {
   return preset;
 }
 
-Json VrmBind(int node, size_t target, double weight) {
-  return {{"node", node}, {"index", target}, {"weight", weight}};
+void AddVrmBinds(const std::vector<int>& nodes, size_t target, double weight, Json& binds) {
+  for (const int node : nodes) binds.push_back({{"node", node}, {"index", target}, {"weight", weight}});
 }
 
 /// The expression; nothing if a target is missing.
-std::optional<Json> BuiltPreset(const VrmPreset& preset, int node, const std::vector<std::string>& targets) {
+std::optional<Json> BuiltPreset(const VrmPreset& preset, const std::vector<int>& nodes,
+                                const std::vector<std::string>& targets) {
   Json binds = Json::array();
   for (const PartOfPreset& part : preset.parts) {
     const bool is_pair = part.target.ends_with('*');
@@ -69,7 +70,7 @@ std::optional<Json> BuiltPreset(const VrmPreset& preset, int node, const std::ve
     for (const char* suffix : {"Left", "Right"}) {
       const auto found = std::find(targets.begin(), targets.end(), is_pair ? stem + suffix : stem);
       if (found == targets.end()) return std::nullopt;
-      binds.push_back(VrmBind(node, size_t(found - targets.begin()), part.weight));
+      AddVrmBinds(nodes, size_t(found - targets.begin()), part.weight, binds);
       if (!is_pair) break;
     }
   }
@@ -78,17 +79,19 @@ std::optional<Json> BuiltPreset(const VrmPreset& preset, int node, const std::ve
 
 }  // namespace
 
-Json VrmExpressions(int node, const std::vector<std::string>& targets) {
+Json VrmExpressions(const std::vector<int>& nodes, const std::vector<std::string>& targets) {
   Json expressions = {{"preset", {{"neutral", Json::object()}}}};  // Without binds: an empty list is not valid.
   const auto add = [&](const VrmPreset& preset) {
-    if (auto built = BuiltPreset(preset, node, targets)) expressions["preset"][preset.name] = *built;
+    if (auto built = BuiltPreset(preset, nodes, targets)) expressions["preset"][preset.name] = *built;
   };
   for (const VrmPreset& preset : VrmPresets()) add(preset);
   for (const auto& [name, viseme] : kVrmVowels) add(VowelPreset(name, viseme));
   for (size_t t = 0; t < targets.size(); ++t) {
     std::string name = targets[t];
     name[0] = char(std::toupper(static_cast<unsigned char>(name[0])));
-    expressions["custom"][name] = {{"morphTargetBinds", Json::array({VrmBind(node, t, 1)})}};
+    Json binds = Json::array();
+    AddVrmBinds(nodes, t, 1, binds);
+    expressions["custom"][name] = {{"morphTargetBinds", std::move(binds)}};
   }
   return expressions;
 }

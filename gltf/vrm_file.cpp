@@ -104,7 +104,7 @@ std::string HeadToVrm(const rig::RiggedHead& head, const render::Image* texture,
   const HeadNodes nodes = AddHead(builder, head, texture, options, (1 - kVrmJoints[kNeck].y) * height);
   Json vrm = {{"specVersion", "1.0"}, {"meta", VrmMeta(head, options)}};
   vrm["humanoid"]["humanBones"] = AddSkeleton(builder, nodes, height);
-  vrm["expressions"] = VrmExpressions(nodes.head, head.targets.names);
+  vrm["expressions"] = VrmExpressions(nodes.with_targets, head.targets.names);
   vrm["lookAt"] = VrmLookAt(head);
   builder.json()["extensionsUsed"].push_back("VRMC_vrm");
   builder.json()["extensions"]["VRMC_vrm"] = std::move(vrm);

@@ -6,6 +6,7 @@
 #include "faces/head_material.h"
 #include "geometry/mesh.h"
 #include "rig/morph_targets.h"
+#include "rig/own_material.h"
 
 namespace daumier::rig {
 
@@ -14,6 +15,7 @@ struct RiggedEye {
   geometry::TriangleMesh mesh;                 ///< cm, about its centre, looking to +z; UV in the head's atlas.
   std::vector<faces::HeadMaterial> materials;  ///< One a triangle.
   geometry::Vector3 centre;                    ///< cm, in the head's frame.
+  std::vector<int> own = {};                   ///< One a triangle, a row of RiggedHead::own_materials, or none.
 };
 
 /// A head that a game or a web page animates: one closed mesh with what is behind its lips, morph targets, and two
@@ -27,6 +29,9 @@ struct RiggedHead {
   geometry::Vector3 jaw_pivot;                 ///< About which a jaw opens, cm.
   std::string source;                          ///< FaceTemplate::source
   std::string licence;                         ///< Of the source, for the written file.
+  /// Of a head of another topology that has any: `own` of each triangle of `mesh`; the materials above are not shown then.
+  std::vector<OwnMaterial> own_materials = {};
+  std::vector<int> own = {};
 };
 
 }  // namespace daumier::rig

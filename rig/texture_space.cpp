@@ -120,6 +120,7 @@ geometry::TriangleMesh JoinedMesh(const RiggedHead& head) {
     joined.vertices.bottomRows(eye.mesh.vertices.rows()) = eye.mesh.vertices.rowwise() + eye.centre.transpose();
     joined.triangles.conservativeResize(num_triangles + eye.mesh.triangles.rows(), 3);
     joined.triangles.bottomRows(eye.mesh.triangles.rows()) = eye.mesh.triangles.array() + int(num_vertices);
+    if (!joined.has_uv()) continue;
     joined.uv.conservativeResize(num_uv + eye.mesh.uv.rows(), 2);
     joined.uv.bottomRows(eye.mesh.uv.rows()) = eye.mesh.uv;
     joined.uv_triangles.conservativeResize(num_triangles + eye.mesh.uv_triangles.rows(), 3);

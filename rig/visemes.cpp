@@ -58,10 +58,18 @@ std::span<const Viseme> Visemes() {
   return visemes;
 }
 
-MorphTargets VisemeTargets(const MorphTargets& expressions) {
+std::span<const Viseme> ReadyPlayerMeExtras() {
+  static const std::array<Viseme, kNumReadyPlayerMeExtras> extras = {
+      MakeViseme("mouthOpen", {{"jawOpen", 0.5f}}), MakeViseme("mouthSmile", {{"mouthSmile*", 0.8f}}),
+      MakeViseme("eyesClosed", {{"eyeBlink*", 1.0f}}), MakeViseme("eyesLookUp", {{"eyeLookUp*", 1.0f}}),
+      MakeViseme("eyesLookDown", {{"eyeLookDown*", 1.0f}})};
+  return extras;
+}
+
+MorphTargets MixedTargets(const MorphTargets& expressions, std::span<const Viseme> mixed) {
   MorphTargets targets;
-  targets.offsets = Eigen::MatrixXf::Zero(expressions.offsets.rows(), kNumVisemes);
-  for (const Viseme& viseme : Visemes()) {
+  targets.offsets = Eigen::MatrixXf::Zero(expressions.offsets.rows(), std::ssize(mixed));
+  for (const Viseme& viseme : mixed) {
     auto column = targets.offsets.col(targets.num_targets());
     for (const VisemePart& part : viseme.parts) {
       const auto found = std::ranges::find(expressions.names, part.expression);
@@ -71,6 +79,10 @@ MorphTargets VisemeTargets(const MorphTargets& expressions) {
     targets.names.emplace_back(viseme.name);
   }
   return targets;
+}
+
+MorphTargets VisemeTargets(const MorphTargets& expressions) {
+  return MixedTargets(expressions, Visemes());
 }
 
 }  // namespace daumier::rig

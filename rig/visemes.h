@@ -26,7 +26,15 @@ struct Viseme {
 /// disagree; FF draws the lower lip under the teeth; TH, DD and nn show the tongue.
 std::span<const Viseme> Visemes();
 
-/// 15 targets, each the sum of the named columns of `expressions`; an expression that it lacks moves nothing.
+/// What Ready Player Me's avatars have in addition, in its order, with the weights that TalkingHead 1.7.0 mixes for heads
+/// that lack them: mouthOpen, mouthSmile, eyesClosed, eyesLookUp, eyesLookDown.
+inline constexpr int kNumReadyPlayerMeExtras = 5;
+std::span<const Viseme> ReadyPlayerMeExtras();
+
+/// A target for each of `mixed`, the sum of the named columns of `expressions`; an expression that it lacks moves nothing.
+MorphTargets MixedTargets(const MorphTargets& expressions, std::span<const Viseme> mixed);
+
+/// MixedTargets of Visemes().
 MorphTargets VisemeTargets(const MorphTargets& expressions);
 
 }  // namespace daumier::rig

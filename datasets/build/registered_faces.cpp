@@ -109,14 +109,7 @@ Preparation Prepare(const faces::FaceTemplate& face, const MeshInputs& inputs, c
   return result;
 }
 
-/// A registered mesh that is within limits.
-struct RegisteredMesh {
-  geometry::Points vertices;  ///< V x 3
-  Eigen::VectorXd distances;  ///< V
-  Json row;                   ///< Of quality.json.
-};
-
-/// @throws Error as NonRigidRegistration::Register, and if its result is beyond limits.
+/// A mesh that is within limits. @throws Error as NonRigidRegistration::Register, and if its result is beyond limits.
 RegisteredMesh Registered(const geometry::NonRigidRegistration& registration, const faces::FaceTemplate& face,
                           const RegistrationLimits& limits, const Target& target) {
   const LandmarkedMesh& mesh = target.mesh;
@@ -137,7 +130,7 @@ RegisteredMesh Registered(const geometry::NonRigidRegistration& registration, co
   if (const auto fault = FaultOf(quality, landmark_error * mm_per_cm, limits)) throw Error(*fault);
   Json row = QualityJson(mesh.name, result, quality, landmark_error, mm_per_cm);
   if (target.winding == Winding::kTurned) row["turned_inside_out"] = true;
-  return {std::move(result.vertices), std::move(quality.distances), std::move(row)};
+  return {std::move(result.vertices), std::move(quality.distances), result.template_from_target, std::move(row)};
 }
 
 SafetensorsWriter ShardOf(const RegisteredMesh& registered) {
@@ -262,13 +255,17 @@ void WriteQuality(const fs::path& directory) {
 
 }  // namespace
 
-geometry::Points RegisterMesh(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
-                              const RegisterOptions& options) {
+RegisteredMesh RegisterMesh(const faces::FaceTemplate& face_template, LandmarkedMesh mesh,
+                            const RegisterOptions& options) {
+  const Winding winding = CheckAgainst(face_template, options.contour_weight, options.limits, mesh);
+  const auto registration = MakeRegistration(face_template, PresentLandmarks(mesh.landmarks), options);
+  return Registered(registration, face_template, options.limits, {std::move(mesh), winding});
+}
+
+RegisteredMesh RegisterMesh(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
+                            const RegisterOptions& options) {
   DAUMIER_CHECK(inputs.meshes.size() == 1, "{} meshes to register, expected one", inputs.meshes.size());
-  const Preparation prepared = Prepare(face_template, inputs, options, 0);
-  if (!prepared.target) throw Error(prepared.failed.cause);
-  const auto registration = MakeRegistration(face_template, PresentLandmarks(prepared.target->mesh.landmarks), options);
-  return Registered(registration, face_template, options.limits, *prepared.target).vertices;
+  return RegisterMesh(face_template, ReadLandmarkedMesh(inputs, 0), options);
 }
 
 std::string ListFailures(const std::vector<FailedMesh>& failed, size_t num_meshes) {

@@ -59,10 +59,21 @@ std::vector<FailedMesh> BuildRegisteredFaces(const faces::FaceTemplate& face_tem
                                              const RegisterOptions& options, const std::filesystem::path& directory,
                                              const Task& task = {});
 
-/// The template brought onto the one mesh of `inputs`, V x 3, cm, in the template's frame: a person of
-/// BuildRegisteredFaces. @throws Error where that lists the mesh as failed.
-geometry::Points RegisterMesh(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
-                              const RegisterOptions& options = {});
+/// A template on one mesh.
+struct RegisteredMesh {
+  geometry::Points vertices;                  ///< V x 3, cm, in the template's frame.
+  Eigen::VectorXd distances;                  ///< V: cm to the mesh, NaN without a match.
+  geometry::Similarity template_from_target;  ///< By the landmarks.
+  Json row;                                   ///< Of quality.json.
+};
+
+/// The template brought onto a mesh with landmarks, a person of BuildRegisteredFaces. @throws Error where that lists the
+/// mesh as failed.
+RegisteredMesh RegisterMesh(const faces::FaceTemplate& face_template, LandmarkedMesh mesh,
+                            const RegisterOptions& options = {});
+/// The same for the one mesh of `inputs`.
+RegisteredMesh RegisterMesh(const faces::FaceTemplate& face_template, const MeshInputs& inputs,
+                            const RegisterOptions& options = {});
 
 /// "2 of 5 meshes failed:" and a line for each.
 std::string ListFailures(const std::vector<FailedMesh>& failed, size_t num_meshes);

@@ -9,6 +9,7 @@
 #include "tests/cli/pipeline.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/glb_reader.h"
+#include "tests/support/other_topology.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -134,21 +135,95 @@ TEST_F(RigCommand, RigsFinishedHeadsAndRemovesTheExpressionThatAPredictionStates
   EXPECT_GT((highest("kept.glb", {"--keep-expression"}) - expected).cwiseAbs().maxCoeff(), 1e-3);
 }
 
-TEST_F(RigCommand, RefusesOtherTopologiesWithWhatItTried) {
+TEST_F(RigCommand, RefusesMeshesWithoutAFaceAndOtherUnits) {
   geometry::WriteObj(folder_ / "ball.obj", Sphere(1, 3));
   const ProcessResult ball = Rig("ball.obj", "head.glb");
   EXPECT_EQ(ball.exit_code, 1);
-  EXPECT_THAT(ball.err, AllOf(HasSubstr("ball.obj has 258 vertices"), HasSubstr("tried: ict (10350 vertices, a head "),
-                              HasSubstr("cannot be rigged yet")));
-  geometry::Points sorted = Model().face_template.neutral.colwise().reverse();
-  geometry::TriangleMesh mesh = faces::SurfaceMesh(Model().face_template, sorted);
-  mesh.triangles = (int(sorted.rows()) - 1 - mesh.triangles.array()).matrix();
-  geometry::WriteObj(folder_ / "sorted.obj", mesh);
-  EXPECT_THAT(Rig("sorted.obj", "head.glb").err, HasSubstr("Export it with the order of vertices kept"));
+  EXPECT_THAT(ball.err,
+              AllOf(HasSubstr("ball.obj: no face was found"), HasSubstr("give its landmarks with --landmarks")));
   Write("metres.obj", 0.01 * Model().face_template.neutral);
   EXPECT_THAT(Rig("metres.obj", "head.glb").err, HasSubstr("Scale it to centimetres"));
   EXPECT_FALSE(fs::exists(folder_ / "head.glb"));
   EXPECT_FALSE(fs::exists(folder_ / "head.png"));
+}
+
+/// The model's mean face with other vertices, lying on its back in metres, and a file of its landmarks.
+class RigOfForeignHeads : public RigCommand {
+ protected:
+  RigOfForeignHeads() {
+    Rng rng(1);
+    const faces::FaceTemplate& face = Model().face_template;
+    const OtherTopology other = DecimatedTopology({face.neutral, face.triangles}, 0.4, rng);
+    mesh_ = {InMetresWithZUp(other.Vertices(face.neutral)), other.triangles};
+    geometry::WriteObj(folder_ / "foreign.obj", mesh_);
+    const geometry::Points landmarks = InMetresWithZUp(face.neutral(face.annotation.landmarks, Eigen::all));
+    std::string text;
+    for (const auto& p : landmarks.rowwise()) text += fmt::format("{} {} {}\n", p.x(), p.y(), p.z());
+    WriteFileAtomically(folder_ / "landmarks.txt", text);
+  }
+
+  static geometry::Points InMetresWithZUp(const geometry::Points& points) {
+    geometry::Points turned(points.rows(), 3);
+    turned << points.col(0), -points.col(2), points.col(1);
+    return 0.01 * turned;
+  }
+
+  geometry::TriangleMesh mesh_;
+};
+
+TEST_F(RigOfForeignHeads, WritesTheHeadsOwnVerticesUprightInTheirOrder) {
+  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json summary = Json::parse(result.out);
+  EXPECT_EQ(summary["targets"], 52);
+  EXPECT_EQ(summary["axes"], "z up, the face to -y");
+  EXPECT_EQ(summary["unit"], "metres");
+  EXPECT_EQ(summary["slits"], (Json{{"mouth", "open"}, {"right_eye", "open"}, {"left_eye", "open"}}));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("no eyeballs were found"), HasSubstr("no lower teeth")));
+  const GlbReader head(ReadFile(folder_ / "head.glb"));
+  const auto positions = head.Floats(head.primitive("Head")["attributes"]["POSITION"].get<int>());
+  ASSERT_EQ(positions.rows(), mesh_.vertices.rows());
+  // Upright: z of the file is y, and differences are those of the file.
+  for (const Eigen::Index v : {Eigen::Index(1), Eigen::Index(700), mesh_.vertices.rows() - 1}) {
+    const Eigen::RowVector3d expected = mesh_.vertices.row(v) - mesh_.vertices.row(0);
+    const Eigen::RowVector3f found = positions.row(v) - positions.row(0);
+    EXPECT_NEAR(found.y(), expected.z(), 1e-6);
+    EXPECT_NEAR(found.z(), -expected.y(), 1e-6);
+    EXPECT_NEAR(found.x(), expected.x(), 1e-6);
+  }
+}
+
+TEST_F(RigOfForeignHeads, KeepsMaterialsAndUv) {
+  mesh_.uv = mesh_.vertices.leftCols(2);
+  mesh_.uv_triangles = mesh_.triangles;
+  render::WriteImage(folder_ / "skin.png", render::Image(4, 4, 3, 200));
+  const Eigen::Index half = mesh_.triangles.rows() / 2;
+  geometry::WriteObj(folder_ / "foreign.obj", mesh_,
+                     {{"a", "skin", half}, {"b", "collar", mesh_.triangles.rows() - half}},
+                     {{"skin", {1, 1, 1}, 0}, {"collar", {0.5f, 0.25f, 0.125f}, 0}});
+  WriteFileAtomically(folder_ / "foreign.mtl", "newmtl skin\nmap_Kd skin.png\nnewmtl collar\nKd 0.5 0.25 0.125\n");
+  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const GlbReader head(ReadFile(folder_ / "head.glb"));
+  std::vector<std::string> names;
+  for (const Json& material : head.json()["materials"]) names.push_back(material["name"]);
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("skin", "collar"));
+  EXPECT_EQ(head.json()["images"].size(), 1u);
+  for (const Json& mesh : head.json()["meshes"])
+    EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains("TEXCOORD_0"));
+}
+
+TEST_F(RigCommand, WritesAReadyPlayerMeHeadOfAtMost14MegabytesAndAVrm) {
+  ASSERT_EQ(Rig("face.obj", "rpm.glb", {"--names", "rpm"}).exit_code, 0);
+  EXPECT_LE(fs::file_size(folder_ / "rpm.glb"), 14'000'000u);
+  const GlbReader rpm(ReadFile(folder_ / "rpm.glb"));
+  const Json names = rpm.json()["meshes"][rpm.node("Wolf3D_Head")["mesh"].get<size_t>()]["extras"]["targetNames"];
+  ASSERT_EQ(names.size(), 72u);
+  EXPECT_EQ(names[0], "viseme_sil");
+  EXPECT_EQ(names[15], "eyeBlinkLeft");
+  EXPECT_EQ(names[71], "eyesLookDown");
+  ASSERT_EQ(Rig("face.obj", "avatar.glb", {"--names", "vrm"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "avatar.vrm"));
 }
 
 TEST_F(RigCommand, RefusesMisuse) {
@@ -163,7 +238,7 @@ TEST_F(RigCommand, RefusesMisuse) {
       {Rig("face.obj", "a.glb", {"--frames", In("photos")}), "photos"},
       {Rig("nobody.obj", "a.glb"), "there is no "},
       {Rig("photos", "a.glb"), "is a folder"},
-      {Rig("face.obj", "a.glb", {"--names", "rpm"}), "--names"},
+      {Rig("face.obj", "a.glb", {"--names", "maya"}), "--names"},
       {Rig("face.obj", "a.glb", {"source.nam=ict"}), "source.name"},
       {Rig("face.obj", "none/a.glb"), "none"}};
   for (const auto& [result, part] : misuses) {

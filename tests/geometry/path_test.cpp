@@ -34,5 +34,26 @@ TEST_F(Paths, RefuseWhatCannotBeReached) {
   testing::ExpectError([&] { TracePath(points, neighbours_, {0}, PathEnds::kOpen); }, "two waypoints");
 }
 
+TEST_F(Paths, FindTheNearestSeedAlongEdges) {
+  const NearestSeeds nearest = FindNearestSeeds(sheet_.vertices, neighbours_, {0, 3}, 100);
+  EXPECT_EQ(nearest.seeds[1], 0);
+  EXPECT_EQ(nearest.seeds[2], 1);
+  EXPECT_EQ(nearest.seeds[3], 1);
+  EXPECT_DOUBLE_EQ(nearest.distances[1], (sheet_.vertices.row(1) - sheet_.vertices.row(0)).norm());
+  EXPECT_EQ(nearest.seeds[16], -1) << "a vertex without edges";
+  const double step = nearest.distances[1];
+  EXPECT_EQ(FindNearestSeeds(sheet_.vertices, neighbours_, {0}, 1.5 * step).seeds[2], -1) << "beyond reach";
+}
+
+TEST_F(Paths, LeadThroughOpenVerticesAlone) {
+  std::vector<bool> is_open(17, true);
+  for (const int v : {1, 5, 9, 13}) is_open[size_t(v)] = false;  // The second column.
+  const NearestSeeds nearest = FindNearestSeeds(sheet_.vertices, neighbours_, {0}, 100, is_open);
+  EXPECT_EQ(nearest.seeds[12], 0);
+  EXPECT_EQ(nearest.seeds[2], -1);
+  testing::ExpectError([&] { FindNearestSeeds(sheet_.vertices, neighbours_, {17}, 1); }, "seed 17");
+  testing::ExpectError([&] { FindNearestSeeds(sheet_.vertices, neighbours_, {0}, 1, {true}); }, "expected 17");
+}
+
 }  // namespace
 }  // namespace daumier::geometry

@@ -16,7 +16,7 @@ std::vector<std::string> Arkit() {
 }
 
 TEST(VrmExpressions, HaveAllPresetsAndACustomOneATarget) {
-  const Json expressions = VrmExpressions(3, Arkit());
+  const Json expressions = VrmExpressions({3}, Arkit());
   const std::set<std::string> expected = {"happy",   "angry",      "sad",    "relaxed",  "surprised", "aa",
                                           "ih",      "ou",         "ee",     "oh",       "blink",     "blinkLeft",
                                           "neutral", "blinkRight", "lookUp", "lookDown", "lookLeft",  "lookRight"};
@@ -30,7 +30,7 @@ TEST(VrmExpressions, HaveAllPresetsAndACustomOneATarget) {
 }
 
 TEST(VrmExpressions, BindTargetsOfTheRightSide) {
-  const Json expressions = VrmExpressions(0, Arkit());
+  const Json expressions = VrmExpressions({0}, Arkit());
   const auto names = [&](const char* preset) {
     std::set<std::string> bound;
     for (const Json& bind : expressions["preset"][preset]["morphTargetBinds"]) {
@@ -48,7 +48,7 @@ TEST(VrmExpressions, BindTargetsOfTheRightSide) {
 }
 
 TEST(VrmExpressions, LeaveOutPresetsOfTargetsThatTheHeadLacks) {
-  const Json expressions = VrmExpressions(0, {"eyeBlinkLeft"});
+  const Json expressions = VrmExpressions({0}, {"eyeBlinkLeft"});
   EXPECT_TRUE(expressions["preset"].contains("blinkLeft"));
   EXPECT_TRUE(expressions["preset"].contains("neutral"));
   EXPECT_EQ(expressions["preset"].size(), 2u);

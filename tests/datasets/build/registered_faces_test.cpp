@@ -107,7 +107,7 @@ TEST_F(RegisteredFaces, LandmarksOfEachMeshAndAbsentOnes) {
 TEST_F(RegisteredFaces, OneMeshAloneIsThePersonOfADatabase) {
   inputs_.meshes = {inputs_.meshes[1]};
   BuildRegisteredFaces(face_, inputs_, options_, folder_ / "out");
-  const geometry::Points alone = RegisterMesh(face_, inputs_, options_);
+  const geometry::Points alone = RegisterMesh(face_, inputs_, options_).vertices;
   EXPECT_LT((faces::FaceDatabase(folder_ / "out").points(0) - alone).cwiseAbs().maxCoeff(), 1e-5);
   inputs_.meshes[0] = folder_ / "absent.obj";
   ExpectError([&] { RegisterMesh(face_, inputs_, options_); }, "absent.obj");

@@ -1,0 +1,162 @@
+// Errors of heads of other topologies that are rigged, where the truth is known:
+//   rig_transfer SOURCE PATH [PERSONS]
+// SOURCE is ict or makehuman, PATH as source.path. The heads are PERSONS (3) random persons of that source (seed 1), with
+// other vertices: shuffled and split, subdivided, decimated to a half and to a fifth. The template is registered onto each by
+// its landmarks; targets are carried by rig::ForeignRig, and plainly from the nearest vertex of the registered template.
+// The truth is rig::ExpressionTargets of the person. A row a head: median of the targets' greatest and mean errors, and
+// places of the one side of a slit that move with the other.
+#include "bench/expression_subject.h"
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "datasets/build/registered_faces.h"
+#include "geometry/nearest.h"
+#include "rig/foreign_head.h"
+#include "tests/support/other_topology.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace daumier {
+namespace {
+
+/// How far carried targets are from the truth, mm.
+struct TransferError {
+  std::vector<double> mean, greatest;  ///< Over vertices that move by more than 0.1 mm; one a target that has any.
+  int num_wrong = 0;
+  std::string worst;
+};
+
+double MedianOf(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+TransferError ErrorsOf(const rig::MorphTargets& truth, const testing::OtherTopology& other,
+                       const Eigen::MatrixXf& carried, double mm) {
+  constexpr double kMoves = 0.01;  // cm
+  TransferError error;
+  double worst = 0;
+  for (Eigen::Index t = 0; t < carried.cols(); ++t) {
+    double sum = 0, greatest = 0;
+    int count = 0;
+    for (size_t v = 0; v < other.sources.size(); ++v) {
+      const auto [a, b] = other.sources[v];
+      const Eigen::Vector3f expected =
+          0.5f * (truth.offsets.col(t).segment<3>(3 * a) + truth.offsets.col(t).segment<3>(3 * b));
+      const double off = (carried.col(t).segment<3>(3 * Eigen::Index(v)) - expected).norm();
+      greatest = std::max(greatest, off);
+      if (expected.norm() < kMoves) continue;
+      sum += off;
+      ++count;
+    }
+    if (count == 0) continue;
+    error.mean.push_back(mm * sum / count);
+    error.greatest.push_back(mm * greatest);
+    if (mm * greatest > worst) {
+      worst = mm * greatest;
+      error.worst = truth.names[size_t(t)];
+    }
+  }
+  return error;
+}
+
+class TransferBench {
+ public:
+  explicit TransferBench(const faces::SourceOptions& source)
+      : subject_(source),
+        rig_(subject_.model()),
+        slits_(rig::SlitsOf(subject_.expressions().contact())),
+        sides_(rig::SidesOfTemplate({face().neutral, face().triangles}, slits_)) {}
+
+  void Measure(const std::string& name, int person, const testing::OtherTopology& other) {
+    const geometry::Points neutral = subject_.Person(person);
+    const rig::MorphTargets truth = subject_.expressions().On(neutral);
+    const geometry::TriangleMesh head{other.Vertices(neutral), other.triangles};
+    datasets::LandmarkedMesh mesh{.name = name, .landmark_file = name, .mesh = head, .landmarks = {}, .shifted = {}};
+    for (size_t l = 0; l < mesh.landmarks.size(); ++l)
+      mesh.landmarks[l] = neutral.row(face().annotation.landmarks[l]).transpose();
+    const Stopwatch watch;
+    const datasets::RegisteredMesh registered = datasets::RegisterMesh(face(), mesh);
+    const double seconds_registering = watch.seconds();
+    const rig::ForeignHead rigged = rig_.On(head, {registered.vertices, registered.template_from_target});
+    const double seconds = watch.seconds();
+
+    const double mm = faces::MillimetresPerCm(face());
+    TransferError own = ErrorsOf(truth, other, rigged.head.targets.offsets, mm);
+    for (size_t v = 0; v < other.sources.size(); ++v) own.num_wrong += IsWrong(other.sources[v], rigged.sides[v]);
+    TransferError plain = PlainErrors(registered, truth, other, head, mm);
+    fmt::print("{:<28} {:>7} {:>8.3f} {:>8.3f} {:>6} {:<18} {:>8.3f} {:>8.3f} {:>6}  {:5.1f} {:5.1f}\n", name,
+               head.vertices.rows(), MedianOf(own.mean), MedianOf(own.greatest), own.num_wrong, own.worst,
+               MedianOf(plain.mean), MedianOf(plain.greatest), plain.num_wrong, seconds_registering,
+               seconds - seconds_registering);
+  }
+
+  const faces::FaceTemplate& face() const { return subject_.model().face_template; }
+
+ private:
+  bool IsWrong(const std::pair<int, int>& source, rig::FaceSide side) const {
+    const rig::FaceSide a = sides_[size_t(source.first)], b = sides_[size_t(source.second)];
+    return a == b && a != rig::FaceSide::kNone && side == rig::OppositeSide(a);
+  }
+
+  TransferError PlainErrors(const datasets::RegisteredMesh& registered, const rig::MorphTargets& truth,
+                            const testing::OtherTopology& other, const geometry::TriangleMesh& head, double mm) const {
+    const rig::MorphTargets targets = subject_.expressions().On(registered.vertices);
+    const geometry::VertexTree tree(registered.vertices);
+    const geometry::Points places = registered.template_from_target.Apply(head.vertices);
+    const Eigen::Matrix3f back =
+        (registered.template_from_target.rotation.transpose() / registered.template_from_target.scale).cast<float>();
+    Eigen::MatrixXf carried(3 * head.vertices.rows(), targets.offsets.cols());
+    int num_wrong = 0;
+    for (Eigen::Index v = 0; v < places.rows(); ++v) {
+      const int nearest = tree.Nearest(places.row(v)).vertex;
+      num_wrong += IsWrong(other.sources[size_t(v)], sides_[size_t(nearest)]);
+      carried.middleRows(3 * v, 3) = back * targets.offsets.middleRows(3 * Eigen::Index(nearest), 3);
+    }
+    TransferError error = ErrorsOf(truth, other, carried, mm);
+    error.num_wrong = num_wrong;
+    return error;
+  }
+
+  ExpressionSubject subject_;
+  rig::ForeignRig rig_;
+  rig::FaceSlits slits_;
+  std::vector<rig::FaceSide> sides_;
+};
+
+int Run(const std::vector<std::string>& words) {
+  if (words.size() < 2) throw UsageError("rig_transfer SOURCE PATH [PERSONS]");
+  TransferBench bench({.name = words[0], .path = words[1]});
+  const int num_persons = words.size() > 2 ? std::stoi(words[2]) : 3;
+  const geometry::Triangles& triangles = bench.face().triangles;
+  const int num_vertices = bench.face().num_vertices();
+  fmt::print("{:<28} {:>7} {:>8} {:>8} {:>6} {:<18} {:>8} {:>8} {:>6}  {:>5} {:>5}\n", "mm", "V", "mean", "greatest",
+             "wrong", "worst target", "plain", "greatest", "wrong", "s reg", "s rig");
+  for (int person = 0; person < num_persons; ++person) {
+    Rng rng = Stream(1, "other topology", uint64_t(person));
+    const geometry::TriangleMesh neutral{bench.face().neutral, triangles};
+    const auto name = [&](const char* what) { return fmt::format("person {}, {}", person, what); };
+    bench.Measure(name("shuffled, split"), person, testing::ShuffledTopology(triangles, num_vertices, rng));
+    bench.Measure(name("subdivided"), person, testing::SubdividedTopology(triangles, num_vertices));
+    bench.Measure(name("decimated 1/2"), person, testing::DecimatedTopology(neutral, 0.5, rng));
+    bench.Measure(name("decimated 1/5"), person, testing::DecimatedTopology(neutral, 0.2, rng));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace daumier
+
+int main(int argc, char** argv) {
+  try {
+    return daumier::Run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
