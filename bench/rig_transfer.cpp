@@ -86,6 +86,21 @@ class TransferBench {
     const rig::ForeignHead rigged = rig_.On(head, {registered.vertices, registered.template_from_target});
     const double seconds = watch.seconds();
 
+    if (std::getenv("DEBUG_SIDES") != nullptr) {
+      for (size_t v = 0; v < other.sources.size(); ++v) {
+        if (!IsWrong(other.sources[v], rigged.sides[v])) continue;
+        const int src = other.sources[v].first;
+        for (int k = 0; k < 3; ++k) {
+          const rig::SeamEdges& e = slits_[size_t(k)];
+          if (int(sides_[size_t(src)]) != 1 + 2 * k && int(sides_[size_t(src)]) != 2 + 2 * k) continue;
+          const Eigen::RowVector3d r = face().neutral.row(e.upper.front()), l = face().neutral.row(e.upper.back()), p = face().neutral.row(src);
+          double du = 1e9, dl = 1e9;
+          for (int q : e.upper) du = std::min(du, (face().neutral.row(q) - p).norm());
+          for (int q : e.lower) dl = std::min(dl, (face().neutral.row(q) - p).norm());
+          fmt::print("slit {} true {} got {} share {:.2f} dy {:.2f} dz {:.2f} du {:.2f} dl {:.2f} jaw {:.2f}\n", k, int(sides_[size_t(src)]), int(rigged.sides[v]), (p.x() - r.x()) / (l.x() - r.x()), p.y() - 0.5 * (r.y() + l.y()), p.z() - 0.5 * (r.z() + l.z()), du, dl, truth.offsets.col(17).segment<3>(3 * src).norm());
+        }
+      }
+    }
     const double mm = faces::MillimetresPerCm(face());
     TransferError own = ErrorsOf(truth, other, rigged.head.targets.offsets, mm);
     for (size_t v = 0; v < other.sources.size(); ++v) own.num_wrong += IsWrong(other.sources[v], rigged.sides[v]);

@@ -6,6 +6,7 @@
 #include "geometry/submesh.h"
 #include "rig/arkit_names.h"
 #include "rig/ball_clearance.h"
+#include "rig/jaw_clearance.h"
 #include "rig/target_carrier.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ faces::HeadMaterial MaterialOf(HeadPart part) {
   switch (part) {
     case HeadPart::kUpperMouth:
     case HeadPart::kLowerMouth:
+    case HeadPart::kWholeMouth:
       return faces::HeadMaterial::kTooth;
     case HeadPart::kFlatEye:
     case HeadPart::kRightEye:
@@ -154,14 +156,17 @@ Eigen::MatrixXf ForeignRig::OffsetsOfPlaces(const HeadSurface& surface, const He
                                             const geometry::Points& registered, const MorphTargets& targets) const {
   Eigen::MatrixXf offsets = TargetCarrier(match, surface, parts, slits.sides).Carry(targets.offsets);
   using Flat = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>;
+  const JawClearance clearance(surface, parts, match);
   for (Eigen::Index t = 0; t < targets.num_targets(); ++t) {
     if (!MovesJaw(targets.names[size_t(t)])) continue;
     const geometry::Points pose = registered + Flat(targets.offsets.col(t).data(), registered.rows(), 3).cast<double>();
     const Eigen::Isometry3d jaw = interior_.JawMotion(registered, pose);
+    const geometry::Vector3 back(0, 0, -clearance.PushOf(jaw, offsets.col(t)));
     for (int p = 0; p < surface.num_places(); ++p) {
-      if (parts.of_place(surface, p) != HeadPart::kLowerMouth) continue;
+      const float share = parts.jaw_shares[size_t(p)];
+      if (share == 0) continue;
       const geometry::Vector3 place = surface.mesh.vertices.row(p);
-      offsets.col(t).segment<3>(3 * Eigen::Index(p)) = (jaw * place - place).cast<float>();
+      offsets.col(t).segment<3>(3 * Eigen::Index(p)) = share * (jaw * (place + back) - place).cast<float>();
     }
   }
   for (size_t i = 0; i < parts.eyes.size(); ++i)
@@ -202,8 +207,7 @@ ForeignHead ForeignRig::On(const geometry::TriangleMesh& head, const RegisteredT
   if (result.head.eyes.empty())
     result.warnings.push_back(
         "no eyeballs were found (expected two balls behind the lids, each a part of its own): eyes do not turn");
-  if (std::find(parts.of_components.begin(), parts.of_components.end(), HeadPart::kLowerMouth) ==
-      parts.of_components.end())
+  if (std::ranges::all_of(parts.jaw_shares, [](float share) { return share == 0; }))
     result.warnings.push_back("no lower teeth or tongue were found: nothing behind the lips follows the jaw");
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "geometry/normals.h"
+#include "geometry/path.h"
 
 #include <Eigen/Dense>
 
@@ -18,6 +19,7 @@ constexpr double kOnBall = 1.12, kBetweenLids = 1.5;                            
 constexpr double kOnSkin = 0.5;     // Of a place that lies on the template, cm.
 constexpr double kSkinShare = 0.6;  // Of a part that is skin, at least.
 constexpr double kInMouth = 0.7, kDeepInMouth = 1.6, kInFrontOfLips = 0.05;  // In widths of the mouth.
+constexpr double kBothJaws = 0.2;  // Above and below the line of the lips, in widths of the mouth.
 constexpr double kApart = 0.12;  // Between the middles of upper and lower parts of a mouth, in its widths.
 
 /// A connected part.
@@ -89,6 +91,30 @@ FoundEye FindEye(const HeadSurface& head, const std::vector<Part>& parts, const 
   return found;
 }
 
+/// Lowest and highest y of a part.
+std::pair<double, double> HeightsOf(const HeadSurface& head, const Part& part) {
+  const Eigen::VectorXd heights = head.mesh.vertices(part.places, 1);
+  return {heights.minCoeff(), heights.maxCoeff()};
+}
+
+/// Of a part of both jaws: 0 above, 1 below, and between them by the ways along the surface to either.
+void ShareJaw(const HeadSurface& head, const Part& part, double line, double margin, std::vector<float>& shares) {
+  std::array<std::vector<int>, 2> seeds;
+  for (const int p : part.places) {
+    if (head.mesh.vertices(p, 1) > line + margin) seeds[0].push_back(p);
+    if (head.mesh.vertices(p, 1) < line - margin) seeds[1].push_back(p);
+  }
+  std::array<geometry::NearestSeeds, 2> ways;
+  for (size_t i = 0; i < 2; ++i)
+    ways[i] = geometry::FindNearestSeeds(head.mesh.vertices, head.neighbours, seeds[i],
+                                         std::numeric_limits<double>::infinity());
+  for (const int p : part.places) {
+    const double up = ways[0].distances[size_t(p)], down = ways[1].distances[size_t(p)];
+    const double t = up + down > 0 ? up / (up + down) : 0;
+    shares[size_t(p)] = float(t * t * (3 - 2 * t));
+  }
+}
+
 /// Height over the line of the lips that divides upper from lower parts: in the middle of the largest gap between their
 /// middles, if it is wide enough and near the lips.
 double DivisionOf(std::vector<double> heights, double width) {
@@ -127,6 +153,7 @@ HeadParts FindHeadParts(const TemplateMatch& match, const HeadSurface& head, con
   const std::vector<Part> parts = PartsOf(head);
   HeadParts result;
   result.of_components.assign(parts.size(), HeadPart::kAttached);
+  result.jaw_shares.assign(size_t(head.num_places()), 0.0f);
 
   std::vector<bool> is_sorted(parts.size(), false);
   const auto sort_into = [&](size_t part, HeadPart what) {
@@ -159,13 +186,23 @@ HeadParts FindHeadParts(const TemplateMatch& match, const HeadSurface& head, con
     const bool is_behind = most_front < lips_z + kInFrontOfLips * width && from.z() > -kDeepInMouth * width;
     if (is_behind && std::abs(from.x()) < kInMouth * width && std::abs(parts[i].middle.y() - line) < kInMouth * width &&
         FarthestFrom(mouth.transpose(), head, parts[i]) < 2 * kDeepInMouth * width) {
+      const auto [lowest, highest] = HeightsOf(head, parts[i]);
+      if (lowest < line - kBothJaws * width && highest > line + kBothJaws * width) {
+        sort_into(i, HeadPart::kWholeMouth);
+        ShareJaw(head, parts[i], line, kBothJaws * width, result.jaw_shares);
+        continue;
+      }
       in_mouth.push_back(i);
       heights.push_back(parts[i].middle.y() - line);
     }
   }
   const double division = DivisionOf(heights, width);
-  for (size_t k = 0; k < in_mouth.size(); ++k)
-    sort_into(in_mouth[k], heights[k] < division ? HeadPart::kLowerMouth : HeadPart::kUpperMouth);
+  for (size_t k = 0; k < in_mouth.size(); ++k) {
+    const bool is_lower = heights[k] < division;
+    sort_into(in_mouth[k], is_lower ? HeadPart::kLowerMouth : HeadPart::kUpperMouth);
+    if (!is_lower) continue;
+    for (const int p : parts[in_mouth[k]].places) result.jaw_shares[size_t(p)] = 1;
+  }
 
   bool has_skin = false;
   for (size_t i = 0; i < parts.size(); ++i) {

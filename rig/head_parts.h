@@ -15,6 +15,7 @@ enum class HeadPart : uint8_t {
   kLeftEye,
   kUpperMouth,  ///< Teeth and gums that stay with the skull.
   kLowerMouth,  ///< Teeth, gums and tongue that move with the jaw.
+  kWholeMouth,  ///< Gums of both jaws: what is above stays, what is below moves with the jaw, and what is between partly.
   kFlatEye,     ///< Lies between lids and is no ball: it stays.
   kAttached     ///< Lashes, hair, glasses: follows the nearest skin.
 };
@@ -31,6 +32,7 @@ std::optional<Ball> FitBall(const geometry::Points& points);
 
 struct HeadParts {
   std::vector<HeadPart> of_components;
+  std::vector<float> jaw_shares = {};  ///< P: how much of the jaw's motion a place in the mouth has; 0 elsewhere.
   std::array<std::optional<Ball>, 2> eyes;  ///< The right one and the left one; both or none.
   HeadPart of_place(const HeadSurface& head, int place) const {
     return of_components[size_t(head.components[size_t(place)])];
@@ -40,7 +42,9 @@ struct HeadParts {
 /// Sorts the connected parts of a head, on which the template is registered. head: in the frame of the template.
 /// eyes: the balls of the template, the right one first: a ball of the head has a centre within 0.8 and a radius within
 /// 0.5 to 1.8 of the radius of one of them.
-/// Parts in the mouth lie behind the lips, within 0.7 of the mouth's width; what of them is lower moves with the jaw.
+/// Parts in the mouth lie behind the lips, within 0.7 of the mouth's width. A part that reaches farther than 0.2 of that
+/// width above and below the line of the lips belongs to both jaws; the others are upper or lower by the largest gap between
+/// the heights of their middles.
 /// @throws Error if no part is skin.
 HeadParts FindHeadParts(const TemplateMatch& match, const HeadSurface& head, const std::array<Ball, 2>& eyes);
 

@@ -23,7 +23,8 @@ struct HeadSlits {
 
 /// The sides of the slits of a head, on which the template is registered: places that lie far nearer to one side of the
 /// template than to the other one have that side, and flood the others along the edges of the head. These do not cross a
-/// slit that is open, however near its sides are.
+/// slit that is open, however near its sides are. Where they meet, at the corners of a slit, places within a tenth of its
+/// width of the other side have that of the nearest point of the template.
 /// A slit is sealed if in its middle the way from side to side is at most 1.25 times their distance and 0.12 of the slit's
 /// width. head: in the frame of the template.
 HeadSlits FindHeadSlits(const TemplateMatch& match, const HeadSurface& head);

@@ -126,8 +126,17 @@ TEST_F(ForeignHeads, AreRiggedInTheirOwnFrame) {
 
 TEST_F(ForeignHeads, ThatAreSealedAreSaidToBe) {
   geometry::TriangleMesh mesh{Face().neutral, Face().triangles};
-  mesh.triangles.conservativeResize(mesh.triangles.rows() + Face().closing_triangles.rows(), Eigen::NoChange);
-  mesh.triangles.bottomRows(Face().closing_triangles.rows()) = Face().closing_triangles;
+  for (const SeamEdges& edges : SlitsOf(ExpressionTargets(Model()).contact())) {  // A strip from edge to edge.
+    size_t u = 0, l = 0;
+    while (u + 1 < edges.upper.size() || l + 1 < edges.lower.size()) {
+      const bool along_upper = u * edges.lower.size() <= l * edges.upper.size() && u + 1 < edges.upper.size();
+      const int next = along_upper ? edges.upper[++u] : edges.lower[++l];
+      const int before = along_upper ? edges.upper[u - 1] : edges.lower[l - 1];
+      const int across = along_upper ? edges.lower[l] : edges.upper[u];
+      mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, Eigen::NoChange);
+      mesh.triangles.bottomRows(1) << before, next, across;
+    }
+  }
   const ForeignHead head = On(mesh);
   for (const HeadSlit& slit : head.slits.slits) EXPECT_TRUE(slit.is_sealed) << slit.way << " cm, gap " << slit.gap;
   EXPECT_THAT(head.warnings, ::testing::Contains(HasSubstr("the lips are sealed")));

@@ -26,7 +26,7 @@ class TargetsCarried : public ::testing::Test {
     const TemplateMatch match(template_.mesh, template_.slits, sides_);
     const HeadSurface head = MakeHeadSurface(mesh);
     const HeadSlits slits = FindHeadSlits(match, head);
-    const TargetCarrier carrier(match, head, {std::move(parts), {}}, slits.sides);
+    const TargetCarrier carrier(match, head, {std::move(parts), {}, {}}, slits.sides);
     const Eigen::MatrixXf carried = OffsetsOfVertices(head, carrier.Carry(opening_));
     EXPECT_TRUE(carried.col(1).isZero(0)) << "a target that moves nothing";
     return carried.col(0);
