@@ -26,6 +26,8 @@ struct RefinementCase {
   CanvasPoints loop = RefinementSubject::Loop(subject.Cheek(kFront), 60, 75);
   RefinementState cheek = refinement.Region(whole, front, loop);
   CanvasPoints dab = {subject.Cheek(kFront)}, line = {dab[0], dab[0] + Eigen::Vector2d(0, -8)};
+  geometry::TriangleMesh Mesh() const { return {whole.vertices, subject.face_template.triangles}; }
+
   CanvasPoints jaw = RefinementSubject::Swollen(subject.Landmarks(5, 11, kFront), {0, 12});
   CanvasPoints nose = RefinementSubject::Swollen(subject.Profile(3, -1.5, kRight), {10, 0});
 };
@@ -69,6 +71,9 @@ void RegisterAll() {
   Register("brush", [](const RefinementCase& c, const RefinementState& state) {
     return c.refinement.Brush(state, c.front, c.line, 30);
   });
+  Register("first translation of these handles", [](const RefinementCase&, const RefinementState& state) {
+    return HandleInfluence(state.region, state.handles).shares();
+  });
   Register("translate", [](const RefinementCase& c, const RefinementState& state) {
     return c.refinement.Translate(state, c.front, c.line);
   });
@@ -79,6 +84,15 @@ void RegisterAll() {
     std::ranges::set_difference(state.region->deformation.region(), state.handles, std::back_inserter(free));
     return geometry::RegionDeformation(c.stiffness, free, 2);
   });
+  benchmark::RegisterBenchmark("visible surface", [](benchmark::State& state) {
+    const RefinementCase& c = TheCase();
+    for (auto _ : state) benchmark::DoNotOptimize(VisibleSurface(c.Mesh(), c.front));
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("visible silhouettes", [](benchmark::State& state) {
+    const RefinementCase& c = TheCase();
+    const VisibleSurface surface(c.Mesh(), c.front);
+    for (auto _ : state) benchmark::DoNotOptimize(VisibleSilhouettes(c.Mesh(), c.front, surface));
+  })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("pull chin/whole mesh", [](benchmark::State& state) {
     const RefinementCase& c = TheCase();
     for (auto _ : state) benchmark::DoNotOptimize(c.refinement.PullSilhouette(c.whole, c.front, c.jaw));

@@ -7,15 +7,19 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace daumier::geometry {
 namespace {
 
-/// Right-hand sides that are substituted together.
-constexpr Eigen::Index kTogether = 8;
 /// With more coupled handles it takes less time to factorise the energy of the free vertices.
 constexpr size_t kMostCoupled = 400;
+
+FactorColumns ColumnsOf(const Eigen::SimplicialLLT<SparseMatrix>& factor) {
+  const SparseMatrix& lower = factor.matrixL().nestedExpression();
+  return {lower.outerIndexPtr(), lower.innerIndexPtr(), lower.valuePtr()};
+}
 
 }  // namespace
 
@@ -82,20 +86,43 @@ RegionDeformation::UnitSolutions RegionDeformation::SubstituteUnits(const std::v
     SparseMatrix::InnerIterator entry(lower, j);  // The first of a column is its diagonal.
     if (++entry) index[size_t(entry.row())] = 0;
   }
-  const Eigen::Index count = std::ssize(places), padded = (count + kTogether - 1) / kTogether * kTogether;
-  Rows x = Rows::Zero(std::ssize(solutions.rows), padded);
-  for (size_t k = 0; k < places.size(); ++k) x(index[size_t(row_of(places[k]))], Eigen::Index(k)) = 1;
-  for (Eigen::Index first = 0; first < padded; first += kTogether) {
-    for (Eigen::Index i = 0; i < x.rows(); ++i) {
-      auto row = x.block<1, kTogether>(i, first);
-      if (row.isZero(0)) continue;
-      SparseMatrix::InnerIterator entry(lower, solutions.rows[size_t(i)]);
-      row /= entry.value();
-      for (++entry; entry; ++entry) x.block<1, kTogether>(index[size_t(entry.row())], first) -= entry.value() * row;
+  const size_t count = solutions.rows.size(), num_blocks = (places.size() + kBlockColumns - 1) / kBlockColumns;
+  solutions.values.assign(num_blocks * count * kBlockColumns, 0);
+  for (size_t b = 0; b < num_blocks; ++b) {
+    double* const block = solutions.values.data() + b * count * kBlockColumns;
+    const size_t first = b * kBlockColumns, last = std::min(places.size(), first + kBlockColumns);
+    for (size_t k = first; k < last; ++k) block[index[size_t(row_of(places[k]))] * kBlockColumns + int(k - first)] = 1;
+    solutions.firsts.push_back(index[size_t(row_of(places[first]))]);
+    SubstituteBlock(ColumnsOf(*factor_), solutions.rows.data(), index.data(), solutions.firsts.back(), int(count),
+                    block);
+  }
+  return solutions;
+}
+
+Eigen::MatrixXd RegionDeformation::UnitSolutions::Gram(Eigen::Index size) const {
+  using Product = Eigen::Matrix<double, kBlockColumns, kBlockColumns, Eigen::RowMajor>;
+  const auto num_blocks = std::ssize(firsts);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num_blocks * kBlockColumns, num_blocks * kBlockColumns);
+  for (Eigen::Index a = 0; a < num_blocks; ++a) {
+    for (Eigen::Index b = 0; b <= a; ++b) {
+      Product product;
+      MultiplyBlocks(block(size_t(a)), block(size_t(b)), firsts[size_t(a)], int(rows.size()), product.data());
+      gram.block<kBlockColumns, kBlockColumns>(a * kBlockColumns, b * kBlockColumns) = product;
     }
   }
-  solutions.values = x.leftCols(count);
-  return solutions;
+  return gram.topLeftCorner(size, size);
+}
+
+Eigen::MatrixXd RegionDeformation::UnitSolutions::Times(const Eigen::MatrixXd& right) const {
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, kBlockColumns, Eigen::RowMajor>;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(std::ssize(rows), right.cols());
+  for (size_t b = 0; b < firsts.size(); ++b) {
+    const Eigen::Index first = Eigen::Index(b) * kBlockColumns,
+                       count = std::min<Eigen::Index>(kBlockColumns, right.rows() - first);
+    sum +=
+        Eigen::Map<const Block>(block(b), sum.rows(), kBlockColumns).leftCols(count) * right.middleRows(first, count);
+  }
+  return sum;
 }
 
 Eigen::MatrixXd RegionDeformation::Solve(const std::vector<int>& handles, const Eigen::MatrixXd& moves) const {
@@ -125,17 +152,30 @@ Eigen::MatrixXd RegionDeformation::Solve(const std::vector<int>& handles, const 
 }
 
 Eigen::MatrixXd RegionDeformation::SolveCoupled(const std::vector<int>& places, const Eigen::MatrixXd& moves) const {
+  // Handles in the order of the factor: those of a block have most of their rows in common, and begin late.
+  std::vector<int> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](int k) { return factor_->permutationP().indices()[places[size_t(k)]]; });
+  std::vector<int> sorted;
+  for (const int k : order) sorted.push_back(places[size_t(k)]);
   // With E = |U d|^2, U the transposed lower factor, and y the columns of the inverse of U^T at the handles: U d is in
   // their span, and y^T U d = moves.
-  const UnitSolutions y = SubstituteUnits(places);
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(moves.rows(), moves.rows());
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(y.values.transpose());
-  const Eigen::LLT<Eigen::MatrixXd> factor(gram);
+  const UnitSolutions y = SubstituteUnits(sorted);
+  const Eigen::LLT<Eigen::MatrixXd> factor(y.Gram(moves.rows()));
   DAUMIER_CHECK(factor.info() == Eigen::Success, "{} handles nearly coincide", places.size());
-  const Eigen::MatrixXd forces = factor.solve(moves);
-  Eigen::MatrixXd displacement = Eigen::MatrixXd::Zero(std::ssize(region_), moves.cols());
-  displacement(y.rows, Eigen::all) = y.values * forces;
-  return factor_->permutationPinv() * factor_->matrixU().solve(displacement);
+  const Eigen::MatrixXd forces = factor.solve(moves(order, Eigen::all));
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, kSolvedColumns, Eigen::RowMajor>;
+  const Eigen::MatrixXd of_rows = y.Times(forces);
+  Eigen::MatrixXd displacement(std::ssize(region_), moves.cols());
+  for (Eigen::Index first = 0; first < moves.cols(); first += kSolvedColumns) {
+    const Eigen::Index count = std::min<Eigen::Index>(kSolvedColumns, moves.cols() - first);
+    Rows x = Rows::Zero(displacement.rows(), kSolvedColumns);
+    for (size_t i = 0; i < y.rows.size(); ++i)
+      x.row(y.rows[i]).head(count) = of_rows.row(Eigen::Index(i)).segment(first, count);
+    SubstituteBackwards(ColumnsOf(*factor_), int(x.rows()), x.data());
+    displacement.middleCols(first, count) = factor_->permutationPinv() * x.leftCols(count);
+  }
+  return displacement;
 }
 
 void RegionDeformation::SolveFree(Eigen::MatrixXd& displacement, const std::vector<bool>& is_handle) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include "geometry/operators.h"
+#include "geometry/substitution_kernel.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -45,15 +46,21 @@ class RegionDeformation {
 
  private:
   using Factor = Eigen::SimplicialLLT<SparseMatrix>;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   /// Solutions of (lower factor) x = unit vectors: rows that are not 0.
   struct UnitSolutions {
-    std::vector<int> rows;  ///< Ascending.
-    Rows values;            ///< A row each, K columns.
+    std::vector<int> rows;       ///< Ascending.
+    std::vector<int> firsts;     ///< Of each block of kBlockColumns columns the first row that is not 0, in `rows`.
+    std::vector<double> values;  ///< A block behind the other.
+
+    const double* block(size_t b) const { return values.data() + b * rows.size() * kBlockColumns; }
+    Eigen::MatrixXd Gram(Eigen::Index size) const;
+    /// The solutions by a matrix with a row for each.
+    Eigen::MatrixXd Times(const Eigen::MatrixXd& right) const;
   };
 
   std::vector<int> Places(const std::vector<int>& handles) const;
+  /// places: in the order of their rows in the factor.
   UnitSolutions SubstituteUnits(const std::vector<int>& places) const;
   /// d of least E with these values at places, which are right up to rounding. R x C.
   Eigen::MatrixXd SolveCoupled(const std::vector<int>& places, const Eigen::MatrixXd& moves) const;

@@ -37,6 +37,12 @@ std::optional<faces::View> DefinedView(const render::Camera& camera) {
 
 }  // namespace
 
+const Eigen::VectorXd& HandleInfluence::shares() const {
+  std::call_once(
+      once_, [&] { shares_ = region_->deformation.Solve(handles_, Eigen::MatrixXd::Ones(std::ssize(handles_), 1)); });
+  return shares_;
+}
+
 Refinement::Refinement(const faces::FaceTemplate& face_template)
     : neutral_(face_template.neutral),
       triangles_(face_template.triangles),
@@ -85,26 +91,30 @@ RefinementState Refinement::Region(const RefinementState& state, const render::C
   RefinementState next = state;
   next.region =
       MakeRegion(EnclosedRegion(SurfaceIn(state, camera), neighbours_, stiffness_.areas, stroke), face_height_);
-  next.handles = InnerOf(*next.region, std::move(next.handles));
-  return next;
+  return WithHandles(std::move(next), InnerOf(*next.region, state.handles));
+}
+
+RefinementState Refinement::WithHandles(RefinementState state, std::vector<int> handles) {
+  state.handles = std::move(handles);
+  state.influence =
+      state.handles.empty() ? nullptr : std::make_shared<const HandleInfluence>(state.region, state.handles);
+  return state;
 }
 
 RefinementState Refinement::Brush(const RefinementState& state, const render::Camera& camera, const CanvasPoints& path,
                                   double radius) const {
   const std::vector<int> added = InnerOf(*state.region, VisibleNear(SurfaceIn(state, camera), path, radius));
-  RefinementState next = state;
-  next.handles.clear();
-  std::ranges::set_union(state.handles, added, std::back_inserter(next.handles));
-  return next;
+  std::vector<int> handles;
+  std::ranges::set_union(state.handles, added, std::back_inserter(handles));
+  return WithHandles(state, std::move(handles));
 }
 
 RefinementState Refinement::Erase(const RefinementState& state, const render::Camera& camera, const CanvasPoints& path,
                                   double radius) const {
   const std::vector<int> removed = VisibleNear(SurfaceIn(state, camera), path, radius);
-  RefinementState next = state;
-  next.handles.clear();
-  std::ranges::set_difference(state.handles, removed, std::back_inserter(next.handles));
-  return next;
+  std::vector<int> handles;
+  std::ranges::set_difference(state.handles, removed, std::back_inserter(handles));
+  return WithHandles(state, std::move(handles));
 }
 
 RefinementState Refinement::Translate(const RefinementState& state, const render::Camera& camera,
@@ -112,10 +122,9 @@ RefinementState Refinement::Translate(const RefinementState& state, const render
   CheckStroke(line);
   DAUMIER_CHECK(!camera.perspective, "handles are moved in a view in perspective, expected an orthographic camera");
   const Eigen::RowVector2d move = (line.back() - line.front()).transpose() / camera.scale;
-  const Eigen::MatrixXd share =
-      state.region->deformation.Solve(state.handles, Eigen::MatrixXd::Ones(std::ssize(state.handles), 1));
+  DAUMIER_CHECK(state.influence != nullptr, "there is no handle; mark some");
   RefinementState next = state;
-  Move(next, share * (move * camera.camera_from_world.topRows<2>()));
+  Move(next, state.influence->shares() * (move * camera.camera_from_world.topRows<2>()));
   return next;
 }
 

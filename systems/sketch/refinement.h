@@ -6,6 +6,8 @@
 #include "systems/sketch/view_selection.h"
 
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace daumier::sketch {
@@ -17,11 +19,29 @@ struct RefinementRegion {
       is_inner;  ///< V: in the region, farther than kRegionMargin from what is fixed: handles may be there.
 };
 
+/// How far the vertices of a region move if all its handles move by 1, found when it is first needed: an undone
+/// translation, and each further one, is then a product. May be used from several threads.
+class HandleInfluence {
+ public:
+  HandleInfluence(std::shared_ptr<const RefinementRegion> region, std::vector<int> handles)
+      : region_(std::move(region)), handles_(std::move(handles)) {}
+
+  /// R. @throws Error as RegionDeformation::Solve.
+  const Eigen::VectorXd& shares() const;
+
+ private:
+  std::shared_ptr<const RefinementRegion> region_;
+  std::vector<int> handles_;
+  mutable std::once_flag once_;
+  mutable Eigen::VectorXd shares_;
+};
+
 /// A face that is being refined. Immutable; undo is to take an earlier one.
 struct RefinementState {
   geometry::Points vertices;  ///< V x 3, cm.
   std::shared_ptr<const RefinementRegion> region;
-  std::vector<int> handles = {};  ///< Ascending.
+  std::vector<int> handles = {};                          ///< Ascending.
+  std::shared_ptr<const HandleInfluence> influence = {};  ///< Of these handles; null without any.
 };
 
 /// Operations of the gesture-based refinement mode [Han et al. 2017, sections 3.3 and 5.2] on a face, each from one state
@@ -76,6 +96,7 @@ class Refinement {
 
  private:
   VisibleSurface SurfaceIn(const RefinementState& state, const render::Camera& camera) const;
+  static RefinementState WithHandles(RefinementState state, std::vector<int> handles);
   std::shared_ptr<const RefinementRegion> MakeRegion(std::vector<int> vertices, double reach) const;
 
   geometry::Points neutral_;

@@ -103,13 +103,18 @@ render::Camera ViewCamera(const render::Camera& canvas, const render::Placement&
 }
 
 VisibleSurface::VisibleSurface(const geometry::TriangleMesh& mesh, const render::Camera& camera)
-    : projected_(render::Project(camera, mesh.vertices)),
-      visibility_(DepthMap({mesh.vertices, FrontTriangles(projected_, mesh.triangles)}, camera)),
-      is_visible_(size_t(projected_.rows()), false) {
-  const std::vector<bool> sees = Sees(mesh.vertices);
-  const geometry::Triangles front = FrontTriangles(projected_, mesh.triangles);
-  for (Eigen::Index corner = 0; corner < front.size(); ++corner) {
-    const size_t v = size_t(front.data()[corner]);
+    : VisibleSurface(mesh.vertices, render::Project(camera, mesh.vertices), mesh.triangles, camera) {}
+
+VisibleSurface::VisibleSurface(const geometry::Points& vertices, const geometry::Points& projected,
+                               const geometry::Triangles& triangles, const render::Camera& camera)
+    : VisibleSurface({vertices, FrontTriangles(projected, triangles)}, projected, camera) {}
+
+VisibleSurface::VisibleSurface(const geometry::TriangleMesh& front, const geometry::Points& projected,
+                               const render::Camera& camera)
+    : projected_(projected), visibility_(DepthMap(front, camera)), is_visible_(size_t(projected_.rows()), false) {
+  const std::vector<bool> sees = Sees(front.vertices);
+  for (Eigen::Index corner = 0; corner < front.triangles.size(); ++corner) {
+    const size_t v = size_t(front.triangles.data()[corner]);
     is_visible_[v] = sees[v];
   }
 }

@@ -40,6 +40,11 @@ class VisibleSurface {
   std::vector<bool> Sees(const geometry::Points& points) const;
 
  private:
+  VisibleSurface(const geometry::Points& vertices, const geometry::Points& projected,
+                 const geometry::Triangles& triangles, const render::Camera& camera);
+  /// front: the triangles that face the viewer.
+  VisibleSurface(const geometry::TriangleMesh& front, const geometry::Points& projected, const render::Camera& camera);
+
   geometry::Points projected_;
   render::Visibility visibility_;
   std::vector<bool> is_visible_;
