@@ -1,10 +1,11 @@
 // Errors of heads of other topologies that are rigged, where the truth is known:
-//   rig_transfer SOURCE PATH [PERSONS]
+//   rig_transfer SOURCE PATH [PERSONS [OTHER_SOURCE OTHER_PATH]]
 // SOURCE is ict or makehuman, PATH as source.path. The heads are PERSONS (3) random persons of that source (seed 1), with
 // other vertices: shuffled and split, subdivided, decimated to a half and to a fifth. The template is registered onto each by
 // its landmarks; targets are carried by rig::ForeignRig, and plainly from the nearest vertex of the registered template.
-// The truth is rig::ExpressionTargets of the person. A row a head: median of the targets' greatest and mean errors, and
-// places of the one side of a slit that move with the other.
+// The truth is rig::ExpressionTargets of the person. A row a head: median over the targets of the mean error (of vertices
+// that move by more than 0.1 mm) and of the greatest one, and vertices that were taken for the other side of their slit,
+// without those around its corners, where sides meet (testing::SidesApart). With another source: the sides on its mean head.
 #include "bench/expression_subject.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
@@ -12,6 +13,7 @@
 #include "geometry/nearest.h"
 #include "rig/foreign_head.h"
 #include "tests/support/other_topology.h"
+#include "tests/support/sides_apart.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +73,8 @@ class TransferBench {
       : subject_(source),
         rig_(subject_.model()),
         slits_(rig::SlitsOf(subject_.expressions().contact())),
-        sides_(rig::SidesOfTemplate({face().neutral, face().triangles}, slits_)) {}
+        sides_(rig::SidesOfTemplate({face().neutral, face().triangles}, slits_)),
+        true_sides_(testing::SidesApart({face().neutral, face().triangles}, slits_, sides_)) {}
 
   void Measure(const std::string& name, int person, const testing::OtherTopology& other) {
     const geometry::Points neutral = subject_.Person(person);
@@ -86,21 +89,6 @@ class TransferBench {
     const rig::ForeignHead rigged = rig_.On(head, {registered.vertices, registered.template_from_target});
     const double seconds = watch.seconds();
 
-    if (std::getenv("DEBUG_SIDES") != nullptr) {
-      for (size_t v = 0; v < other.sources.size(); ++v) {
-        if (!IsWrong(other.sources[v], rigged.sides[v])) continue;
-        const int src = other.sources[v].first;
-        for (int k = 0; k < 3; ++k) {
-          const rig::SeamEdges& e = slits_[size_t(k)];
-          if (int(sides_[size_t(src)]) != 1 + 2 * k && int(sides_[size_t(src)]) != 2 + 2 * k) continue;
-          const Eigen::RowVector3d r = face().neutral.row(e.upper.front()), l = face().neutral.row(e.upper.back()), p = face().neutral.row(src);
-          double du = 1e9, dl = 1e9;
-          for (int q : e.upper) du = std::min(du, (face().neutral.row(q) - p).norm());
-          for (int q : e.lower) dl = std::min(dl, (face().neutral.row(q) - p).norm());
-          fmt::print("slit {} true {} got {} share {:.2f} dy {:.2f} dz {:.2f} du {:.2f} dl {:.2f} jaw {:.2f}\n", k, int(sides_[size_t(src)]), int(rigged.sides[v]), (p.x() - r.x()) / (l.x() - r.x()), p.y() - 0.5 * (r.y() + l.y()), p.z() - 0.5 * (r.z() + l.z()), du, dl, truth.offsets.col(17).segment<3>(3 * src).norm());
-        }
-      }
-    }
     const double mm = faces::MillimetresPerCm(face());
     TransferError own = ErrorsOf(truth, other, rigged.head.targets.offsets, mm);
     for (size_t v = 0; v < other.sources.size(); ++v) own.num_wrong += IsWrong(other.sources[v], rigged.sides[v]);
@@ -111,11 +99,38 @@ class TransferBench {
                seconds - seconds_registering);
   }
 
+  /// Sides alone, on the mean head of another source.
+  void MeasureSides(const faces::SourceOptions& source) {
+    const faces::FaceModel other = faces::LoadFaceModel(source);
+    const faces::FaceTemplate& head = other.face_template;
+    const geometry::TriangleMesh surface{head.neutral, head.triangles};
+    const rig::FaceSlits slits = rig::SlitsOf(rig::ExpressionTargets(other).contact());
+    const std::vector<rig::FaceSide> truth = testing::SidesApart(surface, slits, rig::SidesOfTemplate(surface, slits));
+    datasets::LandmarkedMesh mesh{
+        .name = source.name, .landmark_file = source.name, .mesh = surface, .landmarks = {}, .shifted = {}};
+    for (size_t l = 0; l < mesh.landmarks.size(); ++l)
+      mesh.landmarks[l] = head.neutral.row(head.annotation.landmarks[l]).transpose();
+    const datasets::RegisteredMesh registered = datasets::RegisterMesh(face(), mesh);
+    const rig::ForeignHead rigged = rig_.On(surface, {registered.vertices, registered.template_from_target});
+    const geometry::VertexTree tree(registered.vertices);
+    const geometry::Points places = registered.template_from_target.Apply(head.neutral);
+    int num_wrong = 0, num_plain = 0, num_sided = 0;
+    for (size_t v = 0; v < truth.size(); ++v) {
+      if (truth[v] == rig::FaceSide::kNone) continue;
+      const int nearest = tree.Nearest(places.row(Eigen::Index(v))).vertex;
+      ++num_sided;
+      num_wrong += rigged.sides[v] == rig::OppositeSide(truth[v]) ? 1 : 0;
+      num_plain += sides_[size_t(nearest)] == rig::OppositeSide(truth[v]) ? 1 : 0;
+    }
+    fmt::print("{}: {} of {} vertices at slits on the wrong side, by the nearest vertex {}\n", source.name, num_wrong,
+               num_sided, num_plain);
+  }
+
   const faces::FaceTemplate& face() const { return subject_.model().face_template; }
 
  private:
   bool IsWrong(const std::pair<int, int>& source, rig::FaceSide side) const {
-    const rig::FaceSide a = sides_[size_t(source.first)], b = sides_[size_t(source.second)];
+    const rig::FaceSide a = true_sides_[size_t(source.first)], b = true_sides_[size_t(source.second)];
     return a == b && a != rig::FaceSide::kNone && side == rig::OppositeSide(a);
   }
 
@@ -141,11 +156,11 @@ class TransferBench {
   ExpressionSubject subject_;
   rig::ForeignRig rig_;
   rig::FaceSlits slits_;
-  std::vector<rig::FaceSide> sides_;
+  std::vector<rig::FaceSide> sides_, true_sides_;
 };
 
 int Run(const std::vector<std::string>& words) {
-  if (words.size() < 2) throw UsageError("rig_transfer SOURCE PATH [PERSONS]");
+  if (words.size() < 2) throw UsageError("rig_transfer SOURCE PATH [PERSONS [OTHER_SOURCE OTHER_PATH]]");
   TransferBench bench({.name = words[0], .path = words[1]});
   const int num_persons = words.size() > 2 ? std::stoi(words[2]) : 3;
   const geometry::Triangles& triangles = bench.face().triangles;
@@ -161,6 +176,7 @@ int Run(const std::vector<std::string>& words) {
     bench.Measure(name("decimated 1/2"), person, testing::DecimatedTopology(neutral, 0.5, rng));
     bench.Measure(name("decimated 1/5"), person, testing::DecimatedTopology(neutral, 0.2, rng));
   }
+  if (words.size() > 4) bench.MeasureSides({.name = words[3], .path = words[4]});
   return 0;
 }
 

@@ -6,8 +6,8 @@
 #include "geometry/submesh.h"
 #include "rig/arkit_names.h"
 #include "rig/ball_clearance.h"
+#include "rig/carry_targets.h"
 #include "rig/jaw_clearance.h"
-#include "rig/target_carrier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +154,7 @@ ForeignRig::ForeignRig(const faces::FaceModel& model)
 Eigen::MatrixXf ForeignRig::OffsetsOfPlaces(const HeadSurface& surface, const HeadParts& parts,
                                             const TemplateMatch& match, const HeadSlits& slits,
                                             const geometry::Points& registered, const MorphTargets& targets) const {
-  Eigen::MatrixXf offsets = TargetCarrier(match, surface, parts, slits.sides).Carry(targets.offsets);
+  Eigen::MatrixXf offsets = CarryTargets(match, surface, parts, slits.sides, targets.offsets);
   using Flat = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>;
   const JawClearance clearance(surface, parts, match);
   for (Eigen::Index t = 0; t < targets.num_targets(); ++t) {

@@ -32,11 +32,11 @@ class ForeignRig {
   /// @throws Error as ExpressionTargets, HeadRig and HeadInterior.
   explicit ForeignRig(const faces::FaceModel& model);
 
-  /// The targets of the registered template (ExpressionTargets), carried to the vertices of the head (TargetCarrier); lower
+  /// The targets of the registered template (ExpressionTargets), carried to the vertices of the head (CarryTargets); lower
   /// teeth and tongue follow the jaw as one piece (HeadInterior::JawMotion), and skin around a ball stays in front of it.
   /// Eyes that are balls turn: without materials of their own, they get iris and pupil where they look.
   /// head: cm, y up, the face to +z. Warnings name what is sealed or not found.
-  /// @throws Error if nothing of the head lies on the template, or as MakeHeadSurface and TargetCarrier.
+  /// @throws Error if nothing of the head lies on the template, or as MakeHeadSurface and CarryTargets.
   ForeignHead On(const geometry::TriangleMesh& head, const RegisteredTemplate& registered) const;
 
   const std::vector<std::string>& warnings() const { return targets_.warnings(); }

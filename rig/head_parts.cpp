@@ -20,7 +20,7 @@ constexpr double kOnSkin = 0.5;     // Of a place that lies on the template, cm.
 constexpr double kSkinShare = 0.6;  // Of a part that is skin, at least.
 constexpr double kInMouth = 0.7, kDeepInMouth = 1.6, kInFrontOfLips = 0.05;  // In widths of the mouth.
 constexpr double kBothJaws = 0.2;  // Above and below the line of the lips, in widths of the mouth.
-constexpr double kApart = 0.12;  // Between the middles of upper and lower parts of a mouth, in its widths.
+constexpr double kApart = 0.12;    // Between the middles of upper and lower parts of a mouth, in its widths.
 
 /// A connected part.
 struct Part {
@@ -95,6 +95,11 @@ FoundEye FindEye(const HeadSurface& head, const std::vector<Part>& parts, const 
 std::pair<double, double> HeightsOf(const HeadSurface& head, const Part& part) {
   const Eigen::VectorXd heights = head.mesh.vertices(part.places, 1);
   return {heights.minCoeff(), heights.maxCoeff()};
+}
+
+double WidthOf(const HeadSurface& head, const Part& part) {
+  const Eigen::VectorXd x = head.mesh.vertices(part.places, 0);
+  return x.maxCoeff() - x.minCoeff();
 }
 
 /// Of a part of both jaws: 0 above, 1 below, and between them by the ways along the surface to either.
@@ -188,8 +193,13 @@ HeadParts FindHeadParts(const TemplateMatch& match, const HeadSurface& head, con
         FarthestFrom(mouth.transpose(), head, parts[i]) < 2 * kDeepInMouth * width) {
       const auto [lowest, highest] = HeightsOf(head, parts[i]);
       if (lowest < line - kBothJaws * width && highest > line + kBothJaws * width) {
-        sort_into(i, HeadPart::kWholeMouth);
-        ShareJaw(head, parts[i], line, kBothJaws * width, result.jaw_shares);
+        if (WidthOf(head, parts[i]) >= width) {
+          sort_into(i, HeadPart::kWholeMouth);
+          ShareJaw(head, parts[i], line, kBothJaws * width, result.jaw_shares);
+        } else {  // A tongue.
+          sort_into(i, HeadPart::kLowerMouth);
+          for (const int p : parts[i].places) result.jaw_shares[size_t(p)] = 1;
+        }
         continue;
       }
       in_mouth.push_back(i);

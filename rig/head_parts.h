@@ -32,7 +32,7 @@ std::optional<Ball> FitBall(const geometry::Points& points);
 
 struct HeadParts {
   std::vector<HeadPart> of_components;
-  std::vector<float> jaw_shares = {};  ///< P: how much of the jaw's motion a place in the mouth has; 0 elsewhere.
+  std::vector<float> jaw_shares = {};       ///< P: how much of the jaw's motion a place in the mouth has; 0 elsewhere.
   std::array<std::optional<Ball>, 2> eyes;  ///< The right one and the left one; both or none.
   HeadPart of_place(const HeadSurface& head, int place) const {
     return of_components[size_t(head.components[size_t(place)])];
@@ -43,8 +43,8 @@ struct HeadParts {
 /// eyes: the balls of the template, the right one first: a ball of the head has a centre within 0.8 and a radius within
 /// 0.5 to 1.8 of the radius of one of them.
 /// Parts in the mouth lie behind the lips, within 0.7 of the mouth's width. A part that reaches farther than 0.2 of that
-/// width above and below the line of the lips belongs to both jaws; the others are upper or lower by the largest gap between
-/// the heights of their middles.
+/// width above and below the line of the lips belongs to both jaws if it is as wide as the mouth, and to the lower one, as a
+/// tongue does, if it is not; the others are upper or lower by the largest gap between the heights of their middles.
 /// @throws Error if no part is skin.
 HeadParts FindHeadParts(const TemplateMatch& match, const HeadSurface& head, const std::array<Ball, 2>& eyes);
 

@@ -1,9 +1,11 @@
 #include "rig/template_match.h"
 
 #include "geometry/normals.h"
+#include "geometry/path.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace daumier::rig {
 namespace {
@@ -19,12 +21,34 @@ FaceSide SideOfCorners(const std::vector<FaceSide>& sides, const Eigen::RowVecto
   return side;
 }
 
+/// Of each vertex the way along the surface to the nearest vertex of the other side of its slit; 0 without a side.
+std::vector<double> WaysAcross(const geometry::TriangleMesh& surface, const std::vector<FaceSide>& sides) {
+  const auto neighbours = geometry::VertexNeighbours(surface.triangles, int(surface.vertices.rows()));
+  std::vector<double> ways(sides.size(), 0.0);
+  for (int s = 1; s <= 2 * kNumFaceSlits; ++s) {
+    std::vector<int> others;
+    for (size_t v = 0; v < sides.size(); ++v)
+      if (sides[v] == OppositeSide(FaceSide(s))) others.push_back(int(v));
+    const auto nearest =
+        geometry::FindNearestSeeds(surface.vertices, neighbours, others, std::numeric_limits<double>::infinity());
+    for (size_t v = 0; v < sides.size(); ++v)
+      if (sides[v] == FaceSide(s)) ways[v] = nearest.distances[v];
+  }
+  return ways;
+}
+
 }  // namespace
 
 TemplateMatch::TemplateMatch(const geometry::TriangleMesh& surface, const FaceSlits& slits,
                              const std::vector<FaceSide>& sides)
     : tree_(surface), normals_(geometry::TriangleNormals(surface)), slits_(slits) {
   for (const auto& corners : surface.triangles.rowwise()) triangle_sides_.push_back(SideOfCorners(sides, corners));
+  const std::vector<double> ways = WaysAcross(surface, sides);
+  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t) {
+    double way = std::numeric_limits<double>::infinity();
+    for (const int v : surface.triangles.row(t)) way = std::min(way, ways[size_t(v)]);
+    ways_across_.push_back(way);
+  }
 }
 
 std::optional<geometry::SurfacePoint> TemplateMatch::Nearest(const geometry::Vector3& point,

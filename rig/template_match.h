@@ -24,6 +24,9 @@ class TemplateMatch {
 
   /// The side of a triangle: of its corners that have one; kNone if they have both of one slit.
   FaceSide side(int triangle) const { return triangle_sides_[size_t(triangle)]; }
+  /// The way along the template from a triangle with a side to the other side of its slit, cm: long but near its corners.
+  /// 0 for a triangle without a side.
+  double WayAcross(int triangle) const { return ways_across_[size_t(triangle)]; }
   const FaceSlits& slits() const { return slits_; }
   const geometry::TriangleMesh& surface() const { return tree_.mesh(); }
 
@@ -35,6 +38,7 @@ class TemplateMatch {
   geometry::Points normals_;  ///< Of the triangles.
   FaceSlits slits_;
   std::vector<FaceSide> triangle_sides_;
+  std::vector<double> ways_across_;  ///< Of triangles.
 };
 
 }  // namespace daumier::rig

@@ -7,6 +7,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/other_topology.h"
 #include "tests/support/paths.h"
+#include "tests/support/sides_apart.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,8 +34,11 @@ class ForeignHeads : public ::testing::Test {
     return targets;
   }
   static const std::vector<FaceSide>& Sides() {
-    static const std::vector<FaceSide> sides =
-        SidesOfTemplate({Face().neutral, Face().triangles}, SlitsOf(ExpressionTargets(Model()).contact()));
+    static const std::vector<FaceSide> sides = [] {
+      const geometry::TriangleMesh surface{Face().neutral, Face().triangles};
+      const FaceSlits slits = SlitsOf(ExpressionTargets(Model()).contact());
+      return testing::SidesApart(surface, slits, SidesOfTemplate(surface, slits));
+    }();
     return sides;
   }
 

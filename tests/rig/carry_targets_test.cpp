@@ -1,4 +1,4 @@
-#include "rig/target_carrier.h"
+#include "rig/carry_targets.h"
 
 #include "tests/rig/slit_sheet.h"
 
@@ -26,8 +26,8 @@ class TargetsCarried : public ::testing::Test {
     const TemplateMatch match(template_.mesh, template_.slits, sides_);
     const HeadSurface head = MakeHeadSurface(mesh);
     const HeadSlits slits = FindHeadSlits(match, head);
-    const TargetCarrier carrier(match, head, {std::move(parts), {}, {}}, slits.sides);
-    const Eigen::MatrixXf carried = OffsetsOfVertices(head, carrier.Carry(opening_));
+    const Eigen::MatrixXf carried =
+        OffsetsOfVertices(head, CarryTargets(match, head, {std::move(parts), {}, {}}, slits.sides, opening_));
     EXPECT_TRUE(carried.col(1).isZero(0)) << "a target that moves nothing";
     return carried.col(0);
   }
@@ -63,8 +63,7 @@ TEST_F(TargetsCarried, FadeBeyondTheTemplateAndWithTheDistanceOfAttachedParts) {
   mesh.triangles.conservativeResize(mesh.triangles.rows() + 2, 3);
   mesh.triangles.bottomRows(2) << num_vertices, num_vertices + 1, num_vertices + 2, num_vertices + 3, num_vertices + 4,
       num_vertices + 5;
-  const Eigen::VectorXf carried =
-      CarriedTo(mesh, {HeadPart::kSkin, HeadPart::kAttached, HeadPart::kAttached});
+  const Eigen::VectorXf carried = CarriedTo(mesh, {HeadPart::kSkin, HeadPart::kAttached, HeadPart::kAttached});
   EXPECT_NEAR(carried[3 * num_vertices + 1], 1, 0.02f);
   EXPECT_TRUE(carried.tail(9).isZero(0));
 }
