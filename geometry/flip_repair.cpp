@@ -59,8 +59,7 @@ void Contract(const Vertices& vertices, double share, Points& displacement) {
 
 void SortUnique(std::vector<int>& numbers) {
   std::ranges::sort(numbers);
-  const auto repeated = std::ranges::unique(numbers);
-  numbers.erase(repeated.begin(), repeated.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 }  // namespace

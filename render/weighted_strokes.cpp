@@ -36,7 +36,8 @@ std::vector<StrokePart> PartsByWidth(const WeightedStroke& stroke) {
   for (size_t i = 1; i < stroke.points.size(); ++i) {
     const double from = width_at(i - 1), to = width_at(i);
     const int count =
-        std::clamp(int(std::ceil(std::min<double>(kMostPieces, std::abs(to - from) / kWidthStep))), 1, kMostPieces);
+        std::clamp(int(std::ceil(std::min<double>(kMostPartsOfSegment, std::abs(to - from) / kWidthStep))), 1,
+                   kMostPartsOfSegment);
     for (int k = 1; k <= count; ++k) {
       const double middle = from + (to - from) * (k - 0.5) / count;
       const double width = std::max(1.0, std::round(middle / kWidthStep)) * kWidthStep;

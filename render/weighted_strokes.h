@@ -17,9 +17,9 @@ struct StrokePart {
   double width = 0;
 };
 
-/// Greatest step of the width from one part to the next, where a segment needs no more than kMostPieces.
+/// Greatest step of the width from one part to the next, where a segment needs no more than kMostPartsOfSegment.
 inline constexpr double kWidthStep = 0.25;
-inline constexpr int kMostPieces = 16;
+inline constexpr int kMostPartsOfSegment = 16;
 
 /// The parts of a stroke on the canvas, end to end. A segment along which the width changes is divided into equal pieces, each as
 /// wide as its middle, rounded to kWidthStep and at least that; pieces of equal width are one part. A stroke of one width

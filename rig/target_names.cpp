@@ -42,10 +42,10 @@ MorphTargets InPreset(const MorphTargets& targets, NamePreset preset) {
   std::vector<int> sources;
   if (preset == NamePreset::kMediaPipe) sources.push_back(-1);
   if (preset == NamePreset::kReadyPlayerMe) {  // Its readers take the target of index 0 for none.
-    const auto rest =
-        std::ranges::stable_partition(others, [&](int t) { return targets.names[size_t(t)].starts_with("viseme_"); });
-    sources.assign(others.begin(), rest.begin());
-    others.erase(others.begin(), rest.begin());
+    const auto rest = std::stable_partition(others.begin(), others.end(),
+                                            [&](int t) { return targets.names[size_t(t)].starts_with("viseme_"); });
+    sources.assign(others.begin(), rest);
+    others.erase(others.begin(), rest);
   }
   for (const int index : OrderOf(preset))
     if (columns[size_t(index)] >= 0) sources.push_back(columns[size_t(index)]);
