@@ -39,7 +39,7 @@ TEST(PartsByWidth, AChangeOfWidthIsDividedIntoSteps) {
 }
 
 TEST(PartsByWidth, HasABoundedNumberOfPieces) {
-  EXPECT_LE(PartsByWidth(Weighted({{0, 0}, {8, 0}}, {1, 1e9f})).size(), size_t(kMostPieces));
+  EXPECT_LE(PartsByWidth(Weighted({{0, 0}, {8, 0}}, {1, 1e9f})).size(), size_t(kMostPartsOfSegment));
 }
 
 TEST(PartsByWidth, RefusesWhatIsNoWidth) {
