@@ -13,9 +13,9 @@
 namespace daumier::rig {
 namespace {
 
-constexpr double kTrusted = 0.25, kReach = 0.8;  // cm
-constexpr double kStays = 3.0;                   // cm from the template.
-constexpr double kAroundSlit = 1.2;              // In widths of the slit: a bag behind it may be deep.
+constexpr double kTrusted = 0.25, kFarthest = 0.8;  // cm
+constexpr double kStays = 3.0;                      // cm from the template.
+constexpr double kAroundSlit = 1.2;                 // In widths of the slit: a bag behind it may be deep.
 constexpr double kTrustLimit = 1.001, kEdgeWeight = 0.05;
 constexpr double kLeastTrust = 1e-9;                               // In no motion: of a part without any point.
 constexpr double kTears = 2, kLeastTear = 0.15, kTearReach = 0.6;  // Of an edge's length; cm; cm.
@@ -38,10 +38,10 @@ Taken TakenAt(const TemplateMatch& match, const geometry::Vector3& place, const 
               FaceSide side) {
   const FaceSide other = OppositeSide(side);
   Taken taken;
-  taken.point = match.Nearest(place, normal, kReach,
+  taken.point = match.Nearest(place, normal, kFarthest,
                               [&](FaceSide of_triangle) { return other == FaceSide::kNone || of_triangle != other; });
   if (taken.point) {
-    taken.trust = FallOff(taken.point->distance, kTrusted, kReach);
+    taken.trust = FallOff(taken.point->distance, kTrusted, kFarthest);
     return taken;
   }
   if (match.NearestOfAll(place).distance < kStays) return taken;
