@@ -154,6 +154,8 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
   const std::string file = given.file.string();
   geometry::TriangleMesh mesh = geometry::TriangulateMesh(given.mesh);
   DAUMIER_CHECK(mesh.triangles.rows() > 0, "{} has no triangles: export its polygons, not its points alone", file);
+  for (auto vertex : mesh.vertices.rowwise())  // Those that are not finite are in no triangle, and keep their numbers.
+    if (!vertex.allFinite()) vertex = mesh.vertices.row(mesh.triangles(0, 0));
   const rig::HeadSurface surface = rig::MakeHeadSurface(mesh);
   HeadLandmarks landmarks = landmark_file.empty() ? FindHeadLandmarks(given.file, mesh, model.face_template)
                                                   : ReadHeadLandmarks(landmark_file, given.mesh.vertices);

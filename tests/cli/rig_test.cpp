@@ -194,6 +194,15 @@ TEST_F(RigOfForeignHeads, WritesTheHeadsOwnVerticesUprightInTheirOrder) {
   }
 }
 
+TEST_F(RigOfForeignHeads, IgnoresVerticesThatAreNotFinite) {
+  const std::string text = ReadFile(folder_ / "foreign.obj");
+  WriteFileAtomically(folder_ / "foreign.obj", text + "v nan 0 0\n");
+  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("1 vertices are not finite and are ignored"));
+  EXPECT_EQ(Json::parse(result.out)["vertices"], mesh_.vertices.rows() + 1);
+}
+
 TEST_F(RigOfForeignHeads, KeepsMaterialsAndUv) {
   mesh_.uv = mesh_.vertices.leftCols(2);
   mesh_.uv_triangles = mesh_.triangles;
