@@ -214,28 +214,27 @@ HeadParts FindHeadParts(const TemplateMatch& match, const HeadSurface& head, con
     for (const int p : parts[in_mouth[k]].places) result.jaw_shares[size_t(p)] = 1;
   }
 
-  bool has_skin = false;
+  // The part with most area on the template is skin, whatever else belongs to it: of a body, little of it is.
+  std::vector<double> shares(parts.size(), 0.0);
+  size_t main = parts.size();
+  double most = 0;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (is_sorted[i]) continue;
+    shares[i] = ShareOnTemplate(match, head, parts[i]);
+    if (shares[i] * parts[i].area <= most) continue;
+    most = shares[i] * parts[i].area;
+    main = i;
+  }
+  DAUMIER_CHECK(main < parts.size(), "no part of the head lies on the registered face");
   for (size_t i = 0; i < parts.size(); ++i) {
     if (is_sorted[i]) continue;
     const bool is_between_lids = FarthestFrom(eyes[0].centre, head, parts[i]) < kBetweenLids * eyes[0].radius ||
                                  FarthestFrom(eyes[1].centre, head, parts[i]) < kBetweenLids * eyes[1].radius;
-    if (ShareOnTemplate(match, head, parts[i]) >= kSkinShare) {
+    if (i == main || shares[i] >= kSkinShare) {
       sort_into(i, HeadPart::kSkin);
-      has_skin = true;
     } else if (is_between_lids) {
       sort_into(i, HeadPart::kFlatEye);
     }
-  }
-  if (!has_skin) {  // A body, or hair that covers more than the skin: the part with most places on the template.
-    size_t best = parts.size();
-    double most = 0;
-    for (size_t i = 0; i < parts.size(); ++i) {
-      if (result.of_components[i] != HeadPart::kAttached) continue;
-      const double on = ShareOnTemplate(match, head, parts[i]) * parts[i].area;
-      if (on > most) most = on, best = i;
-    }
-    DAUMIER_CHECK(best < parts.size(), "no part of the head lies on the registered face");
-    result.of_components[best] = HeadPart::kSkin;
   }
   return result;
 }

@@ -192,6 +192,31 @@ TEST_F(ForeignHeads, TurnTheirBallsAndMoveTheirLowerTeethWithTheJaw) {
   EXPECT_NEAR((now.row(0) - now.row(per_ball - 1)).norm(), (rest.row(0) - rest.row(per_ball - 1)).norm(), 1e-5);
 }
 
+TEST_F(ForeignHeads, MayHaveABody) {
+  geometry::TriangleMesh mesh{Face().neutral, Face().triangles};
+  const int num_face = int(mesh.vertices.rows()), num_body = 3 * num_face;
+  // A long narrow strip down from the neck, and a patch of its own before the forehead.
+  mesh.vertices.conservativeResize(num_face + num_body + 3, 3);
+  const int neck = Face().annotation.regions.at("neck_border").front();
+  for (int i = 0; i < num_body; ++i)
+    mesh.vertices.row(num_face + i) = mesh.vertices.row(neck) + Eigen::RowVector3d(0.1 * (i % 2), -5 - 0.005 * i, 0);
+  mesh.triangles.conservativeResize(mesh.triangles.rows() + num_body - 1, 3);
+  mesh.triangles.bottomRows(num_body - 1).row(0) << neck, num_face, num_face + 1;
+  for (int i = 0; i + 2 < num_body; ++i)
+    mesh.triangles.row(mesh.triangles.rows() - num_body + 2 + i) << num_face + i, num_face + i + 1, num_face + i + 2;
+  const Eigen::RowVector3d brow = Face().neutral.row(Face().annotation.landmarks[19]);
+  mesh.vertices.bottomRows(3) << brow + Eigen::RowVector3d(0, 0, 0.05), brow + Eigen::RowVector3d(0.1, 0, 0.05),
+      brow + Eigen::RowVector3d(0, 0.1, 0.05);
+  mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, 3);
+  mesh.triangles.bottomRows(1) << num_face + num_body, num_face + num_body + 1, num_face + num_body + 2;
+  const ForeignHead head = On(mesh);
+  const Eigen::Index jaw = *FindArkitName("jawOpen");
+  const Eigen::Index chin = 3 * Face().annotation.landmarks[8];
+  EXPECT_LT((head.head.targets.offsets.col(jaw).segment<3>(chin) - Truth().offsets.col(jaw).segment<3>(chin)).norm(),
+            0.02f);
+  EXPECT_TRUE(head.head.targets.offsets.col(jaw).segment(3 * (num_face + num_body - 50), 150).isZero(1e-4f));
+}
+
 TEST_F(ForeignHeads, ThatAreNowhereNearTheTemplateAreRefused) {
   testing::ExpectError(
       [&] {
