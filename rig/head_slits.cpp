@@ -14,7 +14,7 @@ namespace {
 constexpr double kAround = 1.0;      // How far from its middle places have sides, in widths.
 constexpr double kFarNearer = 0.1;   // By how much a place has to be nearer to a side than to the other, in widths.
 constexpr double kOnTemplate = 0.5;  // Of a place that lies on the template, cm.
-constexpr double kCorner = 0.1;          // How near places are to the other side along the surface, in widths.
+constexpr double kCorner = 0.1;      // How near places are to the other side along the surface, in widths.
 constexpr double kWayPerGap = 1.25, kWayPerWidth = 0.12;      // The longest way of a sealed slit.
 constexpr std::array<double, 3> kMiddle = {0.35, 0.5, 0.65};  // Where a slit is tested, along its length.
 
@@ -69,8 +69,8 @@ void SettleCorners(const TemplateMatch& match, const HeadSurface& head, const Sl
         geometry::FindNearestSeeds(head.mesh.vertices, head.neighbours, of_sides[other], reach, is_around);
     for (const int p : of_sides[1 - other]) {
       if (nearest.seeds[size_t(p)] < 0) continue;
-      const auto point = match.Nearest(head.mesh.vertices.row(p), head.normals.row(p), kOnTemplate,
-                                       [](FaceSide) { return true; });
+      const auto point =
+          match.Nearest(head.mesh.vertices.row(p), head.normals.row(p), kOnTemplate, [](FaceSide) { return true; });
       if (point) settled.emplace_back(p, match.side(point->triangle));
     }
   }

@@ -5,9 +5,9 @@
 namespace daumier::rig {
 namespace {
 
-constexpr double kReachOfSkin = 0.9;  // In widths of the mouth.
-constexpr double kBeside = 0.25;      // cm across the line of sight.
-constexpr double kDeepestGap = 2;     // cm: skin that is farther in front holds nothing back.
+constexpr double kReachOfSkin = 0.9;           // In widths of the mouth.
+constexpr double kBeside = 0.25;               // cm across the line of sight.
+constexpr double kDeepestGap = 2;              // cm: skin that is farther in front holds nothing back.
 constexpr double kKept = 0.05, kMostPush = 1;  // cm
 
 }  // namespace
@@ -39,8 +39,8 @@ double JawClearance::PushOf(const Eigen::Isometry3d& jaw, const Eigen::Ref<const
   const Eigen::Isometry3d back = jaw.inverse();
   double push = 0;
   for (const Pair& pair : pairs_) {
-    const geometry::Vector3 moved = vertices_.row(pair.skin).transpose() +
-                                    offsets.segment<3>(3 * Eigen::Index(pair.skin)).cast<double>();
+    const geometry::Vector3 moved =
+        vertices_.row(pair.skin).transpose() + offsets.segment<3>(3 * Eigen::Index(pair.skin)).cast<double>();
     const double gap = (back * moved).z() - vertices_(pair.tooth, 2);
     push = std::max(push, std::min(pair.gap, kKept) - gap);
   }
