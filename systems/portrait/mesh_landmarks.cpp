@@ -235,8 +235,9 @@ void LookFrom(int num_views, const geometry::Points& places, const LandmarkDetec
         const render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, kViewPicture, yaw, pitch);
         MeshView view = Drawn(head.drawn, camera);
         std::vector<float> points;
-        for (const auto& p : render::Project(camera, places).rowwise())
-          points.insert(points.end(), {float(p.x()), float(p.y())});
+        const auto projected = render::Project(camera, places);
+        for (Eigen::Index i = 0; i < projected.rows(); ++i)
+          points.insert(points.end(), {float(projected(i, 0)), float(projected(i, 1))});
         DetectedFace face = detector.FindIn(view.picture, BoxOf(points));
         return std::pair(std::move(view), std::move(face));
       },

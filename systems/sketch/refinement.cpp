@@ -91,7 +91,8 @@ RefinementState Refinement::Region(const RefinementState& state, const render::C
   RefinementState next = state;
   next.region =
       MakeRegion(EnclosedRegion(SurfaceIn(state, camera), neighbours_, stiffness_.areas, stroke), face_height_);
-  return WithHandles(std::move(next), InnerOf(*next.region, state.handles));
+  std::vector<int> handles = InnerOf(*next.region, state.handles);
+  return WithHandles(std::move(next), std::move(handles));
 }
 
 RefinementState Refinement::WithHandles(RefinementState state, std::vector<int> handles) {
