@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 std::shared_ptr<const std::string> PictureBytes(const fs::path& file) {
   try {
     std::string bytes = ReadFile(file);
+    const render::Image picture = render::DecodeImage(bytes, file.string());  // Torn ones are refused here.
     const bool is_ready = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8\xFF");
-    if (!is_ready) bytes = render::EncodeImage(render::DecodeImage(bytes, file.string()), render::ImageFormat::kPng);
+    if (!is_ready) bytes = render::EncodeImage(picture, render::ImageFormat::kPng);
     return std::make_shared<const std::string>(std::move(bytes));
   } catch (const Error& error) {
     log::Warn("a picture of the mesh is left out: {}", error.what());

@@ -4,6 +4,7 @@
 #include "cli/shipped_landmarks.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/process_task.h"
 #include "datasets/build/registered_faces.h"
 #include "geometry/submesh.h"
 #include "geometry/triangulate.h"
@@ -157,14 +158,18 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
   for (auto vertex : mesh.vertices.rowwise())  // Those that are not finite are in no triangle, and keep their numbers.
     if (!vertex.allFinite()) vertex = mesh.vertices.row(mesh.triangles(0, 0));
   const rig::HeadSurface surface = rig::MakeHeadSurface(mesh);
+  const OwnLook own_look = look == TakenLook::kOwn ? ReadOwnLook(given) : OwnLook();
+  const auto check_stop = [&] { TaskOfProcess().ThrowIfCancelled("{}: stopped; nothing was written", file); };
   HeadLandmarks landmarks = landmark_file.empty() ? FindHeadLandmarks(given.file, mesh, model.face_template)
                                                   : ReadHeadLandmarks(landmark_file, given.mesh.vertices);
+  check_stop();
   const datasets::RegisteredMesh registered =
       datasets::RegisterMesh(model.face_template, {.name = given.file.stem().string(),
                                                    .landmark_file = landmarks.file,
                                                    .mesh = WithoutEyeballs(surface, landmarks.places),
                                                    .landmarks = landmarks.places,
                                                    .shifted = landmarks.shifted});
+  check_stop();
   if (registered.row.value("turned_inside_out", false)) {
     log::Warn("{}: the mesh is inside out; its triangles are turned", file);
     mesh.triangles.col(1).swap(mesh.triangles.col(2));
@@ -182,7 +187,8 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
   for (const std::string& warning : foreign_rig.warnings()) log::Warn("{}", warning);
   rig::ForeignHead head = foreign_rig.On(mesh, {registered.vertices, template_from_head});
   for (const std::string& warning : head.warnings) log::Warn("{}: {}", file, warning);
-  if (look == TakenLook::kOwn) TakeOwnLook(ReadOwnLook(given), head);
+  check_stop();
+  TakeOwnLook(own_look, head);
   landmarks.facts["mm"] = registered.row.at("landmarks_mm");
   Json facts = {{"axes", frame.axes},
                 {"unit", frame.unit},

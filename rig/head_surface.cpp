@@ -28,7 +28,8 @@ HeadSurface MakeHeadSurface(const geometry::TriangleMesh& head) {
     rows.push_back(f);
     used.insert(used.end(), corners.begin(), corners.end());
   }
-  DAUMIER_CHECK(!rows.empty(), "the head has no triangle with three places");
+  DAUMIER_CHECK(!rows.empty(),
+                "the head has no triangle whose corners lie apart; export its polygons at full precision");
   const geometry::VertexMap map = geometry::MapKept(used, int(head.vertices.rows()));
   HeadSurface surface;
   surface.mesh.vertices = geometry::SelectPoints(head.vertices, map);

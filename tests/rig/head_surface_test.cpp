@@ -42,7 +42,7 @@ TEST(HeadSurface, IsRefusedWithoutTriangles) {
   geometry::TriangleMesh mesh = SplitMesh();
   mesh.triangles.resize(1, 3);
   mesh.triangles << 1, 3, 0;
-  testing::ExpectError([&] { MakeHeadSurface(mesh); }, "no triangle with three places");
+  testing::ExpectError([&] { MakeHeadSurface(mesh); }, "no triangle whose corners lie apart");
   mesh.triangles << 1, 12, 0;
   testing::ExpectError([&] { MakeHeadSurface(mesh); }, "triangle 0 names vertex 12");
 }
