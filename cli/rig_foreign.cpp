@@ -48,25 +48,31 @@ HeadLandmarks ReadHeadLandmarks(const fs::path& file, const geometry::Points& ve
   return {landmarks.On(vertices), landmarks.ShiftedOn(vertices), file, {{"source", file.string()}}, {}};
 }
 
-HeadLandmarks FindHeadLandmarks(const fs::path& mesh_file, const geometry::TriangleMesh& mesh,
-                                const faces::FaceTemplate& face_template) {
-  const ShippedLandmarks shipped;
-  HeadLandmarks result;
-  result.file = mesh_file;
+/// What `make` returns; its errors name the file.
+template <class Make>
+auto NamingFile(const fs::path& file, Make make) {
   try {
-    portrait::MeshLandmarkSearch search =
-        portrait::FindMeshLandmarks({.surface = mesh}, face_template, shipped.detector());
-    for (size_t l = 0; l < search.points.size(); ++l) result.places[l] = search.points[l].position;
-    result.facts = {{"source", "pictures"},
-                    {"confidence", search.confidence},
-                    {"views", search.num_views},
-                    {"seen_with", search.orientation.name}};
-    result.stages.push_back({std::move(search.front), "landmarks"});
+    return make();
   } catch (const UsageError&) {
     throw;
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", mesh_file.string(), error.what()));
+    throw Error(fmt::format("{}: {}", file.string(), error.what()));
   }
+}
+
+HeadLandmarks FindHeadLandmarks(const fs::path& mesh_file, const geometry::TriangleMesh& mesh,
+                                const faces::FaceTemplate& face_template) {
+  const ShippedLandmarks shipped;
+  portrait::MeshLandmarkSearch search = NamingFile(
+      mesh_file, [&] { return portrait::FindMeshLandmarks({.surface = mesh}, face_template, shipped.detector()); });
+  HeadLandmarks result;
+  result.file = mesh_file;
+  for (size_t l = 0; l < search.points.size(); ++l) result.places[l] = search.points[l].position;
+  result.facts = {{"source", "pictures"},
+                  {"confidence", search.confidence},
+                  {"views", search.num_views},
+                  {"seen_with", search.orientation.name}};
+  result.stages.push_back({std::move(search.front), "landmarks"});
   return result;
 }
 
@@ -157,7 +163,7 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
   DAUMIER_CHECK(mesh.triangles.rows() > 0, "{} has no triangles: export its polygons, not its points alone", file);
   for (auto vertex : mesh.vertices.rowwise())  // Those that are not finite are in no triangle, and keep their numbers.
     if (!vertex.allFinite()) vertex = mesh.vertices.row(mesh.triangles(0, 0));
-  const rig::HeadSurface surface = rig::MakeHeadSurface(mesh);
+  const rig::HeadSurface surface = NamingFile(given.file, [&] { return rig::MakeHeadSurface(mesh); });
   const OwnLook own_look = look == TakenLook::kOwn ? ReadOwnLook(given) : OwnLook();
   const auto check_stop = [&] { TaskOfProcess().ThrowIfCancelled("{}: stopped; nothing was written", file); };
   HeadLandmarks landmarks = landmark_file.empty() ? FindHeadLandmarks(given.file, mesh, model.face_template)

@@ -179,7 +179,7 @@ std::optional<ClosedMouthLines> Outline(const MouthCuts& cuts) {
 std::optional<ClosedMouthLines> FindClosedMouthLines(const ParsedDrawing& drawing) {
   const MouthFrame mouth(drawing);
   if (!(mouth.width_on_canvas() >= kLeastWidth)) return std::nullopt;
-  std::array<std::vector<LineOnCut>, kMouthCuts.size()> cuts;
+  MouthCuts cuts;
   size_t most = 0;
   for (size_t cut = 0; cut < cuts.size(); ++cut) {
     cuts[cut] = LinesOnCut(drawing, mouth, kMouthCuts[cut]);
