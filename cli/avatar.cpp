@@ -1,13 +1,18 @@
 #include "systems/portrait/avatar.h"
+#include "cli/avatar_drawing.h"
+#include "cli/avatar_stages.h"
 #include "cli/head_arguments.h"
 #include "cli/system_table.h"
 #include "cli/verb.h"
+#include "cli/weights_model.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/output_place.h"
 #include "core/stopwatch.h"
-#include "core/weights_folder.h"
-#include "faces/face_model_file.h"
+#include "fitting/exaggerated_face.h"
+#include "render/draw.h"
 #include "render/sheet.h"
+#include "systems/deform/open_code_model.h"
 #include "systems/picture_content.h"
 #include "systems/portrait/portrait_system.h"
 #include "systems/predict_inputs.h"
@@ -24,60 +29,135 @@ namespace {
 namespace fs = std::filesystem;
 
 struct AvatarArguments {
-  fs::path portrait;
-  std::string weights = "portrait", device = "cpu";
+  fs::path input, landmarks, mask, stages;
+  std::string weights = "portrait", device = "cpu", kind = "auto", style;
+  double caricature = 0;
   HeadArguments head;
   ConfigArguments config;
 };
 
-faces::FaceModel FaceModelOf(const fs::path& weights, const portrait::PortraitRunFolder& run) {
-  const fs::path folder = WeightsNextTo(weights, "face-" + run.model.face_template.source);
-  if (!IsWeightsFolder(folder))
-    throw Error(fmt::format("{}: there is no face model of '{}' with its expressions (expected shipped weights in {})",
-                            weights.string(), run.model.face_template.source, folder.string()));
-  return faces::ReadFaceModelWeights(folder, run.model.face_template.source);
+/// All that key=value may set.
+struct AvatarVerbConfig : portrait::AvatarConfig {
+  PaletteOptions palette;
+
+  template <class V>
+  void Visit(V&& visit) {
+    portrait::AvatarConfig::Visit(visit);
+    visit("palette", palette, Table{}, "Colours of the head of a drawing.");
+  }
+};
+
+AvatarVerbConfig ConfigOf(const AvatarArguments& arguments) {
+  Json config = arguments.config.Load();
+  const auto set = [&](const char* table, const char* key, const std::string& flag, const std::string& value) {
+    if (value.empty()) return;
+    if (config.contains(table) && config[table].is_object() && config[table].contains(key))
+      throw UsageError(fmt::format("both {} and {}.{} are given: leave one out", flag, table, key));
+    config[table][key] = value;
+  };
+  set("face", "landmarks", "--landmarks", arguments.landmarks.string());
+  set("face", "mask", "--mask", arguments.mask.string());
+  set("avatar", "style", "--style", arguments.style);
+  return ParseOptions<AvatarVerbConfig>(config, arguments.config.Where());
 }
 
-/// For what is drawn with lines, of which a portrait's network makes a poor face.
-std::string HintForDrawings(const fs::path& drawing) {
-  return fmt::format(
-      "A drawing becomes a head by `daumier predict {} --out DIR` and `daumier rig DIR/{} --out HEAD.glb`",
-      drawing.string(), drawing.stem().string() + ".obj");
+/// Whether a file is a drawing by lines: by --as, its format, or what the picture shows.
+bool IsDrawing(const AvatarArguments& arguments) {
+  const auto reads = [&](std::string_view task) { return systems::IsInputFile(SystemNamed(task), arguments.input); };
+  const bool is_picture = reads(portrait::kPortraitSystem);
+  if (arguments.kind == "drawing" || !is_picture) {
+    if (arguments.kind != "portrait" && reads(sketch::kSystem)) return true;
+    if (is_picture) return false;
+    throw UsageError(fmt::format(
+        "{} is no picture{}", arguments.input.string(),
+        reads(sketch::kSystem) ? ", but a drawing: leave out --as portrait" : " and no drawing that is read here"));
+  }
+  if (arguments.kind == "portrait" || systems::LineDrawings().suits(render::ReadImage(arguments.input)) <= 0)
+    return false;
+  log::Info("{} is read as a line drawing, by its content (--as portrait reads it as a portrait)",
+            arguments.input.string());
+  return true;
 }
 
-/// @throws UsageError naming a file that only drawings are read from.
-void RefuseDrawing(const fs::path& file) {
-  const auto reads = [&](std::string_view task) { return systems::IsInputFile(SystemNamed(task), file); };
-  if (reads(sketch::kSystem) && !reads(portrait::kPortraitSystem))
-    throw UsageError(fmt::format("{} is a drawing, and no picture. {}", file.string(), HintForDrawings(file)));
+/// --caricature as a change of faces; none without it.
+portrait::FaceEdit CaricatureOf(double strength) {
+  if (strength == 0) return {};
+  return [strength](const geometry::Points& neutral) {
+    const deform::OpenedModel opened = deform::OpenCodeModel(deform::ShippedModel());
+    return fitting::ExaggeratedFace(*opened.model, neutral, strength, opened.expression);
+  };
+}
+
+/// What an avatar was made into, and how.
+struct MadeAvatar {
+  RigContent content;
+  std::vector<AvatarStage> stages;
+  Json milliseconds, facts;
+};
+
+MadeAvatar OfDrawing(const AvatarArguments& arguments, const AvatarVerbConfig& config) {
+  if (!arguments.landmarks.empty() || !arguments.mask.empty() || !arguments.style.empty())
+    throw UsageError(fmt::format("--landmarks, --mask and --style are for portraits, and {} is read as a drawing",
+                                 arguments.input.string()));
+  DrawnHead drawn = MakeDrawnHead(arguments.input, config.palette, config.avatar.texture.size,
+                                  CaricatureOf(arguments.caricature), ParseDevice(arguments.device));
+  MadeAvatar made{.content = {.head = std::move(drawn.head), .texture = drawn.texture, .clip = {}},
+                  .stages = {{"drawing", drawn.stages.front().image}, {"texture", *drawn.texture}},
+                  .milliseconds = std::move(drawn.milliseconds),
+                  .facts = std::move(drawn.facts)};
+  made.content.stages = std::move(drawn.stages);
+  return made;
+}
+
+MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& config) {
+  Stopwatch watch;
+  const render::Image picture = render::ReadImage(arguments.input);
+  const std::vector<fs::path> places = systems::WeightsPlaces();
+  const fs::path weights = systems::WeightsNamed(arguments.weights, systems::ListWeights(places), places);
+  auto predictor = portrait::OpenPortraits(weights, ParseDevice(arguments.device), ToJson(config.face));
+  const faces::FaceModel model = FaceModelNextTo(weights, predictor->run().model.face_template.source);
+  const portrait::AvatarMaker maker(std::move(predictor), model, config.avatar);
+  for (const std::string& warning : maker.warnings()) log::Warn("{}", warning);
+  MadeAvatar made;
+  made.milliseconds["open"] = 1e3 * watch.seconds();
+  portrait::Avatar avatar = maker.Make(picture, CaricatureOf(arguments.caricature));
+  for (const std::string& warning : avatar.face.warnings) log::Warn("{}: {}", arguments.input.string(), warning);
+  made.milliseconds.update({{"style", avatar.times.style},
+                            {"face", avatar.times.face},
+                            {"targets", avatar.times.targets},
+                            {"head", avatar.times.head},
+                            {"texture", avatar.times.texture}});
+  made.facts["skin"] = {
+      {"seen", avatar.painted.seen}, {"mirrored", avatar.painted.mirrored}, {"filled", avatar.painted.filled}};
+  made.stages.push_back({"picture", render::ToRgb(picture)});
+  if (config.avatar.style != "none") made.stages.push_back({"style", avatar.picture});
+  for (const render::SheetCell& cell : avatar.face.pictures)
+    if (cell.caption != "input") made.stages.push_back({cell.caption, cell.image});
+  made.stages.push_back({"texture", *avatar.texture});
+  made.stages.push_back({"texture_sources", avatar.painted.sources});
+  made.content = {.head = std::move(avatar.head), .texture = avatar.texture, .clip = {}};
+  made.content.stages = std::move(avatar.face.pictures);
+  return made;
 }
 
 void MakeAvatar(const AvatarArguments& arguments) {
   const Stopwatch watch;
-  const auto config = ParseOptions<portrait::AvatarConfig>(arguments.config.Load(), arguments.config.Where());
-  const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.portrait});
+  const AvatarVerbConfig config = ConfigOf(arguments);
+  const std::vector<fs::path> inputs = {arguments.input, arguments.landmarks, arguments.mask};
+  const RigFiles files = CheckedHeadFiles(arguments.head, inputs);
+  if (!arguments.stages.empty()) CheckReplacedFolder(arguments.stages, kStagesKind, inputs);
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
-  RefuseDrawing(arguments.portrait);
-  const render::Image picture = render::ReadImage(arguments.portrait);
-  if (systems::LineDrawings().suits(picture) > 0)
-    log::Warn("{} looks like a line drawing. {}", arguments.portrait.string(), HintForDrawings(arguments.portrait));
-  const std::vector<fs::path> places = systems::WeightsPlaces();
-  const fs::path weights = systems::WeightsNamed(arguments.weights, systems::ListWeights(places), places);
-  auto predictor = portrait::OpenPortraits(weights, ParseDevice(arguments.device), ToJson(config.face));
-  const faces::FaceModel model = FaceModelOf(weights, predictor->run());
-  const portrait::AvatarMaker maker(std::move(predictor), model, config.avatar);
-  for (const std::string& warning : maker.warnings()) log::Warn("{}", warning);
-  portrait::Avatar avatar = maker.Make(picture);
-  for (const std::string& warning : avatar.face.warnings) log::Warn("{}: {}", arguments.portrait.string(), warning);
-  Json result = WriteHeadFiles(
-      arguments.head, files, clip,
-      {.head = std::move(avatar.head), .texture = avatar.texture, .clip = {}, .stages = avatar.face.pictures});
-  result["milliseconds"] = {{"face", avatar.times.face},
-                            {"targets", avatar.times.targets},
-                            {"head", avatar.times.head},
-                            {"texture", avatar.times.texture}};
-  result["skin"] = {
-      {"seen", avatar.painted.seen}, {"mirrored", avatar.painted.mirrored}, {"filled", avatar.painted.filled}};
+  MadeAvatar made = IsDrawing(arguments) ? OfDrawing(arguments, config) : OfPortrait(arguments, config);
+  const Stopwatch of_files;
+  Json result = WriteHeadFiles(arguments.head, files, clip, std::move(made.content));
+  made.milliseconds["files"] = 1e3 * of_files.seconds();
+  if (!arguments.stages.empty()) {
+    WriteAvatarStages(arguments.stages, made.stages, made.milliseconds);
+    result["stages"] = arguments.stages.string();
+  }
+  if (arguments.caricature > 0) result["caricature"] = arguments.caricature;
+  result.update(made.facts);
+  result["milliseconds"] = std::move(made.milliseconds);
   result["seconds"] = watch.seconds();
   PrintResult(result, arguments.head.as_json);
 }
@@ -85,27 +165,51 @@ void MakeAvatar(const AvatarArguments& arguments) {
 }  // namespace
 
 Verb AvatarVerb() {
-  return {"avatar", "A portrait to a textured head with eyes, teeth and 52 expressions (.glb)",
-          [](CLI::App& command) {
-            auto arguments = std::make_shared<AvatarArguments>();
-            command
-                .add_option("portrait", arguments->portrait,
-                            "Picture of a face (PNG, JPEG): a cartoon, a caricature or a photograph; of several faces "
-                            "that of highest confidence is taken")
-                ->required()
-                ->check(CLI::ExistingFile);
-            command.add_option("overrides", arguments->config.overrides,
-                               "key=value: face.landmarks=FILE, avatar.texture.size=2048 and others, see below");
-            command
-                .add_option("--weights", arguments->weights,
-                            "Shipped weights of the task `portrait`, by name or folder")
-                ->capture_default_str();
-            command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
-            AddHeadArguments(command, arguments->head);
-            command.footer("Options:\n" + HelpText<portrait::AvatarConfig>());
-            return [arguments] { MakeAvatar(*arguments); };
-          },
-          /*keeps_freed_memory=*/false};
+  return {
+      "avatar", "A portrait or a drawing to a textured head with eyes, teeth and 52 expressions (.glb)",
+      [](CLI::App& command) {
+        auto arguments = std::make_shared<AvatarArguments>();
+        command
+            .add_option("portrait", arguments->input,
+                        "Picture of a face (PNG, JPEG, ...): a cartoon, a caricature or a photograph; of several faces "
+                        "that of highest confidence is taken. Or a line drawing, in any format that `predict` reads")
+            ->required()
+            ->check(CLI::ExistingFile);
+        command.add_option("overrides", arguments->config.overrides,
+                           "key=value: avatar.texture.size=2048, palette.skin=#c68863 and others, see below");
+        command
+            .add_option("--as", arguments->kind,
+                        "What the picture is read as: auto (by its content), portrait or drawing")
+            ->check(CLI::IsMember({"auto", "portrait", "drawing"}))
+            ->capture_default_str();
+        command
+            .add_option("--landmarks", arguments->landmarks,
+                        "File of 68 landmarks in pixels of the picture (.pts, .txt, .json), where those that are found "
+                        "are wrong")
+            ->check(CLI::ExistingFile);
+        command
+            .add_option("--mask", arguments->mask,
+                        "Picture of what each pixel shows, in place of the parsing: grey classes 0 to 7 as `predict "
+                        "--weights landmarks` writes them, or black and white, where white is the head")
+            ->check(CLI::ExistingFile);
+        command.add_option("--style", arguments->style,
+                           "What the picture is made into first: none, or toon (flat colours and larger eyes)");
+        command
+            .add_option("--caricature", arguments->caricature,
+                        "Exaggerate the face's deviation from the mean face by this share, by the shipped deformable "
+                        "model; the texture is kept")
+            ->check(CLI::Range(0.0, 2.0));
+        command.add_option("--stages", arguments->stages,
+                           "Folder for a picture of each stage and times.json, milliseconds by stage");
+        command
+            .add_option("--weights", arguments->weights, "Shipped weights of the task `portrait`, by name or folder")
+            ->capture_default_str();
+        command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+        AddHeadArguments(command, arguments->head);
+        command.footer("Options:\n" + HelpText<AvatarVerbConfig>());
+        return [arguments] { MakeAvatar(*arguments); };
+      },
+      /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

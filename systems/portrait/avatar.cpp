@@ -52,23 +52,42 @@ AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, con
   });
 }
 
-Avatar AvatarMaker::Make(const render::Image& picture) const {
+FoundPortrait AvatarMaker::FindStyled(render::Image& picture) const {
+  FoundPortrait found = predictor_->Find(picture);
+  if (options_.style != "toon" || found.landmarks.empty()) return found;
+  ToonPortrait toon = MakeToonPortrait(picture, found.landmarks, found.mask ? &*found.mask : nullptr, options_.toon);
+  picture = std::move(toon.picture);
+  found.landmarks = std::move(toon.landmarks);
+  found.mask = std::move(toon.mask);
+  return found;
+}
+
+geometry::Points AvatarMaker::NeutralOf(const systems::FaceResult& face, const FaceEdit& edit) const {
+  const Eigen::Index count = std::min(expression_shapes_.cols(), face.expression.size());
+  const Eigen::VectorXf shown = expression_shapes_.leftCols(count) * face.expression.head(count);
+  const geometry::Points expression = Flat(shown.data(), face.vertices.rows(), 3).cast<double>();
+  geometry::Points neutral = face.vertices - expression;
+  if (edit) neutral = edit(neutral);
+  return options_.keep_expression ? geometry::Points(neutral + expression) : neutral;
+}
+
+Avatar AvatarMaker::Make(const render::Image& picture, const FaceEdit& edit) const {
   Stopwatch watch;
   Avatar avatar;
-  const PortraitReading reading = predictor_->Read(picture);
+  avatar.picture = render::ToRgb(picture);
+  FoundPortrait found = FindStyled(avatar.picture);
+  avatar.times.style = MillisecondsOf(watch);
+
+  watch = {};
+  const PortraitReading reading = predictor_->ReadFound(avatar.picture, std::move(found));
   DAUMIER_CHECK(reading.mask.has_value(),
                 "the picture was not parsed, so that skin and background cannot be separated: a landmark run or the "
                 "weights `landmarks` are needed");
-  avatar.face = predictor_->ResultOf(picture, reading);
+  avatar.face = predictor_->ResultOf(avatar.picture, reading);
   avatar.times.face = MillisecondsOf(watch);
 
   watch = {};
-  geometry::Points neutral = avatar.face.vertices;
-  if (!options_.keep_expression && avatar.face.expression.size() > 0) {
-    const Eigen::Index count = std::min(expression_shapes_.cols(), avatar.face.expression.size());
-    const Eigen::VectorXf offset = expression_shapes_.leftCols(count) * avatar.face.expression.head(count);
-    neutral -= Flat(offset.data(), neutral.rows(), 3).cast<double>();
-  }
+  const geometry::Points neutral = NeutralOf(avatar.face, edit);
   const rig::MorphTargets targets = targets_->On(neutral, unsigned(NumCores()));
   avatar.times.targets = MillisecondsOf(watch);
 
@@ -80,7 +99,7 @@ Avatar AvatarMaker::Make(const render::Image& picture) const {
   const fitting::ShownHead shown =
       fitting::ShownHeadOf(*rig_, reading.face.vertices, PoseOfCoefficients(reading.coefficients),
                            CameraOf(reading.map), LightOf(reading.coefficients), reading.face.albedo);
-  avatar.painted = painter_->Paint(shown, render::ToRgb(picture), *reading.mask);
+  avatar.painted = painter_->Paint(shown, avatar.picture, *reading.mask);
   avatar.texture = std::make_shared<const render::Image>(avatar.painted.picture);
   avatar.times.texture = MillisecondsOf(watch);
   return avatar;

@@ -6,7 +6,9 @@
 #include "rig/expression_targets.h"
 #include "rig/head_rig.h"
 #include "systems/portrait/portrait_predictor.h"
+#include "systems/portrait/toon_portrait.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,11 +17,17 @@
 namespace daumier::portrait {
 
 struct AvatarOptions {
+  std::string style = "none";
+  ToonPortraitOptions toon;
   fitting::TextureOptions texture;
   bool keep_expression = false;
 
   template <class V>
   void Visit(V&& visit) {
+    visit("style", style, Choices{{"none", "toon"}},
+          "What the picture is made into before its face is read: nothing, or a cartoon of flat colours with larger "
+          "eyes.");
+    visit("toon", toon, Table{}, "That cartoon.");
     visit("texture", texture, Table{}, "How the head is painted from the picture.");
     visit("keep_expression", keep_expression, Flag{},
           "The head rests with the expression and the gaze of the picture; otherwise without them.");
@@ -33,15 +41,18 @@ struct AvatarConfig {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("face", face, Table{}, "How the face is found and aligned.");
+    visit("face", face, Table{}, "How the face of a portrait is found and aligned.");
     visit("avatar", avatar, Table{}, "How the head is made of it.");
   }
 };
 
 /// Milliseconds of the stages of an avatar.
 struct AvatarTimes {
-  double face = 0, targets = 0, head = 0, texture = 0;
+  double style = 0, face = 0, targets = 0, head = 0, texture = 0;
 };
+
+/// A change of a neutral face, V x 3, cm.
+using FaceEdit = std::function<geometry::Points(const geometry::Points&)>;
 
 /// A portrait as a head that can be animated [Pan et al. 2024, section 3].
 struct Avatar {
@@ -49,11 +60,12 @@ struct Avatar {
   std::shared_ptr<const render::Image> texture;  ///< The atlas.
   fitting::HeadTexture painted;                  ///< What the texels of skin were taken from.
   systems::FaceResult face;                      ///< What the predictor found; its pictures are the first stages.
+  render::Image picture;                         ///< In its style, RGB: what the texture was painted from.
   AvatarTimes times;
 };
 
-/// Makes avatars: picture -> face aligned to its landmarks -> neutral face -> targets -> rigged head -> texture. Const and
-/// thread-safe.
+/// Makes avatars: picture -> its style -> face aligned to its landmarks -> neutral face -> edit -> targets -> rigged head
+/// -> texture. Const and thread-safe.
 class AvatarMaker {
  public:
   /// `model`: of the predictor's topology, with its expressions. @throws Error if it is another one, as
@@ -61,14 +73,21 @@ class AvatarMaker {
   AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, const faces::FaceModel& model,
               const AvatarOptions& options = {});
 
-  /// The head of the face of highest confidence. @throws Error "no face found ..." as PortraitPredictor::Read, or if
-  /// there is no parsing of the picture.
-  Avatar Make(const render::Image& picture) const;
+  /// The head of the face of highest confidence. `edit`: changes the neutral face (an exaggeration); the texture is that of
+  /// the face as the picture shows it. @throws Error "no face found ..." as PortraitPredictor::Find, or if there is no
+  /// parsing of the picture; as `edit`.
+  Avatar Make(const render::Image& picture, const FaceEdit& edit = {}) const;
 
   /// What the source cannot make, a line each.
   const std::vector<std::string>& warnings() const { return targets_->warnings(); }
 
+  const PortraitPredictor& predictor() const { return *predictor_; }
+
  private:
+  /// What is found in a picture, which takes its style.
+  FoundPortrait FindStyled(render::Image& picture) const;
+  geometry::Points NeutralOf(const systems::FaceResult& face, const FaceEdit& edit) const;
+
   std::unique_ptr<const PortraitPredictor> predictor_;
   AvatarOptions options_;
   Eigen::MatrixXf expression_shapes_;  ///< 3V x E

@@ -4,6 +4,7 @@
 #include "faces/landmark_order.h"
 #include "systems/portrait/picture_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,46 @@ namespace {
 
 double Rounded(double value) {
   return std::round(1000 * value) / 1000;
+}
+
+constexpr uint8_t kWhite = 255;
+constexpr double kMostStretch = 0.01;  // Between the shapes of a mask and of its picture.
+
+/// One channel of a picture whose channels are equal; the picture itself if they are not.
+render::Image GreyOf(const render::Image& picture) {
+  if (picture.channels == 1) return picture;
+  render::Image grey(picture.height, picture.width, 1);
+  for (size_t i = 0; i < grey.pixels.size(); ++i) {
+    const uint8_t* rgb = &picture.pixels[3 * i];
+    if (rgb[0] != rgb[1] || rgb[0] != rgb[2]) return picture;
+    grey.pixels[i] = rgb[0];
+  }
+  return grey;
+}
+
+render::Image NearestPixels(const render::Image& mask, int height, int width) {
+  render::Image scaled(height, width, 1);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      scaled.at(row, column) =
+          mask.at(int((row + 0.5) * mask.height / height), int((column + 0.5) * mask.width / width));
+  return scaled;
+}
+
+bool IsBlackAndWhite(const render::Image& mask) {
+  return std::ranges::all_of(mask.pixels, [](uint8_t value) { return value == 0 || value == kWhite; }) &&
+         std::ranges::count(mask.pixels, kWhite) > 0;
+}
+
+/// What is parsed within the white, where background becomes skin.
+render::Image Within(const render::Image& white, const std::optional<render::Image>& parsed) {
+  render::Image classes(white.height, white.width, 1, uint8_t(PictureClass::kBackground));
+  for (size_t i = 0; i < classes.pixels.size(); ++i) {
+    if (white.pixels[i] == 0) continue;
+    classes.pixels[i] = parsed ? parsed->pixels[i] : uint8_t(PictureClass::kBackground);
+    if (classes.pixels[i] == uint8_t(PictureClass::kBackground)) classes.pixels[i] = uint8_t(PictureClass::kSkin);
+  }
+  return classes;
 }
 
 }  // namespace
@@ -56,6 +97,27 @@ render::Image ReadMask(const std::filesystem::path& file, int height, int width)
   for (const uint8_t value : mask.pixels)
     DAUMIER_CHECK(value < kNumPictureClasses, "{}: has a pixel of class {}, expected 0 to {}", file.string(), value,
                   kNumPictureClasses - 1);
+  return mask;
+}
+
+render::Image ReadHeadMask(const std::filesystem::path& file, int height, int width,
+                           const std::optional<render::Image>& parsed) {
+  render::Image mask = GreyOf(render::ReadImage(file));
+  DAUMIER_CHECK(mask.channels == 1,
+                "{}: is a picture in colours, expected a grey one of the classes 0 to {}, or black "
+                "and white",
+                file.string(), kNumPictureClasses - 1);
+  DAUMIER_CHECK(std::abs(double(mask.width) * height / (double(mask.height) * width) - 1) < kMostStretch,
+                "{}: is {} x {}, and the portrait {} x {}: expected the same shape", file.string(), mask.width,
+                mask.height, width, height);
+  if (mask.height != height || mask.width != width) mask = NearestPixels(mask, height, width);
+  if (IsBlackAndWhite(mask)) return Within(mask, parsed);
+  for (const uint8_t value : mask.pixels)
+    DAUMIER_CHECK(
+        value < kNumPictureClasses,
+        "{}: has a pixel of the value {}, expected classes 0 to {} (docs/formats.md), or black and white (0 and "
+        "255, without others)",
+        file.string(), value, kNumPictureClasses - 1);
   return mask;
 }
 

@@ -26,6 +26,13 @@ std::string LandmarksAsPts(std::span<const float> landmarks);
 /// it is no such picture.
 render::Image ReadMask(const std::filesystem::path& file, int height, int width);
 
+/// The classes of pixels by a file of any person's: values 0 to 7 as ReadMask, or black and white (0 and 255), where white
+/// is the head: there `parsed` counts, background becomes skin; elsewhere is background. Grey, or RGB of equal channels; of
+/// another size but the same shape, it is scaled to the nearest pixels. parsed: of that size, or absent.
+/// @throws Error naming the file if it is neither.
+render::Image ReadHeadMask(const std::filesystem::path& file, int height, int width,
+                           const std::optional<render::Image>& parsed);
+
 /// {box: [left, top, right, bottom], confidence, landmarks: [[x, y], ...], landmark_confidences, states: {is_face,
 /// right_eye_closed, left_eye_closed, mouth_open}}, pixels rounded to 0.001.
 Json DetectedFaceToJson(const DetectedFace& face);

@@ -54,6 +54,26 @@ PictureMap DrawJitter(const PortraitPictureOptions& options, Rng& rng) {
   return map;
 }
 
+void SamplePixel(const render::Image& picture, const Eigen::Vector2d& point, Sampling sampling, uint8_t* out) {
+  const int channels = picture.channels;
+  if (sampling == Sampling::kNearest) {
+    const int x = int(std::clamp(std::floor(point.x()), 0.0, picture.width - 1.0)),
+              y = int(std::clamp(std::floor(point.y()), 0.0, picture.height - 1.0));
+    for (int c = 0; c < channels; ++c) out[c] = picture.at(y, x, c);
+    return;
+  }
+  const double x = std::clamp(point.x() - 0.5, 0.0, picture.width - 1.0),
+               y = std::clamp(point.y() - 0.5, 0.0, picture.height - 1.0);
+  const int x0 = int(x), y0 = int(y), x1 = std::min(x0 + 1, picture.width - 1),
+            y1 = std::min(y0 + 1, picture.height - 1);
+  const float fx = float(x - x0), fy = float(y - y0);
+  for (int c = 0; c < channels; ++c) {
+    const float top = float(picture.at(y0, x0, c)) * (1 - fx) + float(picture.at(y0, x1, c)) * fx,
+                bottom = float(picture.at(y1, x0, c)) * (1 - fx) + float(picture.at(y1, x1, c)) * fx;
+    out[c] = uint8_t(top * (1 - fy) + bottom * fy + 0.5F);
+  }
+}
+
 render::Image WarpPicture(const render::Image& picture, const PictureMap& map, Sampling sampling) {
   DAUMIER_CHECK(!picture.pixels.empty(), "an empty picture is cropped");
   const double scale = map.scale();
@@ -68,29 +88,10 @@ render::Image WarpPicture(const render::Image& picture, const PictureMap& map, S
   }
   const PictureMap back = map.Inverse();
   render::Image crop(kPortraitSide, kPortraitSide, picture.channels);
-  const int channels = picture.channels;
   uint8_t* out = crop.pixels.data();
-  for (int row = 0; row < kPortraitSide; ++row) {
-    for (int column = 0; column < kPortraitSide; ++column, out += channels) {
-      const Eigen::Vector2d p = back({column + 0.5, row + 0.5});
-      if (sampling == Sampling::kNearest) {
-        const int x = int(std::clamp(std::floor(p.x()), 0.0, picture.width - 1.0)),
-                  y = int(std::clamp(std::floor(p.y()), 0.0, picture.height - 1.0));
-        for (int c = 0; c < channels; ++c) out[c] = picture.at(y, x, c);
-        continue;
-      }
-      const double x = std::clamp(p.x() - 0.5, 0.0, picture.width - 1.0),
-                   y = std::clamp(p.y() - 0.5, 0.0, picture.height - 1.0);
-      const int x0 = int(x), y0 = int(y), x1 = std::min(x0 + 1, picture.width - 1),
-                y1 = std::min(y0 + 1, picture.height - 1);
-      const float fx = float(x - x0), fy = float(y - y0);
-      for (int c = 0; c < channels; ++c) {
-        const float top = float(picture.at(y0, x0, c)) * (1 - fx) + float(picture.at(y0, x1, c)) * fx,
-                    bottom = float(picture.at(y1, x0, c)) * (1 - fx) + float(picture.at(y1, x1, c)) * fx;
-        out[c] = uint8_t(top * (1 - fy) + bottom * fy + 0.5F);
-      }
-    }
-  }
+  for (int row = 0; row < kPortraitSide; ++row)
+    for (int column = 0; column < kPortraitSide; ++column, out += picture.channels)
+      SamplePixel(picture, back({column + 0.5, row + 0.5}), sampling, out);
   return crop;
 }
 

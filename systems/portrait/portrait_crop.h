@@ -40,6 +40,8 @@ PictureMap CropOfWhole(int height, int width);
 PictureMap DrawJitter(const PortraitPictureOptions& options, Rng& rng);
 
 enum class Sampling { kBilinear, kNearest };
+/// The channels of a picture at a point, pixels; beyond the picture its border is repeated.
+void SamplePixel(const render::Image& picture, const Eigen::Vector2d& point, Sampling sampling, uint8_t* out);
 /// The 224 x 224 picture whose pixel centres p show map^-1(p); what is outside of the picture repeats its border. Where
 /// the map makes a picture smaller, it is resized first, so that nothing is aliased. Same number of channels.
 render::Image WarpPicture(const render::Image& picture, const PictureMap& map, Sampling sampling = Sampling::kBilinear);

@@ -75,26 +75,32 @@ PortraitPrediction PortraitPredictor::FromLandmarks(const render::Image& picture
   return prediction;
 }
 
-PortraitReading PortraitPredictor::Read(const render::Image& picture) const {
-  PortraitReading reading;
-  std::vector<float> confidences;
-  reading.landmarks = given_landmarks_;
+FoundPortrait PortraitPredictor::Find(const render::Image& picture) const {
+  FoundPortrait found;
+  found.landmarks = given_landmarks_;
   if (landmarks_ != nullptr) {
     const LandmarkDetector& detector = landmarks_->detector();
     const std::vector<DetectedFace> faces = given_landmarks_.empty()
                                                 ? landmarks_->Faces(picture)
                                                 : std::vector{detector.FindGiven(picture, given_landmarks_)};
-    reading.landmarks = faces.front().landmarks;
-    confidences = faces.front().landmark_confidences;
-    reading.mask = detector.HeadMask(picture, faces.front());
-    reading.record["confidence"] = faces.front().confidence;
+    found.landmarks = faces.front().landmarks;
+    found.confidences = faces.front().landmark_confidences;
+    found.mask = detector.HeadMask(picture, faces.front());
+    found.record["confidence"] = faces.front().confidence;
     if (faces.size() > 1)
-      reading.warnings.push_back(
+      found.warnings.push_back(
           fmt::format("the picture shows {} faces, of which that of highest confidence is predicted", faces.size()));
   }
-  if (reading.landmarks.empty())
-    reading.warnings.push_back(
+  if (!options_.mask.empty()) found.mask = ReadHeadMask(options_.mask, picture.height, picture.width, found.mask);
+  if (found.landmarks.empty())
+    found.warnings.push_back(
         "no landmarks were given, so that the whole picture counts as the face: landmark_run=FOLDER finds them");
+  return found;
+}
+
+PortraitReading PortraitPredictor::ReadFound(const render::Image& picture, FoundPortrait found) const {
+  PortraitReading reading;
+  static_cast<FoundPortrait&>(reading) = std::move(found);
   PortraitPrediction prediction = FromLandmarks(picture, reading.landmarks);
   reading.map = prediction.map;
   reading.crop = std::move(prediction.crop);
@@ -104,7 +110,7 @@ PortraitReading PortraitPredictor::Read(const render::Image& picture) const {
   if (aligner_ == nullptr) return reading;
   reading.coarse = painter_.Paint(reading.face, reading.coefficients);
   const std::vector<float> in_crop = MapLandmarks(reading.landmarks, reading.map);
-  AlignedPortrait aligned = aligner_->Align(reading.coefficients, in_crop, confidences);
+  AlignedPortrait aligned = aligner_->Align(reading.coefficients, in_crop, reading.confidences);
   reading.coefficients = std::move(aligned.coefficients);
   reading.face.vertices = std::move(aligned.vertices);
   reading.record["stage"] = "fine";
@@ -154,8 +160,8 @@ systems::FaceResult PortraitPredictor::ResultOf(const render::Image& picture, co
 
 std::vector<systems::FaceResult> PortraitPredictor::Predict(std::span<const systems::Input> inputs,
                                                             const Task& task) const {
-  DAUMIER_CHECK(inputs.size() == 1 || options_.landmarks.empty(), "landmarks are given for one picture, here are {}",
-                inputs.size());
+  DAUMIER_CHECK(inputs.size() == 1 || (options_.landmarks.empty() && options_.mask.empty()),
+                "landmarks and mask are given for one picture, here are {}", inputs.size());
   return systems::PredictEach(inputs, task, "pictures", [&](const systems::Input& input) {
     const render::Image& picture = systems::PictureOf(input);
     return ResultOf(picture, Read(picture));

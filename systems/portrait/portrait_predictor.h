@@ -16,6 +16,7 @@ namespace daumier::portrait {
 struct PortraitPredictOptions {
   std::string landmark_run = {};
   std::string landmarks = {};
+  std::string mask = {};
   LandmarkDetectorOptions detector;
   bool fine = true;
   PortraitAlignmentOptions alignment = {.fine = {.contour = "fixed"}};  ///< As the landmark network is trained.
@@ -29,6 +30,9 @@ struct PortraitPredictOptions {
     visit("landmarks", landmarks, Text{},
           "File of 68 landmarks (.pts, .txt, .json) in pixels of the picture, in place of a landmark run. Of one "
           "picture.");
+    visit("mask", mask, Text{},
+          "File of the classes of the picture's pixels (ReadHeadMask), in place of the parsing by the landmark run. Of "
+          "one picture.");
     visit("detector", detector, Table{}, "How the landmark run finds faces.");
     visit("fine", fine, Flag{},
           "Whether the face is aligned to the landmarks; otherwise it is the network's coarse face.");
@@ -43,17 +47,22 @@ struct PortraitPrediction {
   std::vector<float> coefficients;  ///< 239
 };
 
-/// What a picture shows of a face.
-struct PortraitReading {
+/// Where a picture shows a face.
+struct FoundPortrait {
   std::vector<float> landmarks;       ///< 68 x 2, pixels of the picture; empty: the picture is the crop.
-  std::optional<render::Image> mask;  ///< PictureClass of each pixel; absent without a landmark run.
+  std::vector<float> confidences;     ///< 68; empty: ones.
+  std::optional<render::Image> mask;  ///< PictureClass of each pixel; absent without a landmark run and a given mask.
+  std::vector<std::string> warnings;
+  Json record = Json::object();  ///< {confidence} of a landmark run.
+};
+
+/// What a picture shows of a face. record: {confidence, stage, landmark_error} as in results.
+struct PortraitReading : FoundPortrait {
   PictureMap map;                     ///< From the picture to the crop.
   render::Image crop;                 ///< 224 x 224, RGB.
   std::vector<float> coefficients;    ///< 239
   faces::ColouredFace face;           ///< In the model's frame, not posed.
   std::optional<FacePicture> coarse;  ///< Of a fine face: the coarse one in the crop.
-  std::vector<std::string> warnings;
-  Json record = Json::object();  ///< {confidence, stage, landmark_error} as in results.
 };
 
 /// Faces of portraits: picture -> landmarks -> crop -> coefficients -> coarse mesh -> mesh aligned to the landmarks.
@@ -75,8 +84,10 @@ class PortraitPredictor : public systems::Predictor {
   std::vector<systems::FaceResult> Predict(std::span<const systems::Input> inputs,
                                            const Task& task = {}) const override;
 
-  /// The two halves of Predict: what is found in a picture, and the result of it. @throws Error as Predict.
-  PortraitReading Read(const render::Image& picture) const;
+  /// The parts of Predict: where a face is, what is read there, and the result of it. @throws Error as Predict.
+  FoundPortrait Find(const render::Image& picture) const;
+  PortraitReading ReadFound(const render::Image& picture, FoundPortrait found) const;
+  PortraitReading Read(const render::Image& picture) const { return ReadFound(picture, Find(picture)); }
   systems::FaceResult ResultOf(const render::Image& picture, const PortraitReading& reading) const;
 
   /// landmarks: 68 x 2 in pixels of the picture; empty: the picture is the crop.

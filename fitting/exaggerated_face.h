@@ -1,0 +1,16 @@
+#pragma once
+#include "fitting/code_model.h"
+
+#include <span>
+
+namespace daumier::fitting {
+
+/// The automatic caricature of a face by a deformable model [Jung et al. 2022, section 5]: with its code c = CodeOfMesh,
+///   face + V(c + strength d) - V(c),  d = c less its numbers of expression,
+/// so that what the model cannot show of the face stays as it is. Codes are standardised: 0 is the mean face.
+/// face: V x 3, cm; expression: numbers of the code that are one. Strength 0 gives the face itself.
+/// @throws Error as CodeOfMesh.
+geometry::Points ExaggeratedFace(const CodeModel& model, const geometry::Points& face, double strength,
+                                 std::span<const int> expression = {});
+
+}  // namespace daumier::fitting
