@@ -7,7 +7,9 @@ namespace daumier::fitting {
 
 /// The automatic caricature of a face by a deformable model [Jung et al. 2022, section 5]: with its code c = CodeOfMesh,
 ///   face + V(c + strength d) - V(c),  d = c less its numbers of expression,
-/// so that what the model cannot show of the face stays as it is. Codes are standardised: 0 is the mean face.
+/// so that what the model cannot show of the face stays as it is; towards the border of the neck (region neck_border), within
+/// 4 cm of it, what is added becomes the border's mean. What is added is its own mirror image where the template is: an
+/// asymmetry stays as it is. Codes are standardised: 0 is the mean face.
 /// face: V x 3, cm; expression: numbers of the code that are one. Strength 0 gives the face itself.
 /// @throws Error as CodeOfMesh.
 geometry::Points ExaggeratedFace(const CodeModel& model, const geometry::Points& face, double strength,

@@ -5,8 +5,8 @@
 namespace daumier::render {
 
 struct ToonPictureOptions {
-  double reach = 0.03;
-  double contrast = 0.3;
+  double reach = 0.012;
+  double contrast = 0.15;
   int bands = 8;
   double saturation = 1.2;
 

@@ -13,11 +13,18 @@ namespace {
 TEST(ExaggeratedFace, MultipliesTheCodeOfAFaceOfTheModel) {
   const FieldModel model;
   Eigen::VectorXd code(FieldModel::kFields);
-  code << 0.6, -0.5, 0.3, 1.2, -0.7, 0.4;
-  const geometry::Points face = model.Vertices(code);
+  code << 0.6, -0.5, 0.3, 1.2, 0.4, 0.4;  // Both sides of the jaw alike.
+  const geometry::Points face = model.Vertices(code), expected = model.Vertices(1.5 * code);
   const geometry::Points exaggerated = fitting::ExaggeratedFace(model, face, 0.5);
-  // The code's ridge makes it shorter by little.
-  EXPECT_LT((exaggerated - model.Vertices(1.5 * code)).rowwise().norm().maxCoeff(), 0.05);
+  const faces::FaceTemplate& of_model = model.face_template();
+  const geometry::Points rim = of_model.neutral(of_model.annotation.regions.at("neck_border"), Eigen::all);
+  int num_compared = 0;
+  for (Eigen::Index v = 0; v < face.rows(); ++v) {
+    if ((rim.rowwise() - of_model.neutral.row(v)).rowwise().norm().minCoeff() < 4) continue;
+    ++num_compared;
+    EXPECT_LT((exaggerated - expected).row(v).norm(), 0.05) << v;  // The code's ridge makes it shorter by little.
+  }
+  EXPECT_GT(num_compared, 50);
   EXPECT_EQ(fitting::ExaggeratedFace(model, face, 0), face);
 }
 
@@ -37,6 +44,22 @@ TEST(ExaggeratedFace, LeavesNumbersOfExpression) {
   const std::array<int, 1> expression = {3};
   const geometry::Points face = model.Vertices(code);
   EXPECT_LT((fitting::ExaggeratedFace(model, face, 2, expression) - face).rowwise().norm().maxCoeff(), 0.05);
+}
+
+TEST(ExaggeratedFace, MovesTheNecksBorderAsOnePieceAndBothSidesAlike) {
+  const FieldModel model;
+  Eigen::VectorXd code(FieldModel::kFields);
+  code << 0.6, -0.5, 0.3, 1.2, -0.7, 0.4;  // One side of the jaw more than the other.
+  const geometry::Points face = model.Vertices(code);
+  const geometry::Points moves = fitting::ExaggeratedFace(model, face, 1) - face;
+  const faces::Annotation& annotation = model.face_template().annotation;
+  for (size_t v = 0; v < annotation.mirror.size(); ++v) {
+    const Eigen::RowVector3d mirrored = moves.row(annotation.mirror[v]);
+    EXPECT_NEAR(moves(Eigen::Index(v), 0), -mirrored.x(), 1e-9) << v;
+    EXPECT_NEAR(moves(Eigen::Index(v), 1), mirrored.y(), 1e-9) << v;
+  }
+  const geometry::Points rim = moves(annotation.regions.at("neck_border"), Eigen::all);
+  EXPECT_LT((rim.rowwise() - rim.row(0)).norm(), 1e-9);
 }
 
 TEST(ExaggeratedFace, RefusesAnotherTopology) {
