@@ -2,6 +2,7 @@
 #include "cli/avatar_drawing.h"
 #include "cli/avatar_stages.h"
 #include "cli/head_arguments.h"
+#include "cli/head_hair.h"
 #include "cli/system_table.h"
 #include "cli/verb.h"
 #include "cli/weights_model.h"
@@ -14,6 +15,7 @@
 #include "render/sheet.h"
 #include "systems/deform/open_code_model.h"
 #include "systems/picture_content.h"
+#include "systems/portrait/picture_hair.h"
 #include "systems/portrait/portrait_system.h"
 #include "systems/predict_inputs.h"
 #include "systems/shipped_weights.h"
@@ -32,6 +34,7 @@ struct AvatarArguments {
   fs::path input, landmarks, mask, stages;
   std::string weights = "portrait", device = "cpu", kind = "auto", style;
   double caricature = 0;
+  HairArguments hair;
   HeadArguments head;
   ConfigArguments config;
 };
@@ -99,8 +102,11 @@ MadeAvatar OfDrawing(const AvatarArguments& arguments, const AvatarVerbConfig& c
   if (!arguments.landmarks.empty() || !arguments.mask.empty() || !arguments.style.empty())
     throw UsageError(fmt::format("--landmarks, --mask and --style are for portraits, and {} is read as a drawing",
                                  arguments.input.string()));
+  if (arguments.hair.style == "auto")
+    throw UsageError("--hair auto reads the hair of portraits; name that of a drawing's head (--hair short)");
   DrawnHead drawn = MakeDrawnHead(arguments.input, config.palette, config.avatar.texture.size,
                                   CaricatureOf(arguments.caricature), ParseDevice(arguments.device));
+  if (const auto looks = HairLooks(arguments.hair)) AddHair(*drawn.face_template, drawn.neutral, *looks, drawn.head);
   MadeAvatar made{.content = {.head = std::move(drawn.head), .texture = drawn.texture, .clip = {}},
                   .stages = {{"drawing", drawn.stages.front().image}, {"texture", *drawn.texture}},
                   .milliseconds = std::move(drawn.milliseconds),
@@ -122,6 +128,12 @@ MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& 
   made.milliseconds["open"] = 1e3 * watch.seconds();
   portrait::Avatar avatar = maker.Make(picture, CaricatureOf(arguments.caricature));
   for (const std::string& warning : avatar.face.warnings) log::Warn("{}: {}", arguments.input.string(), warning);
+  if (arguments.hair.style != "none") {
+    const auto looks = HairLooks(arguments.hair, portrait::LooksOf(portrait::FindShownHair(
+                                                     avatar.picture, *avatar.found.mask, avatar.found.landmarks)));
+    AddHair(model.face_template, avatar.neutral, *looks, avatar.head);
+    made.facts["hair"] = faces::kHairStyleNames[size_t(looks->hair)];
+  }
   made.milliseconds.update({{"style", avatar.times.style},
                             {"face", avatar.times.face},
                             {"targets", avatar.times.targets},
@@ -146,6 +158,7 @@ void MakeAvatar(const AvatarArguments& arguments) {
   const std::vector<fs::path> inputs = {arguments.input, arguments.landmarks, arguments.mask};
   const RigFiles files = CheckedHeadFiles(arguments.head, inputs);
   if (!arguments.stages.empty()) CheckReplacedFolder(arguments.stages, kStagesKind, inputs);
+  HairLooks(arguments.hair);  // Refuses what is no colour.
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
   MadeAvatar made = IsDrawing(arguments) ? OfDrawing(arguments, config) : OfPortrait(arguments, config);
   const Stopwatch of_files;
@@ -192,8 +205,10 @@ Verb AvatarVerb() {
                         "Picture of what each pixel shows, in place of the parsing: grey classes 0 to 7 as `predict "
                         "--weights landmarks` writes them, or black and white, where white is the head")
             ->check(CLI::ExistingFile);
-        command.add_option("--style", arguments->style,
-                           "What the picture is made into first: none, or toon (flat colours and larger eyes)");
+        command.add_option(
+            "--style", arguments->style,
+            "What the picture is made into first: none, toon (flat colours and larger eyes), or FILE.onnx, an "
+            "image-to-image network");
         command
             .add_option("--caricature", arguments->caricature,
                         "Exaggerate the face's deviation from the mean face by this share, by the shipped deformable "
@@ -205,6 +220,7 @@ Verb AvatarVerb() {
             .add_option("--weights", arguments->weights, "Shipped weights of the task `portrait`, by name or folder")
             ->capture_default_str();
         command.add_option("--device", arguments->device, "cpu or cuda")->capture_default_str();
+        AddHairArguments(command, HairFrom::kNameOrPicture, arguments->hair);
         AddHeadArguments(command, arguments->head);
         command.footer("Options:\n" + HelpText<AvatarVerbConfig>());
         return [arguments] { MakeAvatar(*arguments); };

@@ -133,10 +133,11 @@ DrawnHead MakeDrawnHead(const fs::path& file, const PaletteOptions& options, int
   for (const std::string& warning : face.warnings) log::Warn("{}: {}", file.string(), warning);
   drawn.milliseconds["face"] = MillisecondsSince(watch);
 
-  const geometry::Points neutral = edit ? edit(face.vertices) : face.vertices;
-  const rig::MorphTargets targets = expressions->On(neutral);
+  drawn.face_template = face.face_template;
+  drawn.neutral = edit ? edit(face.vertices) : face.vertices;
+  const rig::MorphTargets targets = expressions->On(drawn.neutral);
   drawn.milliseconds["targets"] = MillisecondsSince(watch);
-  drawn.head = head_rig->On(neutral, targets);
+  drawn.head = head_rig->On(drawn.neutral, targets);
   drawn.milliseconds["head"] = MillisecondsSince(watch);
 
   const std::optional<render::Image> picture = ColouredPicture(file);

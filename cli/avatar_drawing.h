@@ -33,6 +33,8 @@ struct PaletteOptions {
 /// A drawing as a rigged head.
 struct DrawnHead {
   rig::RiggedHead head;
+  std::shared_ptr<const faces::FaceTemplate> face_template;
+  geometry::Points neutral;  ///< V x 3, cm: the face that was rigged.
   std::shared_ptr<const render::Image> texture;
   std::vector<render::SheetCell> stages;  ///< The drawing with the face's lines.
   Json milliseconds, facts;               ///< facts: {palette: {skin: {colour, from}, ...}}.

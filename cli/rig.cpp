@@ -1,4 +1,5 @@
 #include "cli/head_arguments.h"
+#include "cli/head_hair.h"
 #include "cli/rig_face.h"
 #include "cli/rig_foreign.h"
 #include "cli/verb.h"
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 struct RigArguments {
   fs::path face, texture, landmarks;
   bool keep_expression = false;
+  HairArguments hair;
   HeadArguments head;
   ConfigArguments config;
 };
@@ -62,6 +64,7 @@ void Rig(const RigArguments& arguments) {
   const std::optional<faces::SourceOptions> source = SourceOf(arguments);
   const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.face, arguments.texture, arguments.landmarks});
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
+  const std::optional<faces::Looks> hair = HairLooks(arguments.hair);
   RigContent content{.head = {}, .texture = TextureOf(arguments.texture), .clip = {}};
   const GivenFace given = ReadGivenFace(arguments.face);
   const auto shown = arguments.keep_expression ? ShownExpression::kKept : ShownExpression::kRemoved;
@@ -69,10 +72,13 @@ void Rig(const RigArguments& arguments) {
   if (const auto face = arguments.landmarks.empty() ? ReadFaceToRig(given, source, shown) : std::nullopt) {
     for (const std::string& remark : face->remarks) log::Info("{}: {}", face->name, remark);
     content.head = HeadOf(*face);
+    if (hair) AddHair(face->model.face_template, face->neutral, *hair, content.head);
   } else {
-    RiggedForeignHead foreign = RigForeignHead(given, arguments.landmarks, ModelForForeignHeads(source),
-                                               content.texture ? TakenLook::kNone : TakenLook::kOwn);
+    const faces::FaceModel model = ModelForForeignHeads(source);
+    RiggedForeignHead foreign =
+        RigForeignHead(given, arguments.landmarks, model, content.texture ? TakenLook::kNone : TakenLook::kOwn);
     content.head = std::move(foreign.head);
+    if (hair) AddHair(model.face_template, foreign.registered, *hair, content.head);
     content.stages = std::move(foreign.stages);
     facts = std::move(foreign.facts);
   }
@@ -99,6 +105,7 @@ Verb RigVerb() {
             "overrides", arguments->config.overrides,
             "source.KEY=value: the face model of the mesh's topology, or whose expressions a mesh of another "
             "topology gets. Without it the shipped face model or MakeHuman's, by the number of vertices");
+        AddHairArguments(command, HairFrom::kName, arguments->hair);
         AddHeadArguments(command, arguments->head);
         command
             .add_option("--texture", arguments->texture,

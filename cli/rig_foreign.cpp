@@ -202,7 +202,8 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
                 {"registration", registered.row},
                 {"slits", SlitsJson(head.slits)}};
   facts["registration"].erase("name");
-  return {std::move(head.head), std::move(landmarks.stages), std::move(facts)};
+  return {std::move(head.head), geometry::Inverse(template_from_head).Apply(registered.vertices),
+          std::move(landmarks.stages), std::move(facts)};
 }
 
 }  // namespace daumier::cli

@@ -12,7 +12,8 @@ namespace daumier::cli {
 
 /// A head of another topology than a face model's, rigged.
 struct RiggedForeignHead {
-  rig::RiggedHead head;  ///< cm, y up, the face to +z: the head's own vertices, turned and scaled alone.
+  rig::RiggedHead head;         ///< cm, y up, the face to +z: the head's own vertices, turned and scaled alone.
+  geometry::Points registered;  ///< The model's template on it, V x 3, cm, in the head's frame.
   std::vector<render::SheetCell> stages;  ///< The head with the landmarks that were found.
   Json facts;                             ///< What the command prints: axes, unit, landmarks, registration, slits.
 };

@@ -54,4 +54,12 @@ Similarity AlignRobustly(const Points& source, const Points& target, const Eigen
   return similarity;
 }
 
+Similarity Inverse(const Similarity& similarity) {
+  Similarity inverse;
+  inverse.scale = 1 / similarity.scale;
+  inverse.rotation = similarity.rotation.transpose();
+  inverse.translation = -inverse.scale * (inverse.rotation * similarity.translation);
+  return inverse;
+}
+
 }  // namespace daumier::geometry

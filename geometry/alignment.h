@@ -11,6 +11,8 @@ struct Similarity {
 
   Points Apply(const Points& points) const;
 };
+/// The similarity that undoes one. Its scale must not be 0.
+Similarity Inverse(const Similarity& similarity);
 
 /// The similarity that minimises sum_i w_i |scale R source_i + t - target_i|^2 [Umeyama 1991]; R is a rotation, never a
 /// reflection. `weights` (V, not negative) may be empty for ones.

@@ -66,6 +66,19 @@ void CheckOwn(const rig::RiggedHead& head, const geometry::TriangleMesh& mesh, c
                   head.own_materials.size());
 }
 
+void CheckAttachment(const rig::HeadAttachment& attachment) {
+  const geometry::TriangleMesh& mesh = attachment.mesh;
+  DAUMIER_CHECK(
+      !attachment.name.empty() && std::all_of(attachment.name.begin(), attachment.name.end(), IsNameCharacter),
+      "the attachment '{}' is not named by letters", attachment.name);
+  DAUMIER_CHECK(mesh.triangles.rows() > 0 && mesh.triangles.minCoeff() >= 0 &&
+                    mesh.triangles.maxCoeff() < mesh.vertices.rows() && mesh.vertices.allFinite(),
+                "the attachment {} is no mesh with finite vertices", attachment.name);
+  DAUMIER_CHECK(attachment.colours.rows() == mesh.vertices.rows() && attachment.colours.cols() == 3 &&
+                    attachment.colours.allFinite(),
+                "the attachment {} has not a colour a vertex", attachment.name);
+}
+
 }  // namespace
 
 void CheckHead(const rig::RiggedHead& head, const render::Image* texture) {
@@ -77,6 +90,7 @@ void CheckHead(const rig::RiggedHead& head, const render::Image* texture) {
     CheckMesh("eye", eye.mesh, eye.materials, texture);
     DAUMIER_CHECK(eye.centre.allFinite(), "the centre of an eye is not finite");
   }
+  for (const rig::HeadAttachment& attachment : head.attachments) CheckAttachment(attachment);
   if (!head.own_materials.empty()) {
     CheckOwn(head, head.mesh, head.own);
     for (const rig::RiggedEye& eye : head.eyes) CheckOwn(head, eye.mesh, eye.own);

@@ -78,6 +78,11 @@ class HeadAssembly {
       nodes.left_eye = AddEye(nodes.head, head_.eyes[1], "LeftEye", surface);
       nodes.right_eye = AddEye(nodes.head, head_.eyes[0], "RightEye", surface);
     }
+    for (const rig::HeadAttachment& attachment : head_.attachments) {
+      const int material = AddMaterial(builder_, (attachment.name + "Material").c_str(), std::nullopt, 0.8);
+      const int mesh = AddAttachmentMesh(builder_, attachment.name + "Mesh", attachment, head_.head_pivot, material);
+      AddChild(nodes.head, {{"name", attachment.name}, {"mesh", mesh}}, geometry::Vector3::Zero());
+    }
     nodes.jaw = AddChild(nodes.head, {{"name", "Jaw"}}, Metres(head_.jaw_pivot, head_.head_pivot));
     return nodes;
   }

@@ -33,6 +33,7 @@ struct HeadFileOptions {
 /// A binary glTF 2.0 file of a rigged head for game engines, web pages and modelling programs. Metres, y up, the face to
 /// +z, the head's own left at +x.
 ///
+/// Attachments are nodes of their names below Head (Wolf3D_NAME of kReadyPlayerMe), with colours at their vertices.
 /// Nodes: Head (the mesh Face, about head_pivot, with one primitive and all targets), below it LeftEye and RightEye (the
 /// meshes LeftEyeball, RightEyeball, about their centres; identity = straight ahead) and Jaw (no mesh: where parts that
 /// follow the jaw are attached; jawOpen moves the skin by itself). Targets are dense float32, of positions alone or of

@@ -28,6 +28,13 @@ std::vector<std::array<uint8_t, 4>> ColoursOf(const std::vector<faces::HeadMater
   return colours;
 }
 
+std::vector<std::array<uint8_t, 4>> ColoursOf(const Eigen::MatrixXf& srgb, const std::vector<int>& rows) {
+  std::vector<std::array<uint8_t, 4>> colours;
+  const auto linear = [](float value) { return LinearFromSrgb(std::clamp<double>(value, 0, 1)); };
+  for (const int row : rows) colours.push_back({linear(srgb(row, 0)), linear(srgb(row, 1)), linear(srgb(row, 2)), 255});
+  return colours;
+}
+
 /// N x 2 with v downwards, as glTF has it.
 FloatRows FlippedUv(const SplitMesh& split) {
   FloatRows uv(split.uv.rows(), 2);
@@ -142,6 +149,16 @@ int AddMesh(GlbBuilder& builder, const char* name, const geometry::TriangleMesh&
   }
   item["primitives"] = Json::array({primitive});
   return builder.Add("meshes", std::move(item));
+}
+
+int AddAttachmentMesh(GlbBuilder& builder, const std::string& name, const rig::HeadAttachment& attachment,
+                      const geometry::Vector3& pivot, int material) {
+  SplitMesh split = SplitAtSeams(attachment.mesh, {});
+  if (builder.encoding() == GlbEncoding::kMeshopt) split = OrderForCompression(split);
+  Json primitive = Primitive(builder, split, PositionsFrom(pivot, attachment.mesh.vertices, split),
+                             SplitNormals(attachment.mesh, split), material);
+  primitive["attributes"]["COLOR_0"] = builder.AddColors(ColoursOf(attachment.colours, split.source_vertices));
+  return builder.Add("meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
 }
 
 }  // namespace daumier::gltf

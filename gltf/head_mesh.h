@@ -4,6 +4,7 @@
 #include "gltf/head_file.h"
 #include "gltf/split_mesh.h"
 
+#include <string>
 #include <vector>
 
 namespace daumier::gltf {
@@ -21,5 +22,9 @@ FloatRows SplitNormals(const geometry::TriangleMesh& mesh, const SplitMesh& spli
 int AddMesh(GlbBuilder& builder, const char* name, const geometry::TriangleMesh& mesh,
             const std::vector<faces::HeadMaterial>& materials, const geometry::Vector3& pivot,
             const rig::MorphTargets& targets, int material, bool is_coloured, const HeadFileOptions& options);
+
+/// Adds the mesh of an attachment, about a pivot (cm), its vertices coloured. Returns the mesh.
+int AddAttachmentMesh(GlbBuilder& builder, const std::string& name, const rig::HeadAttachment& attachment,
+                      const geometry::Vector3& pivot, int material);
 
 }  // namespace daumier::gltf

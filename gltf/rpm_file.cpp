@@ -109,6 +109,12 @@ void AddReadyPlayerMeHead(GlbBuilder& builder, const rig::RiggedHead& head, cons
       }
     }
   }
+  for (const rig::HeadAttachment& attachment : head.attachments) {
+    const std::string name = "Wolf3D_" + attachment.name;
+    const int material = AddMaterial(builder, name.c_str(), std::nullopt, 0.8);
+    const int mesh = AddAttachmentMesh(builder, name, attachment, head.head_pivot, material);
+    add_child(skeleton.head, {{"name", name}, {"mesh", mesh}});
+  }
   AddAnimation(builder, nodes, animation);
   builder.json()["scenes"] = Json::array({{{"nodes", {skeleton.armature}}}});
   builder.json()["scene"] = 0;

@@ -124,6 +124,26 @@ render::Frame FrameOfHead(const rig::RiggedHead& head, const geometry::Points& a
   return kMuchLarger * face.half_height < whole.half_height ? face : whole;
 }
 
+/// Attachments as triangles with colours of their own, behind the vertices of the head.
+void AddAttachments(const std::vector<rig::HeadAttachment>& attachments, render::RenderInput& input) {
+  for (const rig::HeadAttachment& attachment : attachments) {
+    const Eigen::Index first = input.surface.vertices.rows(), count = attachment.mesh.vertices.rows();
+    input.surface.vertices.conservativeResize(first + count, Eigen::NoChange);
+    input.surface.vertices.bottomRows(count) = attachment.mesh.vertices;
+    const geometry::Triangles& triangles = attachment.mesh.triangles;
+    input.closing_triangles.conservativeResize(input.closing_triangles.rows() + triangles.rows(), 3);
+    input.closing_triangles.bottomRows(triangles.rows()) = triangles.array() + int(first);
+    for (const auto& t : triangles.rowwise()) {
+      const Eigen::RowVector3f colour =
+          (attachment.colours.row(t[0]) + attachment.colours.row(t[1]) + attachment.colours.row(t[2])) / 3;
+      render::Rgb bytes;
+      for (int c = 0; c < 3; ++c) bytes[size_t(c)] = uint8_t(std::lround(255 * std::clamp(colour[c], 0.0F, 1.0F)));
+      input.closing_colours.push_back(bytes);
+      if (!input.closing_gloss.empty()) input.closing_gloss.push_back(0);
+    }
+  }
+}
+
 }  // namespace
 
 RiggedHeadPictures::RiggedHeadPictures(const rig::RiggedHead& head, std::shared_ptr<const render::Image> texture)
@@ -133,13 +153,15 @@ RiggedHeadPictures::RiggedHeadPictures(const rig::RiggedHead& head, std::shared_
   DAUMIER_CHECK(Eigen::Index(materials.size()) == input_.surface.triangles.rows(), "{} materials for {} triangles",
                 materials.size(), input_.surface.triangles.rows());
   input_.is_solid = IsClosed(input_.surface);
-  frame_ = FrameOfHead(head, input_.surface.vertices);
   if (!head.own_materials.empty()) {
     ColourByOwnMaterials(head, input_);
-    return;
+  } else if (texture == nullptr) {
+    ColourByMaterials(materials, input_);
+  } else {
+    input_.texture = std::move(texture);
   }
-  if (texture == nullptr) ColourByMaterials(materials, input_);
-  input_.texture = std::move(texture);
+  AddAttachments(head.attachments, input_);
+  frame_ = FrameOfHead(head, input_.surface.vertices);
 }
 
 render::Image RiggedHeadPictures::Draw(const rig::HeadPose& pose, int size, double yaw_degrees,

@@ -129,14 +129,6 @@ void Assemble(const geometry::TriangleMesh& mesh, const HeadSurface& surface, co
   }
 }
 
-geometry::Similarity Inverse(const geometry::Similarity& similarity) {
-  geometry::Similarity inverse;
-  inverse.scale = 1 / similarity.scale;
-  inverse.rotation = similarity.rotation.transpose();
-  inverse.translation = -inverse.scale * (inverse.rotation * similarity.translation);
-  return inverse;
-}
-
 geometry::Vector3 Moved(const geometry::Similarity& similarity, const geometry::Vector3& point) {
   return similarity.scale * (similarity.rotation * point) + similarity.translation;
 }
@@ -186,7 +178,7 @@ ForeignHead ForeignRig::On(const geometry::TriangleMesh& head, const RegisteredT
   const MorphTargets targets = targets_.On(registered.vertices);
   const Eigen::MatrixXf of_places = OffsetsOfPlaces(surface, parts, match, result.slits, registered.vertices, targets);
 
-  const geometry::Similarity back = Inverse(registered.template_from_head);
+  const geometry::Similarity back = geometry::Inverse(registered.template_from_head);
   const Eigen::Matrix3f linear = (back.scale * back.rotation).cast<float>();
   result.head.targets = {targets.names, OffsetsOfVertices(surface, of_places)};
   Eigen::MatrixXf& offsets = result.head.targets.offsets;

@@ -63,11 +63,13 @@ PosableHead::PosableHead(const RiggedHead& head)
     eyes_.push_back(eye.mesh.vertices);
     eye_centres_.push_back(eye.centre);
   }
+  for (const HeadAttachment& attachment : head.attachments) attachments_.push_back(attachment.mesh.vertices);
 }
 
 geometry::Points PosableHead::Vertices(const HeadPose& pose) const {
   Eigen::Index num_vertices = skin_.num_vertices();
   for (const geometry::Points& eye : eyes_) num_vertices += eye.rows();
+  for (const geometry::Points& attachment : attachments_) num_vertices += attachment.rows();
   geometry::Points vertices(num_vertices, 3);
   Eigen::Index row = skin_.num_vertices();
   vertices.topRows(row) = skin_.At(pose.weights);
@@ -76,6 +78,10 @@ geometry::Points PosableHead::Vertices(const HeadPose& pose) const {
     vertices.middleRows(row, eyes_[i].rows()) =
         (eyes_[i] * rotation.transpose()).rowwise() + eye_centres_[i].transpose();
     row += eyes_[i].rows();
+  }
+  for (const geometry::Points& attachment : attachments_) {
+    vertices.middleRows(row, attachment.rows()) = attachment;
+    row += attachment.rows();
   }
   if (pose.head.isZero(0)) return vertices;
   const Eigen::RowVector3d pivot = head_pivot_.transpose();

@@ -37,13 +37,14 @@ class PosableHead {
   /// Copies what it needs. @throws Error as Blend, or if the head has other than 0 or 2 eyes.
   explicit PosableHead(const RiggedHead& head);
 
-  /// Positions, cm, of the vertices of JoinedMesh(head): the blend of the skin, and each eyeball turned about its
-  /// centre; then all turned about head_pivot. @throws Error unless the pose has a weight a target.
+  /// Positions, cm, of the vertices of JoinedMesh(head), then of its attachments: the blend of the skin, each eyeball turned
+  /// about its centre, attachments; then all turned about head_pivot. @throws Error unless the pose has a weight a target.
   geometry::Points Vertices(const HeadPose& pose) const;
 
  private:
   Blend skin_;
   std::vector<geometry::Points> eyes_;  ///< About their centres.
+  std::vector<geometry::Points> attachments_;
   std::vector<geometry::Vector3> eye_centres_;
   geometry::Vector3 head_pivot_;
 };

@@ -18,6 +18,13 @@ struct RiggedEye {
   std::vector<int> own = {};                   ///< One a triangle, a row of RiggedHead::own_materials, or none.
 };
 
+/// A surface that turns with a head and has no targets, such as hair.
+struct HeadAttachment {
+  std::string name;             ///< Of letters: "Hair".
+  geometry::TriangleMesh mesh;  ///< cm, in the head's frame, without UV.
+  Eigen::MatrixXf colours;      ///< N x 3, a vertex a row, display RGB in [0, 1].
+};
+
 /// A head that a game or a web page animates: one closed mesh with what is behind its lips, morph targets, and two
 /// eyeballs. Every corner has UV in one atlas (TextureSpace).
 struct RiggedHead {
@@ -32,6 +39,7 @@ struct RiggedHead {
   /// Of a head of another topology that has any: `own` of each triangle of `mesh`; the materials above are not shown then.
   std::vector<OwnMaterial> own_materials = {};
   std::vector<int> own = {};
+  std::vector<HeadAttachment> attachments = {};
 };
 
 }  // namespace daumier::rig

@@ -22,9 +22,6 @@
 namespace daumier::faces {
 namespace {
 
-/// Mean radius of the skull of a usual head, cm.
-constexpr double kUsualRadius = 9.6;
-
 bool IsOfEyeball(HeadMaterial material) {
   return material == HeadMaterial::kSclera || material == HeadMaterial::kLimbus || material == HeadMaterial::kIris ||
          material == HeadMaterial::kPupil;
@@ -159,7 +156,7 @@ PortraitHead HeadDresser::Dress(const geometry::Points& face, const Looks& looks
   parts.brows.AddLashes(face, normals, looks, soup);
 
   const SkullGrid skull = parts.scalp.GridOf(face);
-  const double size = skull.radius() / kUsualRadius;
+  const double size = skull.radius() / kUsualSkullRadius;
   const HatFit hat(looks.hat, parts.scalp.lines(), size);
   std::vector<geometry::Vector3> border;
   for (const int v : parts.edge_vertices) border.emplace_back(vertices.row(v));

@@ -7,6 +7,9 @@
 
 namespace daumier::faces {
 
+/// Mean radius of the skull of a usual head, cm.
+inline constexpr double kUsualSkullRadius = 9.6;
+
 /// Where things lie on a head, as directions from a centre in the middle of the skull at the height of the eyes: azimuth
 /// 0 in front, 90 at the own left, 180 behind; elevation 90 at the crown. Degrees; ears by their absolute azimuth.
 struct ScalpLines {

@@ -42,6 +42,12 @@ AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, con
                 "the portrait network is of the faces '{}', the expressions are of '{}': both have to be of one source",
                 of_faces.face_template.source, model.face_template.source);
   if (options_.keep_expression) options_.texture.keep_gaze = true;
+  if (options_.style.ends_with(".onnx")) {
+    style_.emplace(options_.style, options_.network);
+  } else if (options_.style != "none" && options_.style != "toon") {
+    throw UsageError(
+        fmt::format("there is no style '{}' (expected none, toon or a file that ends in .onnx)", options_.style));
+  }
   OnAllCores(2, [&](int64_t part) {
     if (part == 0) {
       targets_.emplace(model);
@@ -53,6 +59,7 @@ AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, con
 }
 
 FoundPortrait AvatarMaker::FindStyled(render::Image& picture) const {
+  if (style_) picture = style_->Apply(picture);
   FoundPortrait found = predictor_->Find(picture);
   if (options_.style != "toon" || found.landmarks.empty()) return found;
   ToonPortrait toon = MakeToonPortrait(picture, found.landmarks, found.mask ? &*found.mask : nullptr, options_.toon);
@@ -79,7 +86,7 @@ Avatar AvatarMaker::Make(const render::Image& picture, const FaceEdit& edit) con
   avatar.times.style = MillisecondsOf(watch);
 
   watch = {};
-  const PortraitReading reading = predictor_->ReadFound(avatar.picture, std::move(found));
+  PortraitReading reading = predictor_->ReadFound(avatar.picture, std::move(found));
   DAUMIER_CHECK(reading.mask.has_value(),
                 "the picture was not parsed, so that skin and background cannot be separated: a landmark run or the "
                 "weights `landmarks` are needed");
@@ -87,12 +94,12 @@ Avatar AvatarMaker::Make(const render::Image& picture, const FaceEdit& edit) con
   avatar.times.face = MillisecondsOf(watch);
 
   watch = {};
-  const geometry::Points neutral = NeutralOf(avatar.face, edit);
-  const rig::MorphTargets targets = targets_->On(neutral, unsigned(NumCores()));
+  avatar.neutral = NeutralOf(avatar.face, edit);
+  const rig::MorphTargets targets = targets_->On(avatar.neutral, unsigned(NumCores()));
   avatar.times.targets = MillisecondsOf(watch);
 
   watch = {};
-  avatar.head = rig_->On(neutral, targets);
+  avatar.head = rig_->On(avatar.neutral, targets);
   avatar.times.head = MillisecondsOf(watch);
 
   watch = {};
@@ -102,6 +109,7 @@ Avatar AvatarMaker::Make(const render::Image& picture, const FaceEdit& edit) con
   avatar.painted = painter_->Paint(shown, avatar.picture, *reading.mask);
   avatar.texture = std::make_shared<const render::Image>(avatar.painted.picture);
   avatar.times.texture = MillisecondsOf(watch);
+  avatar.found = std::move(static_cast<FoundPortrait&>(reading));
   return avatar;
 }
 

@@ -6,6 +6,7 @@
 #include "rig/expression_targets.h"
 #include "rig/head_rig.h"
 #include "systems/portrait/portrait_predictor.h"
+#include "systems/portrait/style_network.h"
 #include "systems/portrait/toon_portrait.h"
 
 #include <functional>
@@ -19,15 +20,17 @@ namespace daumier::portrait {
 struct AvatarOptions {
   std::string style = "none";
   ToonPortraitOptions toon;
+  StyleNetworkOptions network;
   fitting::TextureOptions texture;
   bool keep_expression = false;
 
   template <class V>
   void Visit(V&& visit) {
-    visit("style", style, Choices{{"none", "toon"}},
-          "What the picture is made into before its face is read: nothing, or a cartoon of flat colours with larger "
-          "eyes.");
-    visit("toon", toon, Table{}, "That cartoon.");
+    visit("style", style, Text{},
+          "What the picture is made into before its face is read: none; toon, a cartoon of flat colours with larger "
+          "eyes; or the ONNX file of an image-to-image network.");
+    visit("toon", toon, Table{}, "The cartoon.");
+    visit("network", network, Table{}, "How the network is used.");
     visit("texture", texture, Table{}, "How the head is painted from the picture.");
     visit("keep_expression", keep_expression, Flag{},
           "The head rests with the expression and the gaze of the picture; otherwise without them.");
@@ -60,6 +63,8 @@ struct Avatar {
   std::shared_ptr<const render::Image> texture;  ///< The atlas.
   fitting::HeadTexture painted;                  ///< What the texels of skin were taken from.
   systems::FaceResult face;                      ///< What the predictor found; its pictures are the first stages.
+  geometry::Points neutral;                      ///< V x 3, cm: the face that was rigged.
+  FoundPortrait found;                           ///< Landmarks and parsing of `picture`.
   render::Image picture;                         ///< In its style, RGB: what the texture was painted from.
   AvatarTimes times;
 };
@@ -68,7 +73,8 @@ struct Avatar {
 /// -> texture. Const and thread-safe.
 class AvatarMaker {
  public:
-  /// `model`: of the predictor's topology, with its expressions. @throws Error if it is another one, as
+  /// `model`: of the predictor's topology, with its expressions. @throws UsageError if the style is none of those that
+  /// the options name; Error if the model is of another topology, as StyleNetwork,
   /// rig::ExpressionTargets, rig::HeadRig and fitting::HeadPainter.
   AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, const faces::FaceModel& model,
               const AvatarOptions& options = {});
@@ -90,6 +96,7 @@ class AvatarMaker {
 
   std::unique_ptr<const PortraitPredictor> predictor_;
   AvatarOptions options_;
+  std::optional<StyleNetwork> style_;
   Eigen::MatrixXf expression_shapes_;  ///< 3V x E
   // Prepared on two cores.
   std::optional<rig::ExpressionTargets> targets_;

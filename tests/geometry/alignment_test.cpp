@@ -64,5 +64,15 @@ TEST(AlignSimilarity, RefusesDegenerateInput) {
   ExpectError([&] { AlignSimilarity(points, Points::Ones(9, 3)); }, "one point");
 }
 
+TEST(Similarity, InverseUndoesIt) {
+  Similarity similarity;
+  similarity.scale = 2.5;
+  similarity.rotation = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  similarity.translation = {3, -1, 4};
+  Points points(2, 3);
+  points << 1, 2, 3, -4, 5, 0.5;
+  EXPECT_LT((Inverse(similarity).Apply(similarity.Apply(points)) - points).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace daumier::geometry

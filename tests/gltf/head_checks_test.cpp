@@ -66,5 +66,20 @@ TEST(CheckHead, RefusesATextureForAMeshWithoutUv) {
       "the head has no UV", &texture);
 }
 
+TEST(CheckHead, RefusesAttachmentsThatAreNoMeshOrHaveNoColours) {
+  rig::RiggedHead head = daumier::testing::BallHead();
+  rig::HeadAttachment hair{"Hair", head.mesh, Eigen::MatrixXf::Zero(head.mesh.vertices.rows(), 3)};
+  head.attachments = {hair};
+  EXPECT_NO_THROW(CheckHead(head, nullptr));
+  head.attachments[0].colours.resize(1, 3);
+  daumier::testing::ExpectError([&] { CheckHead(head, nullptr); }, "Hair has not a colour a vertex");
+  head.attachments[0] = hair;
+  head.attachments[0].mesh.triangles(0, 0) = -1;
+  daumier::testing::ExpectError([&] { CheckHead(head, nullptr); }, "no mesh with finite vertices");
+  head.attachments[0] = hair;
+  head.attachments[0].name = "my hair";
+  daumier::testing::ExpectError([&] { CheckHead(head, nullptr); }, "not named by letters");
+}
+
 }  // namespace
 }  // namespace daumier::gltf

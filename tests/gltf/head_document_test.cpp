@@ -51,8 +51,34 @@ TEST(AddHead, OfAHeadWithoutEyesHasNone) {
   EXPECT_EQ(file.json()["materials"].size(), 1u);
 }
 
+/// A red triangle above the head.
+rig::HeadAttachment Tuft() {
+  rig::HeadAttachment tuft{"Tuft", {geometry::Points(3, 3), geometry::Triangles(1, 3), {}, {}}, Eigen::MatrixXf(3, 3)};
+  tuft.mesh.vertices << -1, 12, 0, 1, 12, 0, 0, 14, 0;
+  tuft.mesh.triangles << 0, 1, 2;
+  tuft.mesh.uv.resize(0, 2);
+  tuft.mesh.uv_triangles.resize(0, 3);
+  tuft.colours.rowwise() = Eigen::RowVector3f(1, 0, 0);
+  return tuft;
+}
+
+TEST(AddHead, HangsAttachmentsOnTheHeadWithTheirColours) {
+  rig::RiggedHead head = testing::BallHead();
+  head.attachments.push_back(Tuft());
+  EXPECT_NO_THROW(CheckHead(head, nullptr));
+  const testing::GlbReader file = DocumentOf(head, nullptr);
+  const std::set<int> children = file.node("Head")["children"];
+  EXPECT_TRUE(children.contains(file.Node("Tuft")));
+  EXPECT_FALSE(file.primitive("Tuft").contains("targets"));
+  EXPECT_TRUE(file.primitive("Tuft")["attributes"].contains("COLOR_0"));
+  const FloatRows positions = file.Floats(file.primitive("Tuft")["attributes"]["POSITION"]);
+  EXPECT_NEAR(positions.col(1).maxCoeff(), 0.13f, 1e-6f) << "14 cm, from the pivot at 1";
+}
+
 TEST(AddHead, NamesAreUniqueAndMadeOfLettersAndDigits) {
-  const testing::GlbReader file = DocumentOf(testing::BallHead(), nullptr);
+  rig::RiggedHead head = testing::BallHead();
+  head.attachments.push_back(Tuft());
+  const testing::GlbReader file = DocumentOf(head, nullptr);
   std::set<std::string> names;
   for (const char* list : {"nodes", "meshes", "materials"}) {
     for (const Json& item : file.json()[list]) {

@@ -37,6 +37,20 @@ TEST(RiggedHeadPictures, FollowThePoseInOneFrame) {
   EXPECT_NE(pictures.Draw(Neutral(head), 64, 40), neutral);
 }
 
+TEST(RiggedHeadPictures, ShowAttachmentsThatTurnWithTheHead) {
+  rig::RiggedHead head = testing::BallHead();
+  const RiggedHeadPictures plain(head);
+  rig::HeadAttachment hat{"Hat", head.mesh, Eigen::MatrixXf(head.mesh.vertices.rows(), 3)};
+  hat.mesh.vertices *= 1.2;
+  hat.colours.rowwise() = Eigen::RowVector3f(0, 0, 1);
+  head.attachments.push_back(hat);
+  const RiggedHeadPictures pictures(head);
+  const render::ShadingStyle flat{.flatness = 1.0, .supersampling = 1};
+  EXPECT_EQ(pictures.Draw(Neutral(head), 64, 0, flat).at(32, 32, 0), 0) << "blue hides all";
+  EXPECT_EQ(pictures.Draw(Neutral(head), 64, 0, flat).at(32, 32, 2), 255);
+  EXPECT_NE(plain.Draw(Neutral(head), 64, 0, flat).at(50, 32, 0), 0);
+}
+
 TEST(RiggedHeadPictures, AreMadeByThreads) {
   const rig::RiggedHead head = testing::BallHead();
   const RiggedHeadPictures pictures(head);
