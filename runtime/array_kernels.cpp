@@ -1,6 +1,7 @@
 #include "runtime/array_kernels.h"
 
 #include "core/error.h"
+#include "runtime/primitives.h"
 
 #include <algorithm>
 #include <cmath>
@@ -201,11 +202,25 @@ void StridedReduction::Run(const float* from, float* to) const {
         smallest = std::min(smallest, value);
       }
     });
-    return kind_ == Reduction::kMean ? float(sum / double(terms)) : kind_ == Reduction::kMax ? largest : smallest;
+    switch (kind_) {
+      case Reduction::kMean:
+        return float(sum / double(terms));
+      case Reduction::kSum:
+        return float(sum);
+      case Reduction::kMax:
+        return largest;
+      default:
+        return smallest;
+    }
   };
   ForEachRow(kept_, kept_strides_, kept_strides_, [&](int64_t at, int64_t) {
     for (int64_t i = 0; i < kept_.back(); ++i) *to++ = reduce(from + at + i * kept_strides_.back());
   });
+}
+
+Parts PartsOf(int64_t count, int64_t numbers) {
+  constexpr int64_t kManyNumbers = 1 << 18;  // Less takes less time than to wake a thread.
+  return {count, count > 1 && numbers >= kManyNumbers && OpenMpThreads() > 1};
 }
 
 void SoftmaxOf(const float* from, int64_t outer, int64_t size, int64_t inner, bool logarithm, float* to) {

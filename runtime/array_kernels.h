@@ -1,4 +1,5 @@
 #pragma once
+#include "core/parallel.h"
 #include "runtime/graph.h"
 
 #include <string>
@@ -36,7 +37,7 @@ class BroadcastFunction {
   std::vector<int64_t> a_, b_;
 };
 
-enum class Reduction { kMean, kMax, kMin };
+enum class Reduction { kMean, kMax, kMin, kSum };
 /// A reduction over the inner axes of an array that is read by strides.
 class StridedReduction {
  public:
@@ -50,6 +51,19 @@ class StridedReduction {
   Shape kept_, reduced_;
   std::vector<int64_t> kept_strides_, reduced_strides_;
 };
+
+/// Parts of an array that are computed one by one: on all cores if a plan is for several threads and the array is large.
+struct Parts {
+  int64_t count;
+  bool on_all_cores;
+};
+/// numbers: of all parts together.
+Parts PartsOf(int64_t count, int64_t numbers);
+template <class Part>
+void ForEachPart(const Parts& parts, const Part& part) {
+  if (parts.on_all_cores) return OnAllCores(parts.count, part);
+  for (int64_t i = 0; i < parts.count; ++i) part(i);
+}
 
 /// Softmax, or its logarithm, along the middle of outer x size x inner.
 void SoftmaxOf(const float* from, int64_t outer, int64_t size, int64_t inner, bool logarithm, float* to);

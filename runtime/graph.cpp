@@ -41,6 +41,9 @@ std::string GraphNode::Text(const std::string& attribute, const std::string& oth
 std::vector<int64_t> GraphNode::Integers(const std::string& attribute, const std::vector<int64_t>& otherwise) const {
   return AttributeOf(*this, attribute, otherwise);
 }
+GraphTensor GraphNode::Tensor(const std::string& attribute, const GraphTensor& otherwise) const {
+  return AttributeOf(*this, attribute, otherwise);
+}
 std::string GraphNode::Text() const {
   return fmt::format("node '{}' ({})", name, op);
 }

@@ -5,20 +5,22 @@
 #include <variant>
 #include <vector>
 
-/// A trained network as data: the part of ONNX that our exporter writes (export/lowering.h).
+/// A trained network as data: the part of ONNX that our exporter writes (export/lowering.h) and that networks from images
+/// to images have (docs/runtime.md). Operators are in the form of operator set 13 (runtime/operator_sets.h).
 namespace daumier::runtime {
 
 using Shape = std::vector<int64_t>;
 
 /// Numbers that do not depend on the inputs: float32, or integers such as shapes and axes. Row-major.
 struct GraphTensor {
-  Shape shape;
-  std::vector<float> numbers;
-  std::vector<int64_t> integers;  ///< Of a tensor of integers, which has no numbers.
+  Shape shape = {};
+  std::vector<float> numbers = {};
+  std::vector<int64_t> integers = {};  ///< Of a tensor of integers, which has no numbers.
   bool has_integers = false;
 };
 
-using GraphAttribute = std::variant<int64_t, float, std::vector<int64_t>, std::string>;
+using GraphAttribute =
+    std::variant<int64_t, float, std::vector<int64_t>, std::string, std::vector<float>, GraphTensor>;
 
 /// An operator of ONNX with one output. An input of the name "" is absent.
 struct GraphNode {
@@ -28,19 +30,22 @@ struct GraphNode {
   std::map<std::string, GraphAttribute> attributes;
 
   bool Reads(size_t input) const { return input < inputs.size() && !inputs[input].empty(); }
+  bool Has(const std::string& attribute) const { return attributes.contains(attribute); }
   /// Attributes, or the default of an absent one. @throws Error naming the node if an attribute is of another type.
   int64_t Integer(const std::string& attribute, int64_t otherwise) const;
   float Real(const std::string& attribute, float otherwise) const;
   std::string Text(const std::string& attribute, const std::string& otherwise) const;
   std::vector<int64_t> Integers(const std::string& attribute, const std::vector<int64_t>& otherwise) const;
+  GraphTensor Tensor(const std::string& attribute, const GraphTensor& otherwise) const;
   /// "node 'Conv_3' (Conv)", for messages.
   std::string Text() const;
 };
 
-/// A float32 input; -1 is a size that is free.
+/// An input, given in float32; -1 is a size that is free.
 struct GraphInput {
   std::string name;
   Shape shape;
+  bool is_bytes = false;  ///< The file says uint8: whole numbers from 0 to 255.
 };
 
 /// Nodes are in an order in which they can be computed.

@@ -135,8 +135,9 @@ class Fusion {
     const GraphNode& activation = graph_.nodes[at];
     if (activation.inputs.size() != 1) return;
     GraphNode* const before = OnlyFor(activation.inputs[0]);
-    if (before == nullptr || (before->op != "Conv" && before->op != "Gemm") || before->attributes.contains(kActivation))
-      return;
+    if (before == nullptr || before->attributes.contains(kActivation)) return;
+    const bool follows_norm = before->op == "InstanceNormalization" && activation.op == "Relu";
+    if (before->op != "Conv" && before->op != "Gemm" && !follows_norm) return;
     before->attributes[kActivation] = activation.op;
     before->attributes[kActivationAlpha] = activation.op == "LeakyRelu" ? activation.Real("alpha", 0.01f) : 0.0f;
     Move(*before, at);

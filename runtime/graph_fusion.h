@@ -4,7 +4,7 @@
 namespace daumier::runtime {
 
 /// What Fused adds to nodes of Conv and Gemm: the operator that follows, of kActivations, with its alpha; and of Conv the
-/// input `kAddend`, which is added before it.
+/// input `kAddend`, which is added before it. InstanceNormalization may be followed by Relu.
 inline constexpr const char* kActivation = "fused_activation";
 inline constexpr const char* kActivationAlpha = "fused_alpha";
 inline constexpr size_t kAddend = 3;

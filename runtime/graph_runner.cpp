@@ -1,6 +1,7 @@
 #include "runtime/graph_runner.h"
 
 #include "core/error.h"
+#include "runtime/constant_folding.h"
 #include "runtime/finite.h"
 #include "runtime/graph_fusion.h"
 #include "runtime/plan_builder.h"
@@ -36,7 +37,7 @@ InputShapes ShapesOf(const Graph& graph, const NamedArrays& inputs) {
 
 Graph Checked(Graph graph) {
   CheckGraph(graph);
-  return Fused(std::move(graph));
+  return Fused(FoldedConstants(std::move(graph)));
 }
 
 }  // namespace

@@ -9,43 +9,45 @@ namespace {
 
 constexpr int64_t kMostWindow = 1 << 16;  // Of pads, strides and dilations.
 
-}  // namespace
-
-PlanOperator OperatorOf(const GraphNode& node) {
+const OperatorTable& AllOperators() {
   static const OperatorTable table = [] {
     OperatorTable all = LayerOperators();
-    for (OperatorTable part : {ImageOperators(), PointwiseOperators(), ShapeOperators(), ReductionOperators()})
+    for (OperatorTable part : {ImageOperators(), NormOperators(), PointwiseOperators(), RearrangingOperators(),
+                               ReductionOperators(), ResizingOperators(), ShapeOperators()})
       all.merge(part);
     return all;
   }();
-  const auto found = table.find(node.op);
-  DAUMIER_CHECK(found != table.end(), "the operator is not run here (those of `daumier export` are)");
+  return table;
+}
+
+}  // namespace
+
+PlanOperator OperatorOf(const GraphNode& node) {
+  const auto found = AllOperators().find(node.op);
+  DAUMIER_CHECK(found != AllOperators().end(), "the operator is not run here {}",
+                IsFoldedOperator(node.op) ? "on what depends on the inputs' numbers"
+                                          : "(docs/runtime.md lists those that are)");
   return found->second;
 }
 
-size_t AxisOf(int64_t axis, size_t rank) {
-  const int64_t counted = axis < 0 ? axis + int64_t(rank) : axis;
-  DAUMIER_CHECK(counted >= 0 && counted < int64_t(rank), "there is no axis {} of {}", axis, rank);
-  return size_t(counted);
+bool IsRunHere(const std::string& op) {
+  return AllOperators().contains(op) || IsFoldedOperator(op);
 }
 
-Shape BroadcastShape(const Shape& a, const Shape& b) {
-  Shape shape(std::max(a.size(), b.size()));
-  for (size_t i = 0; i < shape.size(); ++i) {
-    const int64_t of_a = i < a.size() ? a[a.size() - 1 - i] : 1, of_b = i < b.size() ? b[b.size() - 1 - i] : 1;
-    DAUMIER_CHECK(of_a == of_b || of_a == 1 || of_b == 1, "the shapes {} and {} do not match", ShapeText(a),
-                  ShapeText(b));
-    shape[shape.size() - 1 - i] = std::max(of_a, of_b);
-  }
-  return shape;
+void SetPads(Window& window, size_t axis, int64_t both, bool upper) {
+  window.before[axis] = upper ? both / 2 : both - both / 2;
+  window.after[axis] = both - window.before[axis];
 }
 
-Window WindowOf(const GraphNode& node, const std::vector<int64_t>& kernel) {
+Window WindowOf(const GraphNode& node, const std::vector<int64_t>& kernel, const Shape& image) {
   const size_t axes = kernel.size();
   const std::vector<int64_t> ones(axes, 1), zeros(2 * axes, 0);
   const std::vector<int64_t> pads = node.Integers("pads", zeros);
   Window window{kernel, node.Integers("strides", ones), node.Integers("dilations", ones), {}, {}};
-  DAUMIER_CHECK(node.Text("auto_pad", "NOTSET") == "NOTSET", "auto_pad is not read");
+  const std::string auto_pad = node.Text("auto_pad", "NOTSET");
+  const bool upper = auto_pad == "SAME_UPPER";
+  DAUMIER_CHECK(upper || auto_pad == "NOTSET" || auto_pad == "SAME_LOWER" || auto_pad == "VALID",
+                "there is no auto_pad '{}'", auto_pad);
   DAUMIER_CHECK(window.strides.size() == axes && window.dilations.size() == axes && pads.size() == 2 * axes,
                 "strides, dilations or pads are not of {} axes", axes);
   DAUMIER_CHECK(node.Integers("kernel_shape", kernel) == kernel, "kernel_shape is not that of the weights, {}",
@@ -57,6 +59,10 @@ Window WindowOf(const GraphNode& node, const std::vector<int64_t>& kernel) {
     DAUMIER_CHECK(is_small(kernel[i], 1) && is_small(window.strides[i], 1) && is_small(window.dilations[i], 1) &&
                       is_small(window.before[i], 0) && is_small(window.after[i], 0),
                   "kernel, strides, dilations or pads are out of range");
+    if (auto_pad == "VALID") SetPads(window, i, 0, upper);
+    if (!upper && auto_pad != "SAME_LOWER") continue;
+    const int64_t span = window.dilations[i] * (kernel[i] - 1) + 1, steps = (image[2 + i] - 1) / window.strides[i];
+    SetPads(window, i, std::max(steps * window.strides[i] + span - image[2 + i], int64_t{0}), upper);
   }
   return window;
 }

@@ -92,7 +92,7 @@ void PlanConvolution(const GraphNode& node, PlanBuilder& plan) {
   const Shape& weights = plan.Weight(node, 1).shape;
   DAUMIER_CHECK(image[1] == groups * weights[1], "the image has {} channels, the weights are {} for {} groups",
                 image[1], ShapeText(weights), groups);
-  const Window window = WindowOf(node, kernel);
+  const Window window = WindowOf(node, kernel, image);
   const Shape shape = WindowOutput(image, weights[0], window);
   Shape grouped = weights;
   if (groups > 1) {
@@ -118,24 +118,48 @@ void PlanConvolution(const GraphNode& node, PlanBuilder& plan) {
   plan.Define(node, shape, primitive.target, target);
 }
 
+/// Of a transposed convolution: its output, and a window whose pads make it so large.
+struct TransposedWindowAndOutput {
+  Shape shape;
+  Window window;
+};
+
+/// Pads cut off the output; those behind may be negative.
+TransposedWindowAndOutput TransposedWindow(const GraphNode& node, const Shape& image, int64_t channels,
+                                           const std::vector<int64_t>& kernel) {
+  const size_t axes = kernel.size();
+  Window window = WindowOf(node, kernel, image);
+  const std::vector<int64_t> extra = node.Integers("output_padding", std::vector<int64_t>(axes, 0));
+  std::vector<int64_t> wanted = node.Integers("output_shape", {});
+  DAUMIER_CHECK(extra.size() == axes && (wanted.empty() || wanted.size() == axes || wanted.size() == axes + 2),
+                "output_padding or output_shape is not of {} axes", axes);
+  if (wanted.size() == axes + 2) wanted.erase(wanted.begin(), wanted.begin() + 2);
+  const std::string auto_pad = node.Text("auto_pad", "NOTSET");
+  if (wanted.empty() && auto_pad.starts_with("SAME"))
+    for (size_t i = 0; i < axes; ++i) wanted.push_back(image[2 + i] * window.strides[i]);
+  Shape shape = {image[0], channels};
+  for (size_t i = 0; i < axes; ++i) {
+    DAUMIER_CHECK(extra[i] >= 0 && extra[i] < std::max(window.strides[i], window.dilations[i]),
+                  "output_padding is {}, expected less than the stride", extra[i]);
+    const int64_t whole = (image[2 + i] - 1) * window.strides[i] + window.dilations[i] * (kernel[i] - 1) + 1;
+    if (!wanted.empty()) {
+      DAUMIER_CHECK(wanted[i] > 0 && wanted[i] <= whole + extra[i], "its output of {} pixels is none of {}", wanted[i],
+                    whole + extra[i]);
+      SetPads(window, i, whole + extra[i] - wanted[i], auto_pad == "SAME_UPPER");
+    }
+    window.after[i] -= extra[i];
+    shape.push_back(whole - window.before[i] - window.after[i]);
+    DAUMIER_CHECK(shape.back() > 0, "its output has the shape {}", ShapeText(shape));
+  }
+  return {shape, window};
+}
+
 /// ONNX stores weights as (I, O/G, ...).
 void PlanTransposedConvolution(const GraphNode& node, PlanBuilder& plan) {
   const auto [image, groups, kernel] = SizesOfConvolution(node, plan);
   const Shape& weights = plan.Weight(node, 1).shape;
   DAUMIER_CHECK(image[1] == weights[0], "the image has {} channels, the weights are {}", image[1], ShapeText(weights));
-  Window window = WindowOf(node, kernel);
-  const std::vector<int64_t> extra = node.Integers("output_padding", std::vector<int64_t>(kernel.size(), 0));
-  DAUMIER_CHECK(extra.size() == kernel.size() && !node.attributes.contains("output_shape"),
-                "output_padding is not of {} axes, or output_shape is given", kernel.size());
-  Shape shape = {image[0], groups * weights[1]};
-  for (size_t i = 0; i < kernel.size(); ++i) {
-    DAUMIER_CHECK(extra[i] >= 0 && extra[i] < std::max(window.strides[i], window.dilations[i]),
-                  "output_padding is {}, expected less than the stride", extra[i]);
-    window.after[i] -= extra[i];
-    shape.push_back((image[2 + i] - 1) * window.strides[i] + window.dilations[i] * (kernel[i] - 1) + 1 -
-                    window.before[i] - window.after[i]);
-    DAUMIER_CHECK(shape.back() > 0, "its output has the shape {}", ShapeText(shape));
-  }
+  const auto [shape, window] = TransposedWindow(node, image, groups * weights[1], kernel);
   CheckedSize(shape, "its output");
   const int64_t inputs = weights[0] / groups;
   int64_t area = 1;

@@ -1,6 +1,7 @@
 // Activations and arithmetic.
 #include "core/error.h"
 #include "runtime/array_kernels.h"
+#include "runtime/onnx_tensor.h"
 #include "runtime/operators.h"
 #include "runtime/siren_math.h"
 
@@ -15,7 +16,9 @@ namespace {
 
 /// Functions of which f(0) = 0, so that the channels that fill up a block stay zero.
 bool KeepsZero(const UnaryFunction& f) {
-  static const std::set<std::string> kNames = {"Abs", "Elu", "LeakyRelu", "Neg", "Relu", "Sin", "Sqrt", "Tanh"};
+  static const std::set<std::string> kNames = {"Abs",  "Ceil",      "Elu",  "Erf", "Floor", "Gelu",
+                                               "HardSwish", "LeakyRelu", "Mish", "Neg", "Relu",  "Round",
+                                               "Selu", "Sin",       "Sqrt", "Tanh", "Trunc"};
   return kNames.contains(f.name) || (f.name == "Clip" && f.lowest <= 0 && f.highest >= 0);
 }
 
@@ -34,19 +37,53 @@ void Sines(const float* from, int64_t count, float* to) {
   SineOfBlock(to + count / kWidth * kWidth, kNoBias.data(), 1, count % kWidth, 1);
 }
 
-std::function<void(const float*, int64_t, float*)> LoopOf(const UnaryFunction& f) {
-  const float alpha = f.alpha, lowest = f.lowest, highest = f.highest;
-  if (f.name == "Abs") return EachNumber([](float x) { return std::abs(x); });
+using Loop = std::function<void(const float*, int64_t, float*)>;
+
+float Softplus(float x) {
+  return std::max(x, 0.0f) + std::log1p(std::exp(-std::abs(x)));
+}
+
+/// Functions of one number without parameters.
+const std::map<std::string, Loop>& PlainLoops() {
+  static const std::map<std::string, Loop> loops = {
+      {"Abs", EachNumber([](float x) { return std::abs(x); })},
+      {"Ceil", EachNumber([](float x) { return std::ceil(x); })},
+      {"Cos", EachNumber([](float x) { return std::cos(x); })},
+      {"Erf", EachNumber([](float x) { return std::erf(x); })},
+      {"Exp", EachNumber([](float x) { return std::exp(x); })},
+      {"Floor", EachNumber([](float x) { return std::floor(x); })},
+      {"HardSwish", EachNumber([](float x) { return x * std::clamp(x / 6 + 0.5f, 0.0f, 1.0f); })},
+      {"Log", EachNumber([](float x) { return std::log(x); })},
+      {"Mish", EachNumber([](float x) { return x * std::tanh(Softplus(x)); })},
+      {"Neg", EachNumber([](float x) { return -x; })},
+      {"Reciprocal", EachNumber([](float x) { return 1 / x; })},
+      {"Relu", EachNumber([](float x) { return std::max(x, 0.0f); })},
+      {"Round", EachNumber([](float x) { return std::rint(x); })},
+      {"Sigmoid", EachNumber([](float x) { return 1 / (1 + std::exp(-x)); })},
+      {"Sin", Sines},
+      {"Softplus", EachNumber(Softplus)},
+      {"Softsign", EachNumber([](float x) { return x / (1 + std::abs(x)); })},
+      {"Sqrt", EachNumber([](float x) { return std::sqrt(x); })},
+      {"Tanh", EachNumber([](float x) { return std::tanh(x); })},
+      {"Trunc", EachNumber([](float x) { return std::trunc(x); })}};
+  return loops;
+}
+
+float GeluByTanh(float x) {
+  constexpr float kFactor = 0.7978845608f;  // sqrt(2 / pi)
+  return 0.5f * x * (1 + std::tanh(kFactor * (x + 0.044715f * x * x * x)));
+}
+
+Loop LoopOf(const UnaryFunction& f) {
+  const float alpha = f.alpha, lowest = f.lowest, highest = f.highest, beta = f.beta, gamma = f.gamma;
+  if (const auto found = PlainLoops().find(f.name); found != PlainLoops().end()) return found->second;
   if (f.name == "Clip") return EachNumber([=](float x) { return std::min(std::max(x, lowest), highest); });
   if (f.name == "Elu") return EachNumber([=](float x) { return x > 0 ? x : alpha * std::expm1(x); });
-  if (f.name == "Exp") return EachNumber([](float x) { return std::exp(x); });
+  if (f.name == "Gelu" && alpha != 0) return EachNumber(GeluByTanh);
+  if (f.name == "Gelu") return EachNumber([](float x) { return 0.5f * x * (1 + std::erf(x * 0.7071067812f)); });
+  if (f.name == "HardSigmoid") return EachNumber([=](float x) { return std::clamp(alpha * x + beta, 0.0f, 1.0f); });
   if (f.name == "LeakyRelu") return EachNumber([=](float x) { return x > 0 ? x : alpha * x; });
-  if (f.name == "Neg") return EachNumber([](float x) { return -x; });
-  if (f.name == "Relu") return EachNumber([](float x) { return std::max(x, 0.0f); });
-  if (f.name == "Sigmoid") return EachNumber([](float x) { return 1 / (1 + std::exp(-x)); });
-  if (f.name == "Sin") return Sines;
-  if (f.name == "Sqrt") return EachNumber([](float x) { return std::sqrt(x); });
-  if (f.name == "Tanh") return EachNumber([](float x) { return std::tanh(x); });
+  if (f.name == "Selu") return EachNumber([=](float x) { return gamma * (x > 0 ? x : alpha * std::expm1(x)); });
   throw Error(fmt::format("there is no function '{}'", f.name));
 }
 
@@ -66,6 +103,30 @@ void PlanFunction(const GraphNode& node, const UnaryFunction& f, PlanBuilder& pl
 void PlanUnary(const GraphNode& node, PlanBuilder& plan) {
   const float usual_alpha = node.op == "LeakyRelu" ? 0.01f : 1.0f;
   PlanFunction(node, {node.op, node.Real("alpha", usual_alpha)}, plan);
+}
+
+void PlanGelu(const GraphNode& node, PlanBuilder& plan) {
+  const std::string form = node.Text("approximate", "none");
+  DAUMIER_CHECK(form == "none" || form == "tanh", "there is no Gelu by '{}'", form);
+  PlanFunction(node, {node.op, form == "tanh" ? 1.0f : 0.0f}, plan);
+}
+
+void PlanHardSigmoid(const GraphNode& node, PlanBuilder& plan) {
+  PlanFunction(node, {.name = node.op, .alpha = node.Real("alpha", 0.2f), .beta = node.Real("beta", 0.5f)}, plan);
+}
+
+void PlanSelu(const GraphNode& node, PlanBuilder& plan) {
+  PlanFunction(node, {.name = node.op, .alpha = node.Real("alpha", 1.67326319f), .gamma = node.Real("gamma", 1.05070102f)}, plan);
+}
+
+/// Numbers of a run stay float32; as whole ones they lose what is behind the point.
+void PlanCast(const GraphNode& node, PlanBuilder& plan) {
+  const int64_t type = node.Integer("to", 0);
+  DAUMIER_CHECK(type >= kFloat32 && type <= kBfloat16 && type != kString && type != kBool,
+                "it casts numbers of a run to the element type {}", type);
+  if (!IsRealType(type)) return PlanFunction(node, {"Trunc"}, plan);
+  const PlannedValue value = plan.Value(node.inputs.at(0));
+  plan.Define(node, value.shape, value.layout, value.place);
 }
 
 void PlanClip(const GraphNode& node, PlanBuilder& plan) {
@@ -109,10 +170,16 @@ void PlanBinary(const GraphNode& node, PlanBuilder& plan) {
   } else {
     to = plan.NewOutput(node, a.shape, layout);
   }
-  const Shape flat = {SizeOf(layout)};
-  plan.AddOwn(node, std::array{left, right, to}, [=, f = BroadcastFunction(node.op, flat, flat, flat)](Arena& arena) {
-    f.Run(arena.At(left), arena.At(right), arena.At(to));
-  });
+  const Parts parts = PartsOf(SizeOf(layout) / (a.shape[2] * a.shape[3]), SizeOf(layout));
+  const int64_t part = SizeOf(layout) / (parts.on_all_cores ? parts.count : 1);
+  plan.AddOwn(node, std::array{left, right, to},
+              [=, f = BroadcastFunction(node.op, {part}, {part}, {part})](Arena& arena) {
+                const float *const one = arena.At(left), *const other = arena.At(right);
+                float* const result = arena.At(to);
+                if (!parts.on_all_cores) return f.Run(one, other, result);
+                OnAllCores(parts.count,
+                           [&](int64_t p) { f.Run(one + p * part, other + p * part, result + p * part); });
+              });
   plan.Define(node, a.shape, layout, to);
 }
 
@@ -120,8 +187,16 @@ void PlanBinary(const GraphNode& node, PlanBuilder& plan) {
 
 void AddUnary(const GraphNode& node, const UnaryFunction& f, const Place& from, const Place& to, int64_t count,
               PlanBuilder& plan) {
+  constexpr int64_t kPart = int64_t{1} << 14;  // A multiple of the widths of loops: results do not depend on parts.
   plan.AddOwn(node, std::array{from, to},
-              [=, loop = LoopOf(f)](Arena& arena) { loop(arena.At(from), count, arena.At(to)); });
+              [=, loop = LoopOf(f), parts = PartsOf((count + kPart - 1) / kPart, count)](Arena& arena) {
+                const float* const source = arena.At(from);
+                float* const target = arena.At(to);
+                ForEachPart(parts, [&](int64_t part) {
+                  const int64_t begin = part * kPart;
+                  loop(source + begin, std::min(kPart, count - begin), target + begin);
+                });
+              });
 }
 
 Place AddPlainBinary(const GraphNode& node, const std::string& f, const Place& a, const Shape& of_a, const Place& b,
@@ -137,8 +212,13 @@ Place AddPlainBinary(const GraphNode& node, const std::string& f, const Place& a
 
 OperatorTable PointwiseOperators() {
   OperatorTable table;
-  for (const char* name : {"Abs", "Elu", "Exp", "LeakyRelu", "Neg", "Relu", "Sigmoid", "Sin", "Sqrt", "Tanh"})
-    table[name] = PlanUnary;
+  for (const auto& [name, loop] : PlainLoops()) table[name] = PlanUnary;
+  for (const char* name : {"Elu", "LeakyRelu"}) table[name] = PlanUnary;
+  table.erase("Trunc");
+  table["Cast"] = PlanCast;
+  table["Gelu"] = PlanGelu;
+  table["HardSigmoid"] = PlanHardSigmoid;
+  table["Selu"] = PlanSelu;
   for (const char* name : {"Add", "Div", "Max", "Min", "Mul", "Pow", "PRelu", "Sub"}) table[name] = PlanBinary;
   table["Clip"] = PlanClip;
   return table;

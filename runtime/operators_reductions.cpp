@@ -1,4 +1,4 @@
-// Means, maxima, softmax.
+// Sums, means, maxima, softmax.
 #include "core/error.h"
 #include "runtime/array_kernels.h"
 #include "runtime/operators.h"
@@ -10,7 +10,11 @@ namespace daumier::runtime {
 namespace {
 
 Reduction ReductionOf(const GraphNode& node) {
-  return node.op == "ReduceMean" ? Reduction::kMean : node.op == "ReduceMax" ? Reduction::kMax : Reduction::kMin;
+  static const std::map<std::string, Reduction> kinds = {{"ReduceMax", Reduction::kMax},
+                                                         {"ReduceMean", Reduction::kMean},
+                                                         {"ReduceMin", Reduction::kMin},
+                                                         {"ReduceSum", Reduction::kSum}};
+  return kinds.at(node.op);
 }
 
 /// Maxima and means of whole images in blocks are pools.
@@ -30,8 +34,9 @@ Place PoolOfImages(const GraphNode& node, const Shape& image, PlanBuilder& plan)
 
 void PlanReduction(const GraphNode& node, PlanBuilder& plan) {
   const Shape from = plan.ShapeOf(node.inputs.at(0));
-  std::vector<bool> is_reduced(from.size(), !node.attributes.contains("axes"));
-  for (const int64_t axis : node.Integers("axes", {})) is_reduced[AxisOf(axis, from.size())] = true;
+  const std::vector<int64_t> axes = node.Reads(1) ? plan.Integers(node, 1) : node.Integers("axes", {});
+  std::vector<bool> is_reduced(from.size(), axes.empty() && node.Integer("noop_with_empty_axes", 0) == 0);
+  for (const int64_t axis : axes) is_reduced[AxisOf(axis, from.size())] = true;
   const bool keeps = node.Integer("keepdims", 1) != 0;
   const std::vector<int64_t> strides = StridesOf(from);
   Shape shape, kept, reduced;
@@ -42,7 +47,7 @@ void PlanReduction(const GraphNode& node, PlanBuilder& plan) {
     if (!is_reduced[i] || keeps) shape.push_back(is_reduced[i] ? 1 : from[i]);
   }
   const bool of_images = is_reduced == std::vector<bool>{false, false, true, true};
-  if (of_images && node.op != "ReduceMin" && BlockOf(plan.Value(node.inputs[0]).layout, from) > 1)
+  if (of_images && (node.op == "ReduceMax" || node.op == "ReduceMean") && BlockOf(plan.Value(node.inputs[0]).layout, from) > 1)
     return plan.Define(node, shape, PlainLayout(shape), PoolOfImages(node, from, plan));
   const Place source = plan.Plain(node.inputs[0]), to = plan.NewOutput(node, shape, PlainLayout(shape));
   plan.AddOwn(node, std::array{source, to},
@@ -59,8 +64,11 @@ void PlanSoftmax(const GraphNode& node, PlanBuilder& plan) {
     if (i < axis) outer *= shape[i];
     if (i > axis) inner *= shape[i];
   }
+  const bool flattens = node.Integer("flattens", 0) != 0;  // All axes from `axis` on are one.
+  const int64_t size = flattens ? shape[axis] * inner : shape[axis];
+  if (flattens) inner = 1;
   const Place from = plan.Plain(node.inputs[0]), to = plan.NewOutput(node, shape, PlainLayout(shape));
-  plan.AddOwn(node, std::array{from, to}, [=, size = shape[axis], logarithm = node.op == "LogSoftmax"](Arena& arena) {
+  plan.AddOwn(node, std::array{from, to}, [=, logarithm = node.op == "LogSoftmax"](Arena& arena) {
     SoftmaxOf(arena.At(from), outer, size, inner, logarithm, arena.At(to));
   });
   plan.Define(node, shape, PlainLayout(shape), to);
@@ -73,6 +81,7 @@ OperatorTable ReductionOperators() {
           {"ReduceMax", PlanReduction},
           {"ReduceMean", PlanReduction},
           {"ReduceMin", PlanReduction},
+          {"ReduceSum", PlanReduction},
           {"Softmax", PlanSoftmax}};
 }
 

@@ -43,8 +43,11 @@ Offsets PlaceBuffers(const std::vector<PlanBuffer>& buffers) {
 }  // namespace
 
 Plan::Plan(std::vector<PlanStep> steps, std::vector<PlanPort> inputs, std::vector<PlanPort> outputs,
-           const std::vector<PlanBuffer>& buffers)
-    : steps_(std::move(steps)), inputs_(std::move(inputs)), outputs_(std::move(outputs)) {
+           const std::vector<PlanBuffer>& buffers, std::map<std::string, GraphTensor> constants)
+    : steps_(std::move(steps)),
+      inputs_(std::move(inputs)),
+      outputs_(std::move(outputs)),
+      constants_(std::move(constants)) {
   Offsets offsets = PlaceBuffers(buffers);
   DAUMIER_CHECK(offsets.end <= kMostNumbers, "a run of the graph needs {} numbers (at most {} are allowed)",
                 offsets.end, kMostNumbers);

@@ -4,6 +4,7 @@
 #include "runtime/siren_kernel.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -65,9 +66,10 @@ struct PlanBuffer {
 /// A graph ready to be run with inputs of one shape by a number of threads.
 class Plan {
  public:
-  /// @throws Error if the arena is larger than kMostNumbers.
+  /// constants: what places of the plan may lie in, in addition to weights. @throws Error if the arena is larger than
+  /// kMostNumbers.
   Plan(std::vector<PlanStep> steps, std::vector<PlanPort> inputs, std::vector<PlanPort> outputs,
-       const std::vector<PlanBuffer>& buffers);
+       const std::vector<PlanBuffer>& buffers, std::map<std::string, GraphTensor> constants = {});
   Plan(const Plan&) = delete;
   Plan& operator=(const Plan&) = delete;
 
@@ -88,6 +90,7 @@ class Plan {
 
   const std::vector<PlanStep> steps_;
   const std::vector<PlanPort> inputs_, outputs_;
+  const std::map<std::string, GraphTensor> constants_;
   std::vector<int64_t> offsets_;
   int64_t arena_size_ = 0;
   mutable std::mutex mutex_;

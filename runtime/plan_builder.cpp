@@ -75,13 +75,15 @@ std::unique_ptr<Plan> PlanBuilder::Build() {
   }
   for (const PlanPort& output : outputs)  // Read after the last step.
     if (output.place.buffer >= 0) buffers_[size_t(output.place.buffer)].last = int(steps_.size());
-  return std::make_unique<Plan>(std::move(steps_), std::move(inputs_), std::move(outputs), buffers_);
+  return std::make_unique<Plan>(std::move(steps_), std::move(inputs_), std::move(outputs), buffers_,
+                                std::move(folded_));
 }
 
 void PlanBuilder::PlanNode(const GraphNode& node) {
   for (const std::string& input : node.inputs)
     if (const auto value = values_.find(input); value != values_.end() && value->second.place.buffer >= 0)
       --reads_of_buffers_[value->second.place.buffer];
+  if (FoldNode(node)) return;
   try {
     for (const std::string& input : node.inputs)
       if (const auto value = values_.find(input); value != values_.end())
@@ -99,24 +101,46 @@ void PlanBuilder::PlanNode(const GraphNode& node) {
 
 const PlannedValue& PlanBuilder::Value(const std::string& name) const {
   const auto found = values_.find(name);
-  DAUMIER_CHECK(found != values_.end(), "'{}' has no numbers", name);
+  DAUMIER_CHECK(found != values_.end(), "'{}' has no real numbers (whole ones are known before a run alone)", name);
   return found->second;
+}
+
+const GraphTensor* PlanBuilder::Known(const std::string& name) const {
+  if (const auto weight = graph_.weights.find(name); weight != graph_.weights.end()) return &weight->second;
+  const auto found = folded_.find(name);
+  return found == folded_.end() ? nullptr : &found->second;
+}
+
+bool PlanBuilder::FoldNode(const GraphNode& node) {
+  std::vector<KnownInput> inputs;
+  for (const std::string& input : node.inputs) {
+    KnownInput known{nullptr, Known(input)};
+    if (const auto value = values_.find(input); value != values_.end()) known.shape = &value->second.shape;
+    if (known.value != nullptr) known.shape = &known.value->shape;
+    inputs.push_back(known);
+  }
+  std::optional<GraphTensor> computed = folder_.Fold(node, inputs);
+  if (!computed) return false;
+  const GraphTensor& folded = folded_[node.output] = std::move(*computed);
+  if (!folded.has_integers)
+    values_[node.output] = {folded.shape, PlainLayout(folded.shape), {.constant = folded.numbers.data()}};
+  return true;
 }
 
 const GraphTensor& PlanBuilder::Weight(const GraphNode& node, size_t input) const {
   DAUMIER_CHECK(node.Reads(input), "input {} is absent", input);
-  const auto found = graph_.weights.find(node.inputs[input]);
-  DAUMIER_CHECK(found != graph_.weights.end() && !found->second.has_integers,
+  const GraphTensor* const found = Known(node.inputs[input]);
+  DAUMIER_CHECK(found != nullptr && !found->has_integers,
                 "input {}, '{}', is computed or of integers (expected weights)", input, node.inputs[input]);
-  return found->second;
+  return *found;
 }
 
-const std::vector<int64_t>& PlanBuilder::Integers(const GraphNode& node, size_t input) const {
+const GraphTensor& PlanBuilder::Whole(const GraphNode& node, size_t input) const {
   DAUMIER_CHECK(node.Reads(input), "input {} is absent", input);
-  const auto found = graph_.weights.find(node.inputs[input]);
-  DAUMIER_CHECK(found != graph_.weights.end() && found->second.has_integers,
-                "input {}, '{}', is no constant of integers", input, node.inputs[input]);
-  return found->second.integers;
+  const GraphTensor* const found = Known(node.inputs[input]);
+  DAUMIER_CHECK(found != nullptr && found->has_integers, "input {}, '{}', is no constant of integers", input,
+                node.inputs[input]);
+  return *found;
 }
 
 Place PlanBuilder::In(const std::string& name, const Layout& layout) {
@@ -135,6 +159,8 @@ Place PlanBuilder::In(const std::string& name, const Layout& layout) {
 
 Place PlanBuilder::Packed(const GraphNode& node, size_t input, const Layout& from, const Layout& to) {
   const GraphTensor& weights = Weight(node, input);
+  DAUMIER_CHECK(graph_.weights.contains(node.inputs[input]), "input {}, '{}', depends on shapes (expected weights)", input,
+                node.inputs[input]);  // Plans share what is packed.
   return {.constant = packed_.Packed(node.inputs[input], weights.numbers.data(), from, to)};
 }
 

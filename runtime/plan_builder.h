@@ -1,4 +1,5 @@
 #pragma once
+#include "runtime/constant_folding.h"
 #include "runtime/plan.h"
 
 #include <map>
@@ -30,7 +31,8 @@ class PackedWeights {
   std::map<std::string, std::vector<std::unique_ptr<Entry>>> entries_;
 };
 
-/// Makes a plan node by node. An operator (runtime/operators.h) requests its inputs in the layout that it reads, adds
+/// Makes a plan node by node. What depends on shapes and weights alone is computed at once (runtime/constant_folding.h);
+/// the rest becomes steps. An operator (runtime/operators.h) requests its inputs in the layout that it reads, adds
 /// steps and defines its output. A shape without sizes of 0 is promised to operators.
 class PlanBuilder {
  public:
@@ -43,14 +45,16 @@ class PlanBuilder {
   /// Values, by names of the graph.
   const PlannedValue& Value(const std::string& name) const;
   const Shape& ShapeOf(const std::string& name) const { return Value(name).shape; }
-  /// @throws Error naming the node if the input is no weight, or of the other kind of numbers.
+  /// Weights, and what is computed from shapes. @throws Error naming the node if the input depends on the graph's
+  /// inputs, or is of the other kind of numbers.
   const GraphTensor& Weight(const GraphNode& node, size_t input) const;
-  const std::vector<int64_t>& Integers(const GraphNode& node, size_t input) const;
+  const std::vector<int64_t>& Integers(const GraphNode& node, size_t input) const { return Whole(node, input).integers; }
+  const Shape& ShapeOfIntegers(const GraphNode& node, size_t input) const { return Whole(node, input).shape; }
 
   /// Where the value lies in that layout; adds a step that converts it if there is none yet.
   Place In(const std::string& name, const Layout& layout);
   Place Plain(const std::string& name) { return In(name, PlainLayout(ShapeOf(name))); }
-  /// A weight in the layout of a primitive. `from`: how the primitive sees the stored numbers.
+  /// A weight of the graph in the layout of a primitive. `from`: how the primitive sees the stored numbers.
   Place Packed(const GraphNode& node, size_t input, const Layout& from, const Layout& to);
 
   /// Whether no later node reads the memory of an input of the present node.
@@ -88,9 +92,15 @@ class PlanBuilder {
   std::optional<Place> PlaceInGathering(const GraphNode& node, const Shape& shape, const Layout& layout);
   void Touch(const Place& place);
   void PlanNode(const GraphNode& node);
+  /// Whether the node's output is known without a run; it is then defined.
+  bool FoldNode(const GraphNode& node);
+  const GraphTensor* Known(const std::string& name) const;
+  const GraphTensor& Whole(const GraphNode& node, size_t input) const;
 
   const Graph& graph_;
   PackedWeights& packed_;
+  ConstantFolder folder_;
+  std::map<std::string, GraphTensor> folded_;
   std::map<std::string, PlannedValue> values_;
   std::map<std::string, int> reads_;  ///< Of each value, by nodes that are still to be planned, and outputs.
   std::map<int, int> reads_of_buffers_;

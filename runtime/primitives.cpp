@@ -137,7 +137,9 @@ Primitive MakeDeconvolution(const Layout& source, const Layout& weights, const L
 }
 
 Primitive MakePool(const Layout& source, const Layout& target, const Window& window, PoolKind kind) {
-  const algorithm what = kind == PoolKind::kMax ? algorithm::pooling_max : algorithm::pooling_avg_exclude_padding;
+  const algorithm what = kind == PoolKind::kMax    ? algorithm::pooling_max
+                         : kind == PoolKind::kMean ? algorithm::pooling_avg_exclude_padding
+                                                   : algorithm::pooling_avg_include_padding;
 #if DNNL_VERSION_MAJOR >= 3
   using Operator = dnnl::pooling_forward;
 #else
@@ -162,6 +164,19 @@ Primitive MakeProduct(const Layout& a, const Layout& b, const Layout& bias, cons
   using Operator = dnnl::matmul;
   return Made<Operator>("product of matrices",
                         [&] { return Describe<Operator>(Attributes(epilogue), a, b, bias, target); });
+}
+
+Primitive MakeInstanceNorm(const Layout& layout, float epsilon, bool with_relu) {
+  using Operator = dnnl::batch_normalization_forward;
+  using flags = dnnl::normalization_flags;
+  const flags used = flags::use_scale | flags::use_shift | (with_relu ? flags::fuse_norm_relu : flags::none);
+  return Made<Operator>("normalization of images", [&] {
+#if DNNL_VERSION_MAJOR >= 3
+    return Describe<Operator>(Attributes(), kForward, layout, layout, epsilon, used);
+#else
+    return Describe<Operator>(Attributes(), kForward, layout, epsilon, used);
+#endif
+  });
 }
 
 Primitive MakeReorder(const Layout& source, const Layout& target) {

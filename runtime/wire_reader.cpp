@@ -56,6 +56,10 @@ void WireReader::CheckType(int type) const {
   DAUMIER_CHECK(type_ == type, "field {} has the wire type {}, expected {}", field_, type_, type);
 }
 
+void WireReader::CheckWhole(size_t bytes, size_t item) {
+  DAUMIER_CHECK(bytes % item == 0, "{} bytes hold no numbers of {} bytes", bytes, item);
+}
+
 uint64_t WireReader::Varint() const {
   CheckType(kVarint);
   return varint_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace daumier::runtime {
@@ -27,6 +28,17 @@ class WireReader {
     WireReader packed(Bytes(), depth_ + 1);
     while (packed.position_ < packed.bytes_.size()) add(static_cast<int64_t>(packed.TakeVarint()));
   }
+  /// Calls `add` for each number of a repeated field of float or double, which may be packed.
+  template <class Number, class Add>
+  void Numbers(const Add& add) const {
+    if (type_ != kLength) CheckType(sizeof(Number) == sizeof(float) ? kFixed32 : kFixed64);
+    CheckWhole(value_.size(), sizeof(Number));
+    for (size_t i = 0; i < value_.size(); i += sizeof(Number)) {
+      Number number;
+      std::memcpy(&number, value_.data() + i, sizeof(number));
+      add(number);
+    }
+  }
 
  private:
   static constexpr int kVarint = 0, kFixed64 = 1, kLength = 2, kFixed32 = 5;
@@ -35,6 +47,7 @@ class WireReader {
   uint64_t TakeVarint();
   std::string_view Take(uint64_t count);
   void CheckType(int type) const;
+  static void CheckWhole(size_t bytes, size_t item);
 
   std::string_view bytes_;
   size_t position_ = 0;
