@@ -79,6 +79,8 @@ void RowOf(const float* a, int64_t step_a, const float* b, int64_t step_b, int64
   for (; i < count; ++i) c[i] = f(a[i * step_a], b[i * step_b]);
 }
 
+constexpr int64_t kMostParts = 64;
+
 struct SumOf {
   static constexpr bool kOnVectors = true;
   template <class T>
@@ -140,6 +142,11 @@ std::vector<int64_t> RepeatingStrides(const Shape& from, const Shape& to) {
   return strides;
 }
 
+Parts PartsOf(int64_t count, int64_t numbers) {
+  constexpr int64_t kManyNumbers = 1 << 18;  // Less takes less time than to wake a thread.
+  return {count, count > 1 && numbers >= kManyNumbers && OpenMpThreads() > 1};
+}
+
 StridedCopy::StridedCopy(const Shape& shape, const std::vector<int64_t>& from_strides,
                          const std::vector<int64_t>& to_strides)
     : shape_(shape), from_(from_strides), to_(to_strides) {
@@ -166,11 +173,22 @@ BroadcastFunction::BroadcastFunction(const std::string& f, const Shape& a, const
   DAUMIER_CHECK(row != kRows.end(), "there is no function '{}' of two arrays", f);
   row_ = row->second;
   MergeAxes(shape_, a_, b_);
+  parts_ = PartsOf(std::min<int64_t>(shape_.front(), kMostParts), CheckedSize(shape_, "an array"));
 }
 
 void BroadcastFunction::Run(const float* a, const float* b, float* c) const {
-  const int64_t count = shape_.back(), step_a = a_.back(), step_b = b_.back();
-  ForEachRow(shape_, a_, b_, [&](int64_t at_a, int64_t at_b) {
+  if (!parts_.on_all_cores) return RunPart(0, shape_.front(), a, b, c);
+  const int64_t size = shape_.front();
+  OnAllCores(parts_.count,
+             [&](int64_t i) { RunPart(size * i / parts_.count, size * (i + 1) / parts_.count, a, b, c); });
+}
+
+void BroadcastFunction::RunPart(int64_t begin, int64_t end, const float* a, const float* b, float* c) const {
+  Shape shape = shape_;
+  shape.front() = end - begin;
+  a += begin * a_.front(), b += begin * b_.front(), c += begin * (StridesOf(shape_).front());
+  const int64_t count = shape.back(), step_a = a_.back(), step_b = b_.back();
+  ForEachRow(shape, a_, b_, [&](int64_t at_a, int64_t at_b) {
     row_(a + at_a, step_a, b + at_b, step_b, count, c);
     c += count;
   });
@@ -216,11 +234,6 @@ void StridedReduction::Run(const float* from, float* to) const {
   ForEachRow(kept_, kept_strides_, kept_strides_, [&](int64_t at, int64_t) {
     for (int64_t i = 0; i < kept_.back(); ++i) *to++ = reduce(from + at + i * kept_strides_.back());
   });
-}
-
-Parts PartsOf(int64_t count, int64_t numbers) {
-  constexpr int64_t kManyNumbers = 1 << 18;  // Less takes less time than to wake a thread.
-  return {count, count > 1 && numbers >= kManyNumbers && OpenMpThreads() > 1};
 }
 
 void SoftmaxOf(const float* from, int64_t outer, int64_t size, int64_t inner, bool logarithm, float* to) {

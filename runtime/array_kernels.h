@@ -23,6 +23,19 @@ class StridedCopy {
   std::vector<int64_t> from_, to_;
 };
 
+/// Parts of an array that are computed one by one: on all cores if a plan is for several threads and the array is large.
+struct Parts {
+  int64_t count;
+  bool on_all_cores;
+};
+/// numbers: of all parts together.
+Parts PartsOf(int64_t count, int64_t numbers);
+template <class Part>
+void ForEachPart(const Parts& parts, const Part& part) {
+  if (parts.on_all_cores) return OnAllCores(parts.count, part);
+  for (int64_t i = 0; i < parts.count; ++i) part(i);
+}
+
 /// c = f(a, b) of arrays that repeat along axes of size 1. f: Add, Sub, Mul, Div, Max, Min, Pow, PRelu (b: slopes).
 class BroadcastFunction {
  public:
@@ -31,10 +44,14 @@ class BroadcastFunction {
   void Run(const float* a, const float* b, float* c) const;
 
  private:
+  /// From `begin` to before `end` of the first axis.
+  void RunPart(int64_t begin, int64_t end, const float* a, const float* b, float* c) const;
+
   using Row = void (*)(const float* a, int64_t step_a, const float* b, int64_t step_b, int64_t count, float* c);
   Row row_;
   Shape shape_;
   std::vector<int64_t> a_, b_;
+  Parts parts_ = {1, false};
 };
 
 enum class Reduction { kMean, kMax, kMin, kSum };
@@ -51,19 +68,6 @@ class StridedReduction {
   Shape kept_, reduced_;
   std::vector<int64_t> kept_strides_, reduced_strides_;
 };
-
-/// Parts of an array that are computed one by one: on all cores if a plan is for several threads and the array is large.
-struct Parts {
-  int64_t count;
-  bool on_all_cores;
-};
-/// numbers: of all parts together.
-Parts PartsOf(int64_t count, int64_t numbers);
-template <class Part>
-void ForEachPart(const Parts& parts, const Part& part) {
-  if (parts.on_all_cores) return OnAllCores(parts.count, part);
-  for (int64_t i = 0; i < parts.count; ++i) part(i);
-}
 
 /// Softmax, or its logarithm, along the middle of outer x size x inner.
 void SoftmaxOf(const float* from, int64_t outer, int64_t size, int64_t inner, bool logarithm, float* to);

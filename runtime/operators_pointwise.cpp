@@ -170,16 +170,10 @@ void PlanBinary(const GraphNode& node, PlanBuilder& plan) {
   } else {
     to = plan.NewOutput(node, a.shape, layout);
   }
-  const Parts parts = PartsOf(SizeOf(layout) / (a.shape[2] * a.shape[3]), SizeOf(layout));
-  const int64_t part = SizeOf(layout) / (parts.on_all_cores ? parts.count : 1);
-  plan.AddOwn(node, std::array{left, right, to},
-              [=, f = BroadcastFunction(node.op, {part}, {part}, {part})](Arena& arena) {
-                const float *const one = arena.At(left), *const other = arena.At(right);
-                float* const result = arena.At(to);
-                if (!parts.on_all_cores) return f.Run(one, other, result);
-                OnAllCores(parts.count,
-                           [&](int64_t p) { f.Run(one + p * part, other + p * part, result + p * part); });
-              });
+  const Shape flat = {SizeOf(layout)};
+  plan.AddOwn(node, std::array{left, right, to}, [=, f = BroadcastFunction(node.op, flat, flat, flat)](Arena& arena) {
+    f.Run(arena.At(left), arena.At(right), arena.At(to));
+  });
   plan.Define(node, a.shape, layout, to);
 }
 

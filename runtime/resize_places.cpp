@@ -8,15 +8,15 @@
 namespace daumier::runtime {
 
 std::vector<double> PlacesOfPixels(const ResizedAxis& axis, const std::string& mode) {
-  const double scale = axis.scale;
+  const float scale = axis.scale;
   const auto size = double(axis.size), wanted = double(axis.wanted);
-  double shift = 0, offset = 0;  // Place i: (i + shift) / scale + offset.
+  float shift = 0, offset = 0;  // Place i: (i + shift) / scale + offset, in float32 as ONNX Runtime: 1 / (1 / 3) is 3.
   if (mode == "half_pixel" || (mode == "pytorch_half_pixel" && axis.wanted > 1)) {
-    shift = 0.5, offset = -0.5;
+    shift = 0.5f, offset = -0.5f;
   } else if (mode == "tf_half_pixel_for_nn") {
-    shift = 0.5;
+    shift = 0.5f;
   } else if (mode == "half_pixel_symmetric") {
-    shift = 0.5, offset = size / 2 * (1 - wanted / (scale * size)) - 0.5;
+    shift = 0.5f, offset = float(size / 2 * (1 - wanted / (scale * size)) - 0.5);
   } else {
     DAUMIER_CHECK(mode == "asymmetric" || mode == "align_corners" || mode == "pytorch_half_pixel",
                   "there is no resizing at {} places", mode);
@@ -25,7 +25,7 @@ std::vector<double> PlacesOfPixels(const ResizedAxis& axis, const std::string& m
   if (axis.wanted == 1 && (mode == "align_corners" || mode == "pytorch_half_pixel")) return places;
   for (int64_t i = 0; i < axis.wanted; ++i)
     places[size_t(i)] = mode == "align_corners" ? double(i) * (size - 1) / (wanted - 1)
-                                                : (double(i) + shift) / scale + offset;
+                                                : double((float(i) + shift) / scale + offset);
   return places;
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace daumier::runtime {
+
+/// Mean and biased variance of numbers, summed in float64 by parts whose moments are merged [Chan et al. 1983].
+struct Moments {
+  double count = 0, mean = 0, variance = 0;
+};
+Moments MomentsOf(const float* numbers, int64_t count);
+
+/// y = (x - mean) / sqrt(variance + epsilon) scale + shift of plain rows, each of its own mean and variance. A row has
+/// `runs` runs of `length` numbers, each run a scale and a shift. Large arrays are computed on all cores, with the same
+/// results.
+struct RowNorm {
+  int64_t rows = 0, runs = 0, length = 0;
+  int64_t kinds = 1;  ///< Of rows, one after the other: row r has the scales from (r mod kinds) * runs on.
+  float epsilon = 0;
+  std::vector<float> scales = {}, shifts = {};  ///< kinds * runs
+  bool with_relu = false;                       ///< y = max(y, 0)
+
+  void Run(const float* from, float* to) const;
+};
+
+}  // namespace daumier::runtime
