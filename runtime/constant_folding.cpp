@@ -34,12 +34,14 @@ using Folding = std::optional<GraphTensor>;
 /// The elements of `from` at these places.
 GraphTensor Taken(const GraphTensor& from, Shape shape, const std::vector<int64_t>& places) {
   GraphTensor taken{.shape = std::move(shape), .has_integers = from.has_integers};
-  for (const int64_t place : places) {
-    if (from.has_integers) {
-      taken.integers.push_back(from.integers[size_t(place)]);
-    } else {
-      taken.numbers.push_back(from.numbers[size_t(place)]);
-    }
+  const auto take = [&](const auto& source, auto& target) {
+    target.reserve(places.size());
+    for (const int64_t place : places) target.push_back(source[size_t(place)]);
+  };
+  if (from.has_integers) {
+    take(from.integers, taken.integers);
+  } else {
+    take(from.numbers, taken.numbers);
   }
   return taken;
 }
@@ -178,7 +180,8 @@ Folding FoldRangeOfNumbers(const FoldRequest& request) {
 Folding FoldReduction(const FoldRequest& request) {
   const GraphTensor& from = request.Input(0);
   const bool names_axes = request.node.Reads(1) && !request.Integers(1).empty();
-  if (from.shape.size() > 1 && (names_axes || request.node.Integer("noop_with_empty_axes", 0) != 0)) return std::nullopt;
+  if (from.shape.size() > 1 && (names_axes || request.node.Integer("noop_with_empty_axes", 0) != 0))
+    return std::nullopt;
   GraphTensor reduced = FoldedReduction(request.node.op, from);
   if (request.node.Integer("keepdims", 1) != 0) reduced.shape.assign(from.shape.size(), 1);
   return reduced;
@@ -187,11 +190,12 @@ Folding FoldReduction(const FoldRequest& request) {
 using FoldFunction = Folding (*)(const FoldRequest&);
 FoldFunction FoldFunctionOf(const std::string& op) {
   static const std::map<std::string, FoldFunction> functions = [] {
-    std::map<std::string, FoldFunction> all = {
-        {"Concat", FoldConcatenation}, {"ConstantOfShape", FoldFilled}, {"Gather", FoldGather},
-        {"Range", FoldRangeOfNumbers}, {"ReduceMax", FoldReduction},    {"ReduceMin", FoldReduction},
-        {"ReduceProd", FoldReduction}, {"ReduceSum", FoldReduction},    {"Shape", FoldShape},
-        {"Size", FoldSize},            {"Where", FoldWhere}};
+    std::map<std::string, FoldFunction> all = {{"Concat", FoldConcatenation}, {"ConstantOfShape", FoldFilled},
+                                               {"Gather", FoldGather},        {"Range", FoldRangeOfNumbers},
+                                               {"ReduceMax", FoldReduction},  {"ReduceMin", FoldReduction},
+                                               {"ReduceProd", FoldReduction}, {"ReduceSum", FoldReduction},
+                                               {"Shape", FoldShape},          {"Size", FoldSize},
+                                               {"Where", FoldWhere}};
     for (const std::string& name : FoldedArithmeticNames()) all[name] = FoldArithmetic;
     return all;
   }();

@@ -69,35 +69,38 @@ const std::map<std::string, IntegerFunction>& IntegerFunctions() {
 
 using RealFunction = float (*)(float, float);
 const std::map<std::string, RealFunction>& RealFunctions() {
-  static const std::map<std::string, RealFunction> functions = {
-      {"Add", [](float a, float b) { return a + b; }},
-      {"Div", [](float a, float b) { return a / b; }},
-      {"Max", [](float a, float b) { return std::max(a, b); }},
-      {"Min", [](float a, float b) { return std::min(a, b); }},
-      {"Mul", [](float a, float b) { return a * b; }},
-      {"Pow", [](float a, float b) { return std::pow(a, b); }},
-      {"Sub", [](float a, float b) { return a - b; }}};
+  static const std::map<std::string, RealFunction> functions = {{"Add", [](float a, float b) { return a + b; }},
+                                                                {"Div", [](float a, float b) { return a / b; }},
+                                                                {"Max", [](float a, float b) { return std::max(a, b); }},
+                                                                {"Min", [](float a, float b) { return std::min(a, b); }},
+                                                                {"Mul", [](float a, float b) { return a * b; }},
+                                                                {"Pow", [](float a, float b) { return std::pow(a, b); }},
+                                                                {"Sub", [](float a, float b) { return a - b; }}};
   return functions;
 }
 
 /// -1, 0 or 1 to whether the comparison holds.
 using Comparison = bool (*)(int);
 const std::map<std::string, Comparison>& Comparisons() {
-  static const std::map<std::string, Comparison> comparisons = {{"Equal", [](int order) { return order == 0; }},
-                                                                {"Greater", [](int order) { return order > 0; }},
-                                                                {"GreaterOrEqual", [](int order) { return order >= 0; }},
-                                                                {"Less", [](int order) { return order < 0; }},
-                                                                {"LessOrEqual", [](int order) { return order <= 0; }}};
+  static const std::map<std::string, Comparison> comparisons = {
+      {"Equal", [](int order) { return order == 0; }},
+      {"Greater", [](int order) { return order > 0; }},
+      {"GreaterOrEqual", [](int order) { return order >= 0; }},
+      {"Less", [](int order) { return order < 0; }},
+      {"LessOrEqual", [](int order) { return order <= 0; }}};
   return comparisons;
 }
 
 using UnaryOfReal = float (*)(float);
 const std::map<std::string, UnaryOfReal>& UnariesOfReals() {
-  static const std::map<std::string, UnaryOfReal> functions = {
-      {"Abs", [](float x) { return std::abs(x); }},     {"Ceil", [](float x) { return std::ceil(x); }},
-      {"Exp", [](float x) { return std::exp(x); }},     {"Floor", [](float x) { return std::floor(x); }},
-      {"Neg", [](float x) { return -x; }},              {"Reciprocal", [](float x) { return 1 / x; }},
-      {"Round", [](float x) { return std::rint(x); }}, {"Sqrt", [](float x) { return std::sqrt(x); }}};
+  static const std::map<std::string, UnaryOfReal> functions = {{"Abs", [](float x) { return std::abs(x); }},
+                                                               {"Ceil", [](float x) { return std::ceil(x); }},
+                                                               {"Exp", [](float x) { return std::exp(x); }},
+                                                               {"Floor", [](float x) { return std::floor(x); }},
+                                                               {"Neg", [](float x) { return -x; }},
+                                                               {"Reciprocal", [](float x) { return 1 / x; }},
+                                                               {"Round", [](float x) { return std::rint(x); }},
+                                                               {"Sqrt", [](float x) { return std::sqrt(x); }}};
   return functions;
 }
 using UnaryOfInteger = int64_t (*)(int64_t);

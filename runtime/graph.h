@@ -19,8 +19,7 @@ struct GraphTensor {
   bool has_integers = false;
 };
 
-using GraphAttribute =
-    std::variant<int64_t, float, std::vector<int64_t>, std::string, std::vector<float>, GraphTensor>;
+using GraphAttribute = std::variant<int64_t, float, std::vector<int64_t>, std::string, std::vector<float>, GraphTensor>;
 
 /// An operator of ONNX with one output. An input of the name "" is absent.
 struct GraphNode {

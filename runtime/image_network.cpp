@@ -110,9 +110,9 @@ FloatArray ImageNetwork::Run(const FloatArray& picture) const {
                   input_.height.value_or(0), input_.width.value_or(0), height, width);
     const bool first = input_.layout == ImageLayout::kChannelsFirst;
     NamedArrays inputs;
-    inputs[input_.name] =
-        first ? Rearranged(picture, {{1, kColours, height, width}, {0, 1, width * kColours, kColours}})
-              : FloatArray({1, height, width, kColours}, picture.values);
+    inputs[input_.name] = first
+                              ? Rearranged(picture, {{1, kColours, height, width}, {0, 1, width * kColours, kColours}})
+                              : FloatArray({1, height, width, kColours}, picture.values);
     const NamedArrays outputs = runner_->Run(inputs);
     FloatArray result = PictureOf(outputs.at(output_), input_.layout);
     DAUMIER_CHECK(AreFinite(result.values), "its output has numbers that are not finite");

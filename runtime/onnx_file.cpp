@@ -77,8 +77,8 @@ std::pair<std::string, GraphAttribute> AttributeOf(WireReader attribute, TensorR
   }
 }
 
-OnnxNode NodeOf(WireReader node, TensorReader& tensors) {
-  OnnxNode read;
+StoredNode NodeOf(WireReader node, TensorReader& tensors) {
+  StoredNode read;
   GraphNode& form = read.node;
   std::string domain;
   std::vector<WireReader> attributes;
@@ -164,7 +164,7 @@ GraphInput InputOf(StoredPort port) {
 struct StoredGraph {
   Graph graph;
   std::vector<StoredPort> inputs;
-  std::vector<OnnxNode> nodes;
+  std::vector<StoredNode> nodes;
 };
 
 StoredGraph GraphOf(WireReader graph, const fs::path& folder) {
@@ -205,7 +205,7 @@ Graph InOurForm(StoredGraph stored, int64_t operator_set) {
   Graph graph = std::move(stored.graph);
   for (StoredPort& port : stored.inputs)  // Files of IR version 3 list weights among the inputs.
     if (!graph.weights.contains(port.input.name)) graph.inputs.push_back(InputOf(std::move(port)));
-  for (OnnxNode& node : stored.nodes) AddNode(std::move(node), operator_set, graph);
+  for (StoredNode& node : stored.nodes) AddNode(std::move(node), operator_set, graph);
   return graph;
 }
 
@@ -246,9 +246,10 @@ Graph ReadOnnx(const fs::path& file) {
     CheckGraph(graph);
     return graph;
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}. Write it again by the program that made it (`daumier export`, torch.onnx.export, "
-                            "tf2onnx), with operators of set 13",
-                            file.string(), error.what()));
+    throw Error(
+        fmt::format("{}: {}. Write it again by the program that made it (`daumier export`, torch.onnx.export, "
+                    "tf2onnx), with operators of set 13",
+                    file.string(), error.what()));
   }
 }
 

@@ -64,13 +64,11 @@ std::vector<float> RealsOfTensor(const StoredTensor& stored) {
     case kFloat64:
       return NumbersOfTensor<double>(stored, stored.doubles, same, same);
     case kFloat16:
-      return NumbersOfTensor<Half>(stored, stored.integers, half, [](int64_t bits) {
-        return FloatFromHalf(Half{uint16_t(bits)});
-      });
+      return NumbersOfTensor<Half>(stored, stored.integers, half,
+                                   [](int64_t bits) { return FloatFromHalf(Half{uint16_t(bits)}); });
     default:
-      return NumbersOfTensor<BrainFloat>(stored, stored.integers, FloatFromBrain, [](int64_t bits) {
-        return FloatFromBrain({uint16_t(bits)});
-      });
+      return NumbersOfTensor<BrainFloat>(stored, stored.integers, FloatFromBrain,
+                                         [](int64_t bits) { return FloatFromBrain({uint16_t(bits)}); });
   }
 }
 

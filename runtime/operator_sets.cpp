@@ -18,7 +18,7 @@ GraphTensor TensorOf(std::vector<float> numbers) {
 /// A node on its way into the graph.
 class Rewriting {
  public:
-  Rewriting(OnnxNode stored, int64_t operator_set, Graph& graph)
+  Rewriting(StoredNode stored, int64_t operator_set, Graph& graph)
       : operator_set_(operator_set), node_(std::move(stored.node)), outputs_(std::move(stored.outputs)), graph_(graph) {
     while (!outputs_.empty() && outputs_.back().empty()) outputs_.pop_back();
     if (!outputs_.empty()) node_.output = outputs_.front();
@@ -73,13 +73,18 @@ class Rewriting {
                   node_.attributes.size());
     const auto& [name, value] = *node_.attributes.begin();
     GraphTensor tensor;
-    if (const auto* const of_file = std::get_if<GraphTensor>(&value)) tensor = *of_file;
-    else if (const auto* const reals = std::get_if<std::vector<float>>(&value)) tensor = TensorOf(*reals);
-    else if (const auto* const integers = std::get_if<std::vector<int64_t>>(&value)) tensor = TensorOf(*integers);
-    else if (const auto* const real = std::get_if<float>(&value)) tensor = {.shape = {}, .numbers = {*real}};
+    if (const auto* const of_file = std::get_if<GraphTensor>(&value))
+      tensor = *of_file;
+    else if (const auto* const reals = std::get_if<std::vector<float>>(&value))
+      tensor = TensorOf(*reals);
+    else if (const auto* const integers = std::get_if<std::vector<int64_t>>(&value))
+      tensor = TensorOf(*integers);
+    else if (const auto* const real = std::get_if<float>(&value))
+      tensor = {.shape = {}, .numbers = {*real}};
     else if (const auto* const integer = std::get_if<int64_t>(&value))
       tensor = {.shape = {}, .integers = {*integer}, .has_integers = true};
-    else throw Error(fmt::format("{} has the attribute '{}' of text", node_.Text(), name));
+    else
+      throw Error(fmt::format("{} has the attribute '{}' of text", node_.Text(), name));
     const bool is_new = graph_.weights.emplace(node_.output, std::move(tensor)).second;
     DAUMIER_CHECK(is_new, "the name '{}' is given to two tensors", node_.output);
   }
@@ -101,17 +106,17 @@ class Rewriting {
   void AddChain() {
     DAUMIER_CHECK(!node_.inputs.empty() && outputs_.size() == 1, "{} has {} inputs and {} outputs", node_.Text(),
                   node_.inputs.size(), outputs_.size());
+    const std::vector<std::string> inputs = std::move(node_.inputs);
     if (node_.op == "Sum") node_.op = "Add";
-    if (node_.inputs.size() == 1) node_.op = "Identity";
-    std::string so_far = node_.inputs[0];
-    for (size_t i = 1; i + 1 < node_.inputs.size(); ++i) {
-      GraphNode link = node_;
-      link.inputs = {so_far, node_.inputs[i]};
-      link.output = so_far = fmt::format("{}/{}", node_.output, i);
-      Push(std::move(link));
+    if (inputs.size() == 1) node_.op = "Identity";
+    node_.inputs = {inputs[0]};
+    const std::string output = node_.output;
+    for (size_t i = 1; i < inputs.size(); ++i) {
+      node_.inputs = {i == 1 ? inputs[0] : node_.output, inputs[i]};
+      node_.output = i + 1 == inputs.size() ? output : fmt::format("{}/{}", output, i);
+      if (i + 1 < inputs.size()) Push(node_);
     }
-    if (node_.inputs.size() > 1) node_.inputs = {so_far, node_.inputs.back()};
-    Push(node_);
+    Push(std::move(node_));
   }
 
   void AsIdentity() {
@@ -178,7 +183,7 @@ class Rewriting {
 
 }  // namespace
 
-void AddNode(OnnxNode stored, int64_t operator_set, Graph& graph) {
+void AddNode(StoredNode stored, int64_t operator_set, Graph& graph) {
   Rewriting(std::move(stored), operator_set, graph).Add();
 }
 

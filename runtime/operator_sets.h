@@ -7,7 +7,7 @@ namespace daumier::runtime {
 inline constexpr int64_t kFirstOperatorSet = 9, kLastOperatorSet = 21;
 
 /// A node as a file of ONNX has it: with several outputs, in the form of its operator set.
-struct OnnxNode {
+struct StoredNode {
   GraphNode node;
   std::vector<std::string> outputs;
 };
@@ -20,6 +20,6 @@ struct OnnxNode {
 /// - outputs of training are dropped (Dropout, BatchNormalization and so on).
 /// @throws Error naming the node: several outputs of another operator, a norm in the form of training, an attribute of
 /// another type, or more nodes than kMostNodes.
-void AddNode(OnnxNode stored, int64_t operator_set, Graph& graph);
+void AddNode(StoredNode stored, int64_t operator_set, Graph& graph);
 
 }  // namespace daumier::runtime

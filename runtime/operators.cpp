@@ -24,9 +24,9 @@ const OperatorTable& AllOperators() {
 
 PlanOperator OperatorOf(const GraphNode& node) {
   const auto found = AllOperators().find(node.op);
-  DAUMIER_CHECK(found != AllOperators().end(), "the operator is not run here {}",
-                IsFoldedOperator(node.op) ? "on what depends on the inputs' numbers"
-                                          : "(docs/runtime.md lists those that are)");
+  DAUMIER_CHECK(
+      found != AllOperators().end(), "the operator is not run here {}",
+      IsFoldedOperator(node.op) ? "on what depends on the inputs' numbers" : "(docs/runtime.md lists those that are)");
   return found->second;
 }
 

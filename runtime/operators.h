@@ -15,14 +15,14 @@ PlanOperator OperatorOf(const GraphNode& node);
 bool IsRunHere(const std::string& op);
 
 /// The parts of the table.
-OperatorTable LayerOperators();      ///< Convolutions, batch norm, products of matrices.
-OperatorTable ImageOperators();      ///< Pools.
-OperatorTable NormOperators();       ///< Norms of images, layers and groups.
-OperatorTable PointwiseOperators();  ///< Activations, arithmetic.
+OperatorTable LayerOperators();        ///< Convolutions, batch norm, products of matrices.
+OperatorTable ImageOperators();        ///< Pools.
+OperatorTable NormOperators();         ///< Norms of images, layers and groups.
+OperatorTable PointwiseOperators();    ///< Activations, arithmetic.
 OperatorTable RearrangingOperators();  ///< Padding, gathering, depth and space.
-OperatorTable ReductionOperators();  ///< Sums, means, maxima, softmax.
-OperatorTable ResizingOperators();   ///< Resize.
-OperatorTable ShapeOperators();      ///< Views, parts, concatenation.
+OperatorTable ReductionOperators();    ///< Sums, means, maxima, softmax.
+OperatorTable ResizingOperators();     ///< Resize.
+OperatorTable ShapeOperators();        ///< Views, parts, concatenation.
 
 /// What several parts use: values in plain layout.
 

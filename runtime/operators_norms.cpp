@@ -33,29 +33,29 @@ void AddRowNorm(const GraphNode& node, const Shape& shape, RowNorm norm, PlanBui
   plan.Define(node, shape, PlainLayout(shape), to);
 }
 
-/// Images in blocks that are full of channels, by oneDNN's batch norm of one image after the other.
-void AddNormInBlocks(const GraphNode& node, int block, PlanBuilder& plan) {
+/// Images in blocks of channels.
+void AddBlockNorm(const GraphNode& node, int block, PlanBuilder& plan) {
   const PlannedValue value = plan.Value(node.inputs[0]);
   const Shape& shape = value.shape;
-  const Layout layout = BlockedLayout(shape, block);
-  const Layout of_image = BlockedLayout({1, shape[1], shape[2], shape[3]}, block);
-  const Primitive primitive = MakeInstanceNorm(of_image, EpsilonOf(node), node.Text(kActivation, "") == "Relu");
-  const Place from = plan.In(node.inputs[0], layout);
-  const bool in_place = from == value.place && plan.MayOverwrite(node.inputs[0]);
-  const Place to = in_place ? from : plan.NewOutput(node, shape, layout);
-  const auto affine = [&](size_t input) -> Place { return {.constant = plan.Weight(node, input).numbers.data()}; };
-  for (int64_t n = 0; n < shape[0]; ++n) {
-    const auto of_batch = [&](Place place) {
-      place.offset += n * SizeOf(of_image);
-      return place;
-    };
-    plan.AddPrimitive(node, primitive,
-                      {{DNNL_ARG_SRC, of_image, of_batch(from)},
-                       {DNNL_ARG_DST, of_image, of_batch(to)},
-                       {DNNL_ARG_SCALE, PlainLayout({shape[1]}), affine(1)},
-                       {DNNL_ARG_SHIFT, PlainLayout({shape[1]}), affine(2)}});
-  }
-  plan.Define(node, shape, layout, to);
+  const int64_t kinds = (shape[1] + block - 1) / block;
+  const auto filled = [&](size_t input) {
+    std::vector<float> numbers = plan.Weight(node, input).numbers;
+    numbers.resize(size_t(kinds * block), 0);
+    return numbers;
+  };
+  BlockNorm norm{.planes = shape[0] * kinds,
+                 .area = shape[2] * shape[3],
+                 .block = block,
+                 .kinds = kinds,
+                 .epsilon = EpsilonOf(node),
+                 .scales = filled(1),
+                 .shifts = filled(2),
+                 .with_relu = node.Text(kActivation, "") == "Relu"};
+  const Place from = value.place;
+  const Place to = plan.MayOverwrite(node.inputs[0]) ? from : plan.NewOutput(node, shape, value.layout);
+  plan.AddOwn(node, std::array{from, to},
+              [=, norm = std::move(norm)](Arena& arena) { norm.Run(arena.At(from), arena.At(to)); });
+  plan.Define(node, shape, value.layout, to);
 }
 
 void PlanInstanceNorm(const GraphNode& node, PlanBuilder& plan) {
@@ -68,7 +68,7 @@ void PlanInstanceNorm(const GraphNode& node, PlanBuilder& plan) {
     DAUMIER_CHECK(int64_t(found) == channels, "input {} has {} numbers, expected {}", input, found, channels);
   }
   const int block = shape.size() == 4 ? BlockOf(value.layout, shape) : 1;
-  if (block > 1 && channels % block == 0) return AddNormInBlocks(node, block, plan);
+  if (block > 1) return AddBlockNorm(node, block, plan);
   AddRowNorm(node, shape,
              {.rows = shape[0] * channels,
               .runs = 1,

@@ -16,9 +16,9 @@ namespace {
 
 /// Functions of which f(0) = 0, so that the channels that fill up a block stay zero.
 bool KeepsZero(const UnaryFunction& f) {
-  static const std::set<std::string> kNames = {"Abs",  "Ceil",      "Elu",  "Erf", "Floor", "Gelu",
-                                               "HardSwish", "LeakyRelu", "Mish", "Neg", "Relu",  "Round",
-                                               "Selu", "Sin",       "Sqrt", "Tanh", "Trunc"};
+  static const std::set<std::string> kNames = {"Abs",       "Ceil",      "Elu",  "Erf",  "Floor", "Gelu",
+                                               "HardSwish", "LeakyRelu", "Mish", "Neg",  "Relu",  "Round",
+                                               "Selu",      "Sin",       "Sqrt", "Tanh", "Trunc"};
   return kNames.contains(f.name) || (f.name == "Clip" && f.lowest <= 0 && f.highest >= 0);
 }
 
@@ -116,7 +116,9 @@ void PlanHardSigmoid(const GraphNode& node, PlanBuilder& plan) {
 }
 
 void PlanSelu(const GraphNode& node, PlanBuilder& plan) {
-  PlanFunction(node, {.name = node.op, .alpha = node.Real("alpha", 1.67326319f), .gamma = node.Real("gamma", 1.05070102f)}, plan);
+  PlanFunction(node,
+               {.name = node.op, .alpha = node.Real("alpha", 1.67326319f), .gamma = node.Real("gamma", 1.05070102f)},
+               plan);
 }
 
 /// Numbers of a run stay float32; as whole ones they lose what is behind the point.

@@ -150,8 +150,7 @@ void PlanGather(const GraphNode& node, PlanBuilder& plan) {
   shape.insert(shape.end(), from.begin() + std::ptrdiff_t(axis) + 1, from.end());
   CheckedSize(shape, "its output");
   const std::vector<int64_t> indices = IndicesOf(plan.Integers(node, 1), from[axis]);
-  const int64_t inner = StridesOf(from)[axis], row = inner * from[axis],
-                outer = CheckedSize(from, "its input") / row;
+  const int64_t inner = StridesOf(from)[axis], row = inner * from[axis], outer = CheckedSize(from, "its input") / row;
   const Place source = plan.Plain(node.inputs[0]), to = plan.NewOutput(node, shape, PlainLayout(shape));
   plan.AddOwn(node, std::array{source, to}, [=](Arena& arena) {
     const float* rows = arena.At(source);
@@ -201,10 +200,8 @@ void PlanSpaceToDepth(const GraphNode& node, PlanBuilder& plan) {
 }  // namespace
 
 OperatorTable RearrangingOperators() {
-  return {{"DepthToSpace", PlanDepthToSpace},
-          {"Gather", PlanGather},
-          {"Pad", PlanPad},
-          {"SpaceToDepth", PlanSpaceToDepth}};
+  return {
+      {"DepthToSpace", PlanDepthToSpace}, {"Gather", PlanGather}, {"Pad", PlanPad}, {"SpaceToDepth", PlanSpaceToDepth}};
 }
 
 }  // namespace daumier::runtime

@@ -47,7 +47,8 @@ void PlanReduction(const GraphNode& node, PlanBuilder& plan) {
     if (!is_reduced[i] || keeps) shape.push_back(is_reduced[i] ? 1 : from[i]);
   }
   const bool of_images = is_reduced == std::vector<bool>{false, false, true, true};
-  if (of_images && (node.op == "ReduceMax" || node.op == "ReduceMean") && BlockOf(plan.Value(node.inputs[0]).layout, from) > 1)
+  if (of_images && (node.op == "ReduceMax" || node.op == "ReduceMean") &&
+      BlockOf(plan.Value(node.inputs[0]).layout, from) > 1)
     return plan.Define(node, shape, PlainLayout(shape), PoolOfImages(node, from, plan));
   const Place source = plan.Plain(node.inputs[0]), to = plan.NewOutput(node, shape, PlainLayout(shape));
   plan.AddOwn(node, std::array{source, to},
@@ -77,12 +78,8 @@ void PlanSoftmax(const GraphNode& node, PlanBuilder& plan) {
 }  // namespace
 
 OperatorTable ReductionOperators() {
-  return {{"LogSoftmax", PlanSoftmax},
-          {"ReduceMax", PlanReduction},
-          {"ReduceMean", PlanReduction},
-          {"ReduceMin", PlanReduction},
-          {"ReduceSum", PlanReduction},
-          {"Softmax", PlanSoftmax}};
+  return {{"LogSoftmax", PlanSoftmax},  {"ReduceMax", PlanReduction}, {"ReduceMean", PlanReduction},
+          {"ReduceMin", PlanReduction}, {"ReduceSum", PlanReduction}, {"Softmax", PlanSoftmax}};
 }
 
 }  // namespace daumier::runtime

@@ -19,9 +19,8 @@ struct Resizing {
 
   /// Whether the scales are those of the sizes.
   bool IsExact() const {
-    return std::ranges::all_of(axes, [](const ResizedAxis& axis) {
-      return double(axis.wanted) == double(axis.size) * double(axis.scale);
-    });
+    return std::ranges::all_of(
+        axes, [](const ResizedAxis& axis) { return double(axis.wanted) == double(axis.size) * double(axis.scale); });
   }
 };
 
@@ -89,8 +88,8 @@ ResizedPlanes PlanesOf(const GraphNode& node, const Resizing& resizing, PlanBuil
           pixels_from, pixels_to};
 }
 
-void AddNearest(const GraphNode& node, const Resizing& resizing, const std::string& places,
-                const std::string& rounding, PlanBuilder& plan) {
+void AddNearest(const GraphNode& node, const Resizing& resizing, const std::string& places, const std::string& rounding,
+                PlanBuilder& plan) {
   const ResizedPlanes planes = PlanesOf(node, resizing, plan);
   const int block = planes.block;
   const int64_t width = resizing.image[3];
@@ -180,8 +179,7 @@ void AddCubic(const GraphNode& node, const Resizing& resizing, const std::string
 
 void PlanResize(const GraphNode& node, PlanBuilder& plan) {
   const Shape image = ImageOf(node, plan);
-  const Resizing resizing =
-      node.Reads(3) ? ResizingBySizes(node, image, plan) : ResizingByScales(node, image, plan);
+  const Resizing resizing = node.Reads(3) ? ResizingBySizes(node, image, plan) : ResizingByScales(node, image, plan);
   CheckedSize(resizing.shape, "its output");
   const bool is_smaller = resizing.shape[2] < image[2] || resizing.shape[3] < image[3];
   DAUMIER_CHECK(node.Integer("antialias", 0) == 0 || !is_smaller, "antialias is not read");
@@ -191,8 +189,8 @@ void PlanResize(const GraphNode& node, PlanBuilder& plan) {
     return AddNearest(node, resizing, places, node.Text("nearest_mode", "round_prefer_floor"), plan);
   if (mode == "cubic") return AddCubic(node, resizing, places, plan);
   DAUMIER_CHECK(mode == "linear", "there is no resizing of mode {}", mode);
-  const bool half_pixel = places == "half_pixel" ||
-                          (places == "pytorch_half_pixel" && resizing.shape[2] > 1 && resizing.shape[3] > 1);
+  const bool half_pixel =
+      places == "half_pixel" || (places == "pytorch_half_pixel" && resizing.shape[2] > 1 && resizing.shape[3] > 1);
   if (half_pixel && resizing.IsExact()) return AddHalfPixelLinear(node, resizing, plan);
   AddLinear(node, resizing, places, plan);
 }

@@ -79,8 +79,8 @@ void AddStridedCopy(const GraphNode& node, const StridedView& view, const Place&
 }
 
 OperatorTable ShapeOperators() {
-  return {{"Concat", PlanConcatenation}, {"Expand", PlanView},  {"Flatten", PlanView},   {"Identity", PlanIdentity},
-          {"Reshape", PlanView},         {"Slice", PlanView},   {"Split", PlanView},     {"Squeeze", PlanView},
+  return {{"Concat", PlanConcatenation}, {"Expand", PlanView},   {"Flatten", PlanView}, {"Identity", PlanIdentity},
+          {"Reshape", PlanView},         {"Slice", PlanView},    {"Split", PlanView},   {"Squeeze", PlanView},
           {"Transpose", PlanView},       {"Unsqueeze", PlanView}};
 }
 

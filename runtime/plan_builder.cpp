@@ -159,7 +159,8 @@ Place PlanBuilder::In(const std::string& name, const Layout& layout) {
 
 Place PlanBuilder::Packed(const GraphNode& node, size_t input, const Layout& from, const Layout& to) {
   const GraphTensor& weights = Weight(node, input);
-  DAUMIER_CHECK(graph_.weights.contains(node.inputs[input]), "input {}, '{}', depends on shapes (expected weights)", input,
+  DAUMIER_CHECK(graph_.weights.contains(node.inputs[input]), "input {}, '{}', depends on shapes (expected weights)",
+                input,
                 node.inputs[input]);  // Plans share what is packed.
   return {.constant = packed_.Packed(node.inputs[input], weights.numbers.data(), from, to)};
 }

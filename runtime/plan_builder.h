@@ -48,7 +48,9 @@ class PlanBuilder {
   /// Weights, and what is computed from shapes. @throws Error naming the node if the input depends on the graph's
   /// inputs, or is of the other kind of numbers.
   const GraphTensor& Weight(const GraphNode& node, size_t input) const;
-  const std::vector<int64_t>& Integers(const GraphNode& node, size_t input) const { return Whole(node, input).integers; }
+  const std::vector<int64_t>& Integers(const GraphNode& node, size_t input) const {
+    return Whole(node, input).integers;
+  }
   const Shape& ShapeOfIntegers(const GraphNode& node, size_t input) const { return Whole(node, input).shape; }
 
   /// Where the value lies in that layout; adds a step that converts it if there is none yet.

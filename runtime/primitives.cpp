@@ -166,19 +166,6 @@ Primitive MakeProduct(const Layout& a, const Layout& b, const Layout& bias, cons
                         [&] { return Describe<Operator>(Attributes(epilogue), a, b, bias, target); });
 }
 
-Primitive MakeInstanceNorm(const Layout& layout, float epsilon, bool with_relu) {
-  using Operator = dnnl::batch_normalization_forward;
-  using flags = dnnl::normalization_flags;
-  const flags used = flags::use_scale | flags::use_shift | (with_relu ? flags::fuse_norm_relu : flags::none);
-  return Made<Operator>("normalization of images", [&] {
-#if DNNL_VERSION_MAJOR >= 3
-    return Describe<Operator>(Attributes(), kForward, layout, layout, epsilon, used);
-#else
-    return Describe<Operator>(Attributes(), kForward, layout, epsilon, used);
-#endif
-  });
-}
-
 Primitive MakeReorder(const Layout& source, const Layout& target) {
   try {
     const dnnl::reorder::primitive_desc desc(CpuEngine(), source, CpuEngine(), target, Attributes());

@@ -55,9 +55,6 @@ Primitive MakePool(const Layout& source, const Layout& target, const Window& win
 Primitive MakeLinearResize(const Layout& source, const Layout& target);
 Primitive MakeProduct(const Layout& a, const Layout& b, const Layout& bias, const Layout& target,
                       const Epilogue& epilogue);
-/// (x - mean) / sqrt(variance + epsilon) scale + shift over an image, a channel at a time, of batch size 1; then Relu if
-/// `with_relu`. Arguments: DNNL_ARG_SRC, DNNL_ARG_DST, and C numbers each at DNNL_ARG_SCALE and DNNL_ARG_SHIFT.
-Primitive MakeInstanceNorm(const Layout& layout, float epsilon, bool with_relu);
 Primitive MakeReorder(const Layout& source, const Layout& target);
 
 /// Runs on the calling thread. @throws Error naming the node if oneDNN fails.

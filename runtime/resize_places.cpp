@@ -24,8 +24,8 @@ std::vector<double> PlacesOfPixels(const ResizedAxis& axis, const std::string& m
   std::vector<double> places(size_t(axis.wanted), 0);
   if (axis.wanted == 1 && (mode == "align_corners" || mode == "pytorch_half_pixel")) return places;
   for (int64_t i = 0; i < axis.wanted; ++i)
-    places[size_t(i)] = mode == "align_corners" ? double(i) * (size - 1) / (wanted - 1)
-                                                : double((float(i) + shift) / scale + offset);
+    places[size_t(i)] =
+        mode == "align_corners" ? double(i) * (size - 1) / (wanted - 1) : double((float(i) + shift) / scale + offset);
   return places;
 }
 

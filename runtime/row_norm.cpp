@@ -5,37 +5,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace daumier::runtime {
 namespace {
 
-constexpr int64_t kPartOfRow = 1 << 14;
+constexpr int64_t kPartOfRow = 1 << 14, kNormLanes = 8;
+using EightDoubles = double __attribute__((vector_size(kNormLanes * sizeof(double))));
+using EightFloats = float __attribute__((vector_size(kNormLanes * sizeof(float))));
+
+/// Adds x - mean, or its square, of the eight numbers at `numbers`.
+DAUMIER_INLINE void AddDistances(const float* numbers, const EightDoubles& mean, bool squares, EightDoubles& sum) {
+  EightFloats eight;
+  std::memcpy(&eight, numbers, sizeof(eight));
+  const EightDoubles distances = __builtin_convertvector(eight, EightDoubles) - mean;
+  sum += squares ? distances * distances : distances;
+}
+
+/// The sum of x - mean, or of its square, over a row.
+DAUMIER_INLINE double SumOfRow(const float* numbers, int64_t count, double mean, bool squares) {
+  EightDoubles lanes = {};
+  int64_t i = 0;
+  for (; i + kNormLanes <= count; i += kNormLanes) AddDistances(numbers + i, EightDoubles{} + mean, squares, lanes);
+  double sum = 0;
+  for (int64_t lane = 0; lane < kNormLanes; ++lane) sum += lanes[lane];
+  for (; i < count; ++i) {
+    const double distance = double(numbers[i]) - mean;
+    sum += squares ? distance * distance : distance;
+  }
+  return sum;
+}
 
 /// The moments of a part, which is read twice and stays in the cache.
 DAUMIER_FOR_EACH_PROCESSOR
 Moments MomentsOfPart(const float* numbers, int64_t count) {
-  constexpr int64_t kLanes = 8;
-  using Doubles = double __attribute__((vector_size(kLanes * sizeof(double))));
-  const auto sum_of = [&](double mean, bool squares) {
-    Doubles lanes = {};
-    int64_t i = 0;
-    for (; i + kLanes <= count; i += kLanes) {
-      Doubles distances = {};
-      for (int64_t lane = 0; lane < kLanes; ++lane) distances[lane] = double(numbers[i + lane]) - mean;
-      lanes += squares ? distances * distances : distances;
-    }
-    double sum = 0;
-    for (int64_t lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
-    for (; i < count; ++i) {
-      const double distance = double(numbers[i]) - mean;
-      sum += squares ? distance * distance : distance;
-    }
-    return sum;
-  };
   const auto size = double(count);
-  const double mean = sum_of(0, false) / size;
-  return {size, mean, sum_of(mean, true) / size};
+  const double mean = SumOfRow(numbers, count, 0, false) / size;
+  return {size, mean, SumOfRow(numbers, count, mean, true) / size};
 }
 
 Moments Merged(const Moments& a, const Moments& b) {
@@ -53,7 +60,62 @@ void ScaleRun(const float* from, int64_t count, float scale, float shift, float 
   }
 }
 
+/// Moments of eight channels.
+struct LaneMoments {
+  double count = 0;
+  EightDoubles mean = {}, variance = {};
+};
+
+DAUMIER_FOR_EACH_PROCESSOR
+void MomentsOfLanes(const float* pixels, int64_t count, int64_t step, LaneMoments& moments) {
+  const auto size = double(count);
+  EightDoubles sum = {}, squares = {};
+  for (int64_t i = 0; i < count; ++i) AddDistances(pixels + i * step, EightDoubles{}, false, sum);
+  const EightDoubles mean = sum / size;
+  for (int64_t i = 0; i < count; ++i) AddDistances(pixels + i * step, mean, true, squares);
+  const double all = moments.count + size, share = size / all;
+  const EightDoubles distance = mean - moments.mean;
+  moments.variance = (1 - share) * moments.variance + share * (squares / size + (1 - share) * distance * distance);
+  moments.mean += share * distance;
+  moments.count = all;
+}
+
+DAUMIER_FOR_EACH_PROCESSOR
+void ScaleLanes(const float* from, int64_t count, int64_t step, const float* scales, const float* shifts,
+                bool with_relu, float* to) {
+  EightFloats scale, shift;
+  std::memcpy(&scale, scales, sizeof(scale));
+  std::memcpy(&shift, shifts, sizeof(shift));
+  for (int64_t i = 0; i < count * step; i += step) {
+    EightFloats eight;
+    std::memcpy(&eight, from + i, sizeof(eight));
+    EightFloats y = eight * scale + shift;
+    if (with_relu) y = y < 0 ? EightFloats{} : y;
+    std::memcpy(to + i, &y, sizeof(y));
+  }
+}
+
 }  // namespace
+
+void BlockNorm::Run(const float* from, float* to) const {
+  const int64_t groups = block / kNormLanes, plane_size = area * block, pixels = kPartOfRow / block;
+  ForEachPart(PartsOf(planes, planes * plane_size), [&](int64_t p) {
+    for (int64_t group = 0; group < groups; ++group) {
+      const int64_t begin = p * plane_size + group * kNormLanes;
+      LaneMoments moments;
+      for (int64_t i = 0; i < area; i += pixels)
+        MomentsOfLanes(from + begin + i * block, std::min(pixels, area - i), block, moments);
+      float lane_scales[kNormLanes], lane_shifts[kNormLanes];
+      for (int64_t lane = 0; lane < kNormLanes; ++lane) {
+        const auto kind = size_t(p % kinds * block + group * kNormLanes + lane);
+        const double scale = scales[kind] / std::sqrt(moments.variance[lane] + epsilon);
+        lane_scales[lane] = float(scale);
+        lane_shifts[lane] = float(shifts[kind] - moments.mean[lane] * scale);
+      }
+      ScaleLanes(from + begin, area, block, lane_scales, lane_shifts, with_relu, to + begin);
+    }
+  });
+}
 
 Moments MomentsOf(const float* numbers, int64_t count) {
   if (count <= kPartOfRow) return MomentsOfPart(numbers, count);
@@ -75,7 +137,8 @@ void RowNorm::Run(const float* from, float* to) const {
     if (length == 1) {
       const auto kind = size_t(r % kinds * runs);
       for (int64_t i = 0; i < runs; ++i) {
-        const double y = (double(from[i]) - moments.mean) * factor * scales[kind + size_t(i)] + shifts[kind + size_t(i)];
+        const double y =
+            (double(from[i]) - moments.mean) * factor * scales[kind + size_t(i)] + shifts[kind + size_t(i)];
         to[i] = std::max(float(y), lowest);
       }
       continue;

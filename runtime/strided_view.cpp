@@ -111,13 +111,11 @@ StridedView ViewOfTranspose(const ViewRequest& request) {
 /// Every `step`-th of an axis from `begin` to before `end`; both count from the end where negative.
 void TakeRange(StridedView& view, size_t axis, int64_t begin, int64_t end, int64_t step) {
   const int64_t size = view.shape[axis], backwards = step < 0 ? 1 : 0;
-  const auto counted = [&](int64_t at) {
-    return std::clamp(at < 0 ? at + size : at, -backwards, size - backwards);
-  };
+  const auto counted = [&](int64_t at) { return std::clamp(at < 0 ? at + size : at, -backwards, size - backwards); };
   const int64_t first = std::max(counted(begin), int64_t{0}), last = counted(end);
   const int64_t distance = step < 0 ? first - last : last - first;
-  DAUMIER_CHECK(step != 0 && step >= -kMostNumbers && size > 0 && distance > 0, "it takes {} to {} by {} of {}: nothing",
-                begin, end, step, size);
+  DAUMIER_CHECK(step != 0 && step >= -kMostNumbers && size > 0 && distance > 0,
+                "it takes {} to {} by {} of {}: nothing", begin, end, step, size);
   view.offset += first * view.strides[axis];
   view.shape[axis] = (distance - 1) / std::abs(step) + 1;
   if (view.shape[axis] > 1) view.strides[axis] *= step;
@@ -173,8 +171,8 @@ StridedView ViewOfExpand(const ViewRequest& request) {
 using ViewFunction = StridedView (*)(const ViewRequest&);
 const std::map<std::string, ViewFunction>& ViewFunctions() {
   static const std::map<std::string, ViewFunction> functions = {
-      {"Expand", ViewOfExpand},   {"Flatten", ViewOfFlatten}, {"Identity", ViewOfIdentity},
-      {"Reshape", ViewOfReshape}, {"Slice", ViewOfSlice},     {"Split", ViewOfSplit},
+      {"Expand", ViewOfExpand},   {"Flatten", ViewOfFlatten},     {"Identity", ViewOfIdentity},
+      {"Reshape", ViewOfReshape}, {"Slice", ViewOfSlice},         {"Split", ViewOfSplit},
       {"Squeeze", ViewOfSqueeze}, {"Transpose", ViewOfTranspose}, {"Unsqueeze", ViewOfUnsqueeze}};
   return functions;
 }

@@ -29,6 +29,19 @@ inline std::string OnnxTensor(const std::string& name, const std::vector<int64_t
   return bytes + BytesField(9, {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)});
 }
 
+/// A tensor of another element type, its numbers as raw bytes.
+template <class T>
+std::string RawTensor(const std::string& name, const std::vector<int64_t>& shape, int64_t type,
+                      const std::vector<T>& numbers) {
+  std::string bytes;
+  for (const int64_t size : shape) bytes += IntegerField(1, size);
+  bytes += IntegerField(2, type) + BytesField(8, name);
+  return bytes + BytesField(9, {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+}
+inline std::string IntegersTensor(const std::string& name, const std::vector<int64_t>& numbers) {
+  return RawTensor(name, {int64_t(numbers.size())}, 7, numbers);
+}
+
 /// A tensor whose numbers lie in another file.
 inline std::string ExternalTensor(const std::string& name, const std::vector<int64_t>& shape,
                                   const std::string& location) {
@@ -52,11 +65,26 @@ inline std::string IntegersAttribute(const std::string& name, const std::vector<
   return BytesField(5, bytes + IntegerField(20, 7));
 }
 
+inline std::string IntegerAttribute(const std::string& name, int64_t value) {
+  return BytesField(5, BytesField(1, name) + IntegerField(3, value) + IntegerField(20, 2));
+}
+inline std::string RealAttribute(const std::string& name, float value) {
+  const std::string number(reinterpret_cast<const char*>(&value), sizeof(value));
+  return BytesField(5, BytesField(1, name) + Varint(2 << 3 | 5) + number + IntegerField(20, 1));
+}
+inline std::string TextAttribute(const std::string& name, const std::string& value) {
+  return BytesField(5, BytesField(1, name) + BytesField(4, value) + IntegerField(20, 3));
+}
+/// tensor: the fields of TensorProto.
+inline std::string TensorAttribute(const std::string& name, const std::string& tensor) {
+  return BytesField(5, BytesField(1, name) + BytesField(5, tensor) + IntegerField(20, 4));
+}
+
 /// ValueInfoProto of float32; -1: the free size "N".
-inline std::string OnnxValue(const std::string& name, const std::vector<int64_t>& shape) {
+inline std::string OnnxValue(const std::string& name, const std::vector<int64_t>& shape, int64_t type = 1) {
   std::string dimensions;
   for (const int64_t size : shape) dimensions += BytesField(1, size == -1 ? BytesField(2, "N") : IntegerField(1, size));
-  return BytesField(1, name) + BytesField(2, BytesField(1, IntegerField(1, 1) + BytesField(2, dimensions)));
+  return BytesField(1, name) + BytesField(2, BytesField(1, IntegerField(1, type) + BytesField(2, dimensions)));
 }
 
 /// A model of a graph with these fields.

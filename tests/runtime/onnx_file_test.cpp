@@ -75,7 +75,8 @@ TEST_F(OnnxFile, HostileOnesAreRefused) {
   ExpectRefused("", "it holds no graph");
   ExpectRefused("no model at all", "");
   ExpectRefused(Model(relu).substr(0, 20), "the file ends within");
-  ExpectRefused(OnnxModel("", 12), "version 12");
+  ExpectRefused(OnnxModel("", 8), "it uses version 8 of ONNX's operators (9 to 21 are read)");
+  ExpectRefused(OnnxModel("", 22), "it uses version 22");
   ExpectRefused(Model(relu) + BytesField(7, ""), "it has two graphs");
   ExpectRefused(Model(BytesField(1, OnnxNode("Relu", {"z"}, "y"))), "reads 'z', which no earlier node computes");
   ExpectRefused(
@@ -101,10 +102,66 @@ TEST_F(OnnxFile, TensorsThatAreNotWhatTheySayAreRefused) {
   ExpectRefused(with(OnnxTensor("w", std::vector<int64_t>(9, 1), {1})), "more than 8 dimensions");
   ExpectRefused(with(OnnxTensor("w", {2}, {1, std::numeric_limits<float>::quiet_NaN()})), "not finite");
   ExpectRefused(with(OnnxTensor("w", {2}, {1, std::numeric_limits<float>::infinity()})), "not finite");
-  ExpectRefused(with(OnnxTensor("w", {2}, {1, 2}) + IntegerField(2, 10)), "the element type 10");
-  ExpectRefused(with(IntegerField(1, 1) + IntegerField(2, 1) + BytesField(8, "w") + BytesField(4, "abcd")),
-                "has data in field 4");
+  ExpectRefused(with(OnnxTensor("w", {2}, {1, 2}) + IntegerField(2, 10)), "has 8 bytes, expected 4");
+  ExpectRefused(with(OnnxTensor("w", {2}, {1, 2}) + IntegerField(2, 14)), "the element type 14");
+  ExpectRefused(with(OnnxTensor("w", {2}, {1, 2}) + IntegerField(2, 8)), "the element type 8");
+  ExpectRefused(with(IntegerField(1, 1) + IntegerField(2, 1) + BytesField(8, "w") + BytesField(4, "abc")),
+                "3 bytes hold no numbers of 4 bytes");
+  ExpectRefused(with(IntegerField(1, 3) + IntegerField(2, 1) + BytesField(8, "w") + BytesField(4, "abcd")),
+                "has 1 numbers, expected 3");
+  ExpectRefused(with(IntegerField(1, 1) + IntegerField(2, 8) + BytesField(8, "w") + BytesField(6, "abcd")),
+                "has data in field 6");
   ExpectRefused(with(OnnxTensor("x", {2}, {1, 2})), "");
+}
+
+TEST_F(OnnxFile, NumbersOfOtherTypesAreConverted) {
+  const auto tensor = [&](const std::string& bytes) {
+    return Read(Model(BytesField(1, OnnxNode("Relu", {"x"}, "y")), BytesField(5, bytes))).weights.at("w");
+  };
+  const std::vector<float> reals = {1.5f, -2};
+  EXPECT_EQ(tensor(RawTensor<double>("w", {2}, 11, {1.5, -2})).numbers, reals);
+  EXPECT_EQ(tensor(RawTensor<Half>("w", {2}, 10, {HalfFromFloat(1.5f), HalfFromFloat(-2)})).numbers, reals);
+  EXPECT_EQ(tensor(RawTensor<uint16_t>("w", {2}, 16, {0x3fc0, 0xc000})).numbers, reals);  // bfloat16
+  const std::vector<int64_t> whole = {3, 250};
+  EXPECT_EQ(tensor(RawTensor<uint8_t>("w", {2}, 2, {3, 250})).integers, whole);
+  EXPECT_EQ(tensor(RawTensor<int32_t>("w", {2}, 6, {3, 250})).integers, whole);
+  EXPECT_EQ(tensor(RawTensor<uint8_t>("w", {2}, 9, {0, 1})).integers, (std::vector<int64_t>{0, 1}));
+  const std::string head = IntegerField(1, 2) + BytesField(8, "w");
+  EXPECT_EQ(tensor(head + IntegerField(2, 6) + IntegerField(5, 3) + IntegerField(5, 250)).integers, whole);
+  EXPECT_EQ(tensor(head + IntegerField(2, 7) + BytesField(7, Varint(3) + Varint(250))).integers, whole);
+  EXPECT_EQ(tensor(head + IntegerField(2, 1) +
+                   BytesField(4, {reinterpret_cast<const char*>(reals.data()), 2 * sizeof(float)}))
+                .numbers,
+            reals);
+}
+
+TEST_F(OnnxFile, WeightsAmongTheInputsAreNone) {
+  const std::string mul = BytesField(1, OnnxNode("Mul", {"x", "w"}, "y")) + BytesField(11, OnnxValue("w", {2}));
+  const Graph graph = Read(Model(mul, BytesField(5, OnnxTensor("w", {2}, {1, 2}))));
+  ASSERT_EQ(graph.inputs.size(), 1u);
+  EXPECT_EQ(graph.inputs[0].name, "x");
+}
+
+TEST_F(OnnxFile, InputsAreRealNumbersOrBytes) {
+  const auto model = [](int64_t type) {
+    return OnnxModel(BytesField(1, OnnxNode("Cast", {"x"}, "y", IntegerAttribute("to", 1))) +
+                     BytesField(11, OnnxValue("x", {2}, type)) + BytesField(12, OnnxValue("y", {2})));
+  };
+  EXPECT_FALSE(Read(model(1)).inputs.at(0).is_bytes);
+  EXPECT_FALSE(Read(model(10)).inputs.at(0).is_bytes);
+  EXPECT_TRUE(Read(model(2)).inputs.at(0).is_bytes);
+  ExpectRefused(model(7), "the input 'x' has the element type 7");
+}
+
+TEST_F(OnnxFile, NodesWithoutANameHaveThatOfTheirOutput) {
+  const std::string node = BytesField(1, "x") + BytesField(2, "y") + BytesField(4, "Relu");
+  EXPECT_EQ(Read(Model(BytesField(1, node))).nodes.at(0).name, "y");
+}
+
+TEST_F(OnnxFile, ExternalDataAreRefusedWithARepair) {
+  ExpectRefused(Model(BytesField(1, OnnxNode("Mul", {"x", "w"}, "y")),
+                      BytesField(5, ExternalTensor("w", {2}, "model.onnx.data"))),
+                "save_as_external_data=False");
 }
 
 }  // namespace

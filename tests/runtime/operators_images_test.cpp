@@ -1,5 +1,4 @@
 #include "tests/runtime/graph_example.h"
-#include "tests/support/expect_error.h"
 
 namespace daumier::runtime {
 namespace {
@@ -40,49 +39,14 @@ TEST(RuntimePool, OfBlocksOfChannelsEqualsThatOfPlainOnes) {
   EXPECT_EQ(blocked.Run(x).values, plain.Run(x).values);
 }
 
-std::map<std::string, GraphAttribute> Mode(const std::string& mode, const std::string& places) {
-  return {{"mode", mode}, {"coordinate_transformation_mode", places}, {"nearest_mode", std::string("floor")}};
-}
-
-TEST(RuntimeResize, NearestRepeatsPixels) {
-  GraphExample example({1, 1, 2, 2});
-  example.Weight("s", {4}, {1, 1, 2, 2}).Node("Resize", {"x", "", "s"}, "y", Mode("nearest", "asymmetric"));
-  EXPECT_EQ(example.Run(ImageRamp(2)).values, (std::vector<float>{0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3}));
-  GraphExample smaller({1, 1, 4, 4});
-  smaller.Weight("s", {4}, {1, 1, 0.5f, 0.5f}).Node("Resize", {"x", "", "s"}, "y", Mode("nearest", "asymmetric"));
-  EXPECT_EQ(smaller.Run(ImageRamp(4)).values, (std::vector<float>{0, 2, 8, 10}));
-}
-
-TEST(RuntimeResize, NearestInBlocksKeepsThePaddingZero) {
-  GraphExample example({1, 1, 3, 3});  // 12 channels in two blocks of 8; a convolution reads all 16.
-  example.Weight("w", {12, 1, 1, 1}, std::vector<float>(12, 1)).Node("Conv", {"x", "w"}, "c");
-  example.Weight("s", {4}, {1, 1, 2, 2}).Node("Resize", {"c", "", "s"}, "r", Mode("nearest", "asymmetric"));
-  example.Weight("v", {1, 12, 1, 1}, std::vector<float>(12, 1)).Node("Conv", {"r", "v"}, "y");
-  const FloatArray y = example.Run(ImageRamp(3));
-  for (size_t row = 0; row < 6; ++row)
-    for (size_t column = 0; column < 6; ++column)
-      EXPECT_EQ(y.values[6 * row + column], 12 * float(row / 2 * 3 + column / 2));
-}
-
-TEST(RuntimeResize, LinearIsExactOnALine) {
-  GraphExample half({1, 1, 1, 2});
-  half.Weight("s", {4}, {1, 1, 1, 2}).Node("Resize", {"x", "", "s"}, "y", Mode("linear", "half_pixel"));
-  EXPECT_EQ(half.Run({{1, 1, 1, 2}, {0, 4}}).values, (std::vector<float>{0, 1, 3, 4}));
-  GraphExample aligned({1, 1, 1, 2});
-  aligned.Weight("s", {4}, {1, 1, 1, 2.5f}).Node("Resize", {"x", "", "s"}, "y", Mode("linear", "align_corners"));
-  EXPECT_EQ(aligned.Run({{1, 1, 1, 2}, {0, 4}}).values, (std::vector<float>{0, 1, 2, 3, 4}));
-}
-
-TEST(RuntimeResize, RefusesOtherModes) {
-  GraphExample cubic({1, 1, 2, 2});
-  cubic.Weight("s", {4}, {1, 1, 2, 2}).Node("Resize", {"x", "", "s"}, "y", Mode("cubic", "half_pixel"));
-  testing::ExpectError([&] { cubic.Run(ImageRamp(2)); }, "there is no resizing of mode cubic");
-  GraphExample huge({1, 1, 2, 2});
-  huge.Weight("s", {4}, {1, 1, 1e9f, 1e9f}).Node("Resize", {"x", "", "s"}, "y", Mode("nearest", "asymmetric"));
-  testing::ExpectError([&] { huge.Run(ImageRamp(2)); }, "are no image");
-  GraphExample negative({1, 1, 2, 2});
-  negative.Weight("s", {4}, {1, 1, -1, 1}).Node("Resize", {"x", "", "s"}, "y", Mode("nearest", "asymmetric"));
-  testing::ExpectError([&] { negative.Run(ImageRamp(2)); }, "are no image");
+TEST(RuntimePool, OfTheWholeImageOrWithPadding) {
+  GraphExample global({1, 2, 2, 2});
+  global.Node("GlobalMaxPool", {"x"}, "y");
+  EXPECT_EQ(global.Run(ImageRamp(2, 2)).values, (std::vector<float>{3, 7}));
+  GraphExample padded({1, 1, 2, 2});
+  padded.Node("AveragePool", {"x"}, "y",
+              {{"kernel_shape", Integers{3, 3}}, {"pads", Integers{1, 1, 1, 1}}, {"count_include_pad", int64_t{1}}});
+  ExpectNear(padded.Run(ImageRamp(2)), {{1, 1, 2, 2}, std::vector<float>(4, 6.0f / 9)}, 1e-6);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tests/runtime/graph_example.h"
 #include "tests/support/expect_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -10,13 +11,25 @@ namespace {
 TEST(RuntimeFunctions, EqualTheirDefinitions) {
   const std::map<std::string, std::function<double(double)>> functions = {
       {"Abs", [](double x) { return std::abs(x); }},
+      {"Ceil", [](double x) { return std::ceil(x); }},
+      {"Cos", [](double x) { return std::cos(x); }},
       {"Elu", [](double x) { return x > 0 ? x : std::exp(x) - 1; }},
+      {"Erf", [](double x) { return std::erf(x); }},
       {"Exp", [](double x) { return std::exp(x); }},
+      {"Floor", [](double x) { return std::floor(x); }},
+      {"Gelu", [](double x) { return x / 2 * std::erfc(-x / std::sqrt(2.0)); }},
+      {"HardSigmoid", [](double x) { return std::clamp(0.2 * x + 0.5, 0.0, 1.0); }},
+      {"HardSwish", [](double x) { return x * std::clamp(x / 6 + 0.5, 0.0, 1.0); }},
       {"LeakyRelu", [](double x) { return x > 0 ? x : 0.01 * x; }},
+      {"Mish", [](double x) { return x * std::tanh(std::log1p(std::exp(x))); }},
       {"Neg", [](double x) { return -x; }},
       {"Relu", [](double x) { return std::max(x, 0.0); }},
+      {"Round", [](double x) { return std::nearbyint(x); }},
+      {"Selu", [](double x) { return 1.0507009873554805 * (x > 0 ? x : 1.6732632423543772 * (std::exp(x) - 1)); }},
       {"Sigmoid", [](double x) { return 1 / (1 + std::exp(-x)); }},
       {"Sin", [](double x) { return std::sin(x); }},
+      {"Softplus", [](double x) { return std::log1p(std::exp(x)); }},
+      {"Softsign", [](double x) { return x / (1 + std::abs(x)); }},
       {"Tanh", [](double x) { return std::tanh(x); }}};
   FloatArray x = FixedArray({3, 131});
   for (float& number : x.values) number *= 5;
@@ -26,6 +39,12 @@ TEST(RuntimeFunctions, EqualTheirDefinitions) {
     for (float& number : expected.values) number = float(f(number));
     ExpectNear(GraphExample({-1, 131}).Node(name, {"x"}, "y").Run(x), expected, 1e-6);
   }
+  const GraphExample by_tanh = GraphExample({1}).Node("Gelu", {"x"}, "y", {{"approximate", std::string("tanh")}});
+  EXPECT_NEAR(by_tanh.Run({{1}, {1}}).values[0], 0.841192, 1e-5);  // 1/2 (1 + tanh(sqrt(2 / pi) 1.044715))
+  EXPECT_EQ(GraphExample({2}).Node("Cast", {"x"}, "y", {{"to", int64_t{6}}}).Run({{2}, {1.7f, -1.7f}}).values,
+            (std::vector<float>{1, -1}));
+  EXPECT_EQ(GraphExample({2}).Node("Cast", {"x"}, "y", {{"to", int64_t{10}}}).Run({{2}, {1.7f, -1.7f}}).values,
+            (std::vector<float>{1.7f, -1.7f}));
   GraphExample clip({4});
   clip.Weight("low", {}, {-1}).Weight("high", {}, {2}).Node("Clip", {"x", "low", "high"}, "y");
   EXPECT_EQ(clip.Run({{4}, {-3, 0, 1, 5}}).values, (std::vector<float>{-1, 0, 1, 2}));

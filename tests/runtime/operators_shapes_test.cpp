@@ -2,6 +2,7 @@
 #include "tests/support/expect_error.h"
 
 #include <cmath>
+#include <limits>
 
 namespace daumier::runtime {
 namespace {
@@ -65,8 +66,12 @@ TEST(RuntimeShapes, SliceTakesAPart) {
   EXPECT_EQ(slice({-1}, {100}, {-1}, {1}), (std::vector<float>{3, 7}));
   EXPECT_EQ(slice({0}, {4}, {1}, {3}), (std::vector<float>{0, 3, 4, 7}));
   EXPECT_EQ(slice({1, 1}, {2, 4}, {0, 1}, {1, 2}), (std::vector<float>{5, 7}));
-  testing::ExpectError([&] { slice({3}, {3}, {1}, {1}); }, "nothing, or backwards");
-  testing::ExpectError([&] { slice({3}, {0}, {1}, {-1}); }, "nothing, or backwards");
+  EXPECT_EQ(slice({3}, {0}, {1}, {-2}), (std::vector<float>{3, 1, 7, 5}));
+  EXPECT_EQ(slice({-1}, {std::numeric_limits<int64_t>::min()}, {0}, {-1}),
+            (std::vector<float>{4, 5, 6, 7, 0, 1, 2, 3}));
+  testing::ExpectError([&] { slice({3}, {3}, {1}, {1}); }, "it takes 3 to 3 by 1 of 4: nothing");
+  testing::ExpectError([&] { slice({3}, {0}, {1}, {1}); }, ": nothing");
+  testing::ExpectError([&] { slice({3}, {0}, {1}, {0}); }, ": nothing");
   testing::ExpectError([&] { slice({0}, {1}, {2}, {1}); }, "there is no axis 2 of 2");
 }
 
@@ -104,18 +109,22 @@ TEST(RuntimeShapes, ConcatOfConvolutionsCopiesNothingAtBatchOne) {
   }
 }
 
-TEST(RuntimeShapes, PadSurroundsByConstantsEdgesAndMirrorImages) {
-  const auto pad = [](const std::string& mode, Ints pads) {
-    GraphExample example({1, 3});
-    example.Integers("p", std::move(pads)).Weight("c", {}, {7}).Node("Pad", {"x", "p", "c"}, "y", {{"mode", mode}});
-    return example.Run({{1, 3}, {1, 2, 3}}).values;
+TEST(RuntimeShapes, SplitTakesOnePart) {
+  const auto part = [](int64_t index, int64_t parts, std::vector<int64_t> sizes) {
+    GraphExample example({1, 5});
+    std::vector<std::string> inputs = {"x"};
+    if (!sizes.empty()) {
+      example.Integers("s", std::move(sizes));
+      inputs.push_back("s");
+    }
+    example.Node("Split", inputs, "y", {{"axis", int64_t{1}}, {"part", index}, {"parts", parts}});
+    return example.Run(Counted({1, 5})).values;
   };
-  EXPECT_EQ(pad("constant", {0, 1, 1, 0}), (std::vector<float>{7, 1, 2, 3, 7, 7, 7, 7}));
-  EXPECT_EQ(pad("edge", {0, 2, 0, 1}), (std::vector<float>{1, 1, 1, 2, 3, 3}));
-  EXPECT_EQ(pad("reflect", {0, 2, 0, 1}), (std::vector<float>{3, 2, 1, 2, 3, 2}));
-  testing::ExpectError([&] { pad("reflect", {0, 3, 0, 0}); }, "it pads 3 pixels by 3 and 0");
-  testing::ExpectError([&] { pad("constant", {0, -1, 0, 0}); }, "it pads 3 pixels by -1");
-  testing::ExpectError([&] { pad("constant", {1, 1, 1}); }, "it has 3 pads for 2 axes");
+  EXPECT_EQ(part(0, 2, {}), (std::vector<float>{0, 1, 2}));  // The last part is smaller.
+  EXPECT_EQ(part(1, 2, {}), (std::vector<float>{3, 4}));
+  EXPECT_EQ(part(1, 3, {1, 3, 1}), (std::vector<float>{1, 2, 3}));
+  testing::ExpectError([&] { part(2, 3, {1, 3, 2}); }, "do not fill 5");
+  testing::ExpectError([&] { part(0, 2, {1, 3, 1}); }, "it has 2 parts and 3 sizes");
 }
 
 TEST(RuntimeShapes, ExpandRepeats) {
@@ -138,6 +147,16 @@ TEST(RuntimeReductions, TakeMeansAndExtremes) {
   EXPECT_EQ(reduce("ReduceMin", {-2}, 0).values, (std::vector<float>{0, 1, 2, 6, 7, 8}));
 }
 
+TEST(RuntimeReductions, SumAndTakeAxesAsAnInput) {
+  const FloatArray x = Counted({2, 3});
+  EXPECT_EQ(GraphExample({2, 3}).Integers("a", {1}).Node("ReduceSum", {"x", "a"}, "y").Run(x).values,
+            (std::vector<float>{3, 12}));
+  EXPECT_EQ(GraphExample({2, 3}).Integers("a", {0}).Node("ReduceMean", {"x", "a"}, "y").Run(x).values,
+            (std::vector<float>{1.5f, 2.5f, 3.5f}));
+  EXPECT_EQ(GraphExample({2, 3}).Node("ReduceSum", {"x"}, "y", {{"noop_with_empty_axes", int64_t{1}}}).Run(x).values,
+            x.values);
+}
+
 TEST(RuntimeReductions, OfImagesInBlocksEqualThoseOfPlainOnes) {
   const FloatArray x = FixedArray({2, 12, 5, 5}), w = FixedArray({12, 12, 1, 1}, 3);
   for (const char* op : {"ReduceMean", "ReduceMax", "ReduceMin"}) {
@@ -158,6 +177,13 @@ TEST(RuntimeSoftmax, SumsToOneAlongItsAxis) {
   ExpectNear(y, {{1, 2, 2}, {0.25f, 0.5f, 0.75f, 0.5f}}, 1e-6);
   const FloatArray log = GraphExample({1, 2, 2}).Node("LogSoftmax", {"x"}, "y", {{"axis", int64_t{1}}}).Run(x);
   ExpectNear(log, {{1, 2, 2}, {std::log(0.25f), std::log(0.5f), std::log(0.75f), std::log(0.5f)}}, 1e-6);
+}
+
+TEST(RuntimeSoftmax, FlattensAxesBeforeSet13) {
+  const FloatArray x({1, 2, 2}, {0, std::log(2.0f), std::log(3.0f), std::log(4.0f)});
+  const FloatArray y =
+      GraphExample({1, 2, 2}).Node("Softmax", {"x"}, "y", {{"axis", int64_t{1}}, {"flattens", int64_t{1}}}).Run(x);
+  ExpectNear(y, {{1, 2, 2}, {0.1f, 0.2f, 0.3f, 0.4f}}, 1e-6);
 }
 
 }  // namespace
