@@ -9,7 +9,7 @@ namespace daumier::runtime {
 /// The operators of FoldedUnary and FoldedBinary.
 std::vector<std::string> FoldedArithmeticNames();
 /// f of each number: Abs, Cast, Ceil, Exp, Floor, Neg, Not, Reciprocal, Round, Sqrt. Nothing of another f.
-/// @throws Error on overflow, or a type that Cast does not know.
+/// @throws Error on overflow, or a type that Cast does not have.
 std::optional<GraphTensor> FoldedUnary(const GraphNode& node, const GraphTensor& from);
 /// f(a, b) of tensors of one shape: Add, And, Div, Equal, Greater, GreaterOrEqual, Less, LessOrEqual, Max, Min, Mod, Mul,
 /// Or, Pow, Sub. Comparisons give 0 and 1. Nothing of another f. @throws Error on overflow, division by 0, or if one

@@ -22,9 +22,9 @@ struct ImageInput {
 /// convolution or transposition that reads it. @throws Error if there are several inputs, or no such image.
 ImageInput ImageInputOf(const Graph& graph);
 
-/// A network from one picture to one picture, read from an ONNX file: stylisation, for the most part. The file does not
-/// say how values are scaled (0 to 1, -1 to 1, 0 to 255), whether channels are RGB or BGR, nor of what number sizes must be
-/// a multiple: the caller must know. Networks that halve an image k times want multiples of 2^k; 32 suits most.
+/// A network from one picture to one picture, read from an ONNX file: stylisation, for the most part. What the file does not
+/// say, the caller decides: how values are scaled (0 to 1, -1 to 1, 0 to 255), whether channels are RGB or BGR, and of
+/// what number sizes must be a multiple. Networks that halve an image k times want multiples of 2^k; 32 suits most.
 class ImageNetwork {
  public:
   /// @throws Error naming the file as ReadOnnx and ImageInputOf, or if the network has operators that are not run here.

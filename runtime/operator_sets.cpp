@@ -152,7 +152,7 @@ class Rewriting {
       AsymmetricPlaces();
     }
     if (node_.inputs.size() > 1) node_.inputs[1] = "";  // The region, which the modes that are run ignore.
-    for (size_t i = 2; i < node_.inputs.size(); ++i)    // Empty tensors stand for absent ones.
+    for (size_t i = 2; i < node_.inputs.size(); ++i)    // An empty tensor is an absent one.
       if (const auto found = graph_.weights.find(node_.inputs[i]);
           found != graph_.weights.end() && found->second.numbers.empty() && found->second.integers.empty())
         node_.inputs[i] = "";

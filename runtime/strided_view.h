@@ -15,7 +15,7 @@ struct StridedView {
 /// The integers that a node has as an input. @throws Error if they are not known before a run.
 using IntegersOfInput = std::function<const std::vector<int64_t>&(size_t input)>;
 
-/// Whether ViewOf knows the operator: Expand, Flatten, Identity, Reshape, Slice, Split, Squeeze, Transpose, Unsqueeze.
+/// Whether ViewOf has the operator: Expand, Flatten, Identity, Reshape, Slice, Split, Squeeze, Transpose, Unsqueeze.
 bool IsViewOperator(const std::string& op);
 /// The view that the node takes of its input 0, of shape `from`; the same before and during a run.
 /// @throws Error with the cause if shape, axes, parts or order do not fit.

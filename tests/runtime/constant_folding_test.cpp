@@ -1,7 +1,5 @@
 #include "runtime/constant_folding.h"
 
-#include "runtime/folded_arithmetic.h"
-#include "runtime/strided_view.h"
 #include "tests/runtime/graph_example.h"
 #include "tests/support/expect_error.h"
 
@@ -161,12 +159,6 @@ TEST(FoldedConstants, NumbersFromShapesAreReadLikeOthers) {
   const GraphRunner runner(example.graph);
   EXPECT_EQ(runner.Run({{"x", {{1, 2}, {1, 2}}}}).at("y").values, (std::vector<float>{1, 2}));
   EXPECT_EQ(runner.Run({{"x", {{2, 2}, {1, 2, 3, 4}}}}).at("y").values, (std::vector<float>{2, 4, 6, 8}));
-}
-
-TEST(StridedView, PlacesFollowItsStrides) {
-  EXPECT_EQ(PlacesOf({{2, 2}, {1, -3}, 4}), (Folded{4, 1, 5, 2}));
-  EXPECT_TRUE(LiesClose({{2, 1, 3}, {3, 99, 1}}));
-  EXPECT_FALSE(LiesClose({{2, 3}, {1, 2}}));
 }
 
 }  // namespace

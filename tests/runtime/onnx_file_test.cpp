@@ -114,27 +114,6 @@ TEST_F(OnnxFile, TensorsThatAreNotWhatTheySayAreRefused) {
   ExpectRefused(with(OnnxTensor("x", {2}, {1, 2})), "");
 }
 
-TEST_F(OnnxFile, NumbersOfOtherTypesAreConverted) {
-  const auto tensor = [&](const std::string& bytes) {
-    return Read(Model(BytesField(1, OnnxNode("Relu", {"x"}, "y")), BytesField(5, bytes))).weights.at("w");
-  };
-  const std::vector<float> reals = {1.5f, -2};
-  EXPECT_EQ(tensor(RawTensor<double>("w", {2}, 11, {1.5, -2})).numbers, reals);
-  EXPECT_EQ(tensor(RawTensor<Half>("w", {2}, 10, {HalfFromFloat(1.5f), HalfFromFloat(-2)})).numbers, reals);
-  EXPECT_EQ(tensor(RawTensor<uint16_t>("w", {2}, 16, {0x3fc0, 0xc000})).numbers, reals);  // bfloat16
-  const std::vector<int64_t> whole = {3, 250};
-  EXPECT_EQ(tensor(RawTensor<uint8_t>("w", {2}, 2, {3, 250})).integers, whole);
-  EXPECT_EQ(tensor(RawTensor<int32_t>("w", {2}, 6, {3, 250})).integers, whole);
-  EXPECT_EQ(tensor(RawTensor<uint8_t>("w", {2}, 9, {0, 1})).integers, (std::vector<int64_t>{0, 1}));
-  const std::string head = IntegerField(1, 2) + BytesField(8, "w");
-  EXPECT_EQ(tensor(head + IntegerField(2, 6) + IntegerField(5, 3) + IntegerField(5, 250)).integers, whole);
-  EXPECT_EQ(tensor(head + IntegerField(2, 7) + BytesField(7, Varint(3) + Varint(250))).integers, whole);
-  EXPECT_EQ(tensor(head + IntegerField(2, 1) +
-                   BytesField(4, {reinterpret_cast<const char*>(reals.data()), 2 * sizeof(float)}))
-                .numbers,
-            reals);
-}
-
 TEST_F(OnnxFile, WeightsAmongTheInputsAreNone) {
   const std::string mul = BytesField(1, OnnxNode("Mul", {"x", "w"}, "y")) + BytesField(11, OnnxValue("w", {2}));
   const Graph graph = Read(Model(mul, BytesField(5, OnnxTensor("w", {2}, {1, 2}))));

@@ -1,4 +1,3 @@
-#include "runtime/row_norm.h"
 #include "tests/runtime/graph_example.h"
 #include "tests/support/expect_error.h"
 
@@ -93,9 +92,6 @@ TEST(RuntimeNorms, LoseNothingOnLargeImages) {
   GraphExample example({1, 1, kSide, kSide});
   example.Weight("s", {1}, {1}).Weight("t", {1}, {0}).Node("InstanceNormalization", {"x", "s", "t"}, "y");
   ExpectNear(example.Run(x), Normalised(x, 1, 1, {1}, {0}, 1e-5), 2e-4);  // Of float32 at 1000.
-  const Moments moments = MomentsOf(x.values.data(), kSide * kSide);
-  EXPECT_NEAR(moments.mean, 1000, 1e-3);
-  EXPECT_NEAR(moments.variance, 1.0 / 12, 1e-3);
 }
 
 }  // namespace
