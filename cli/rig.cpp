@@ -2,6 +2,7 @@
 #include "cli/head_hair.h"
 #include "cli/rig_face.h"
 #include "cli/rig_foreign.h"
+#include "cli/rig_map.h"
 #include "cli/verb.h"
 #include "core/log.h"
 #include "core/options.h"
@@ -23,6 +24,7 @@ struct RigArguments {
   bool keep_expression = false;
   HairArguments hair;
   HeadArguments head;
+  MapArguments map;
   ConfigArguments config;
 };
 
@@ -88,6 +90,19 @@ void Rig(const RigArguments& arguments) {
   PrintResult(result, arguments.head.as_json);
 }
 
+/// Makes a head, or weights for one.
+void RigOrMap(RigArguments& arguments) {
+  TakeOverrides(arguments.map, arguments.face, arguments.config);
+  const MapOutput output{arguments.head.out, arguments.head.force, arguments.head.as_json};
+  if (!arguments.map.model.empty()) {
+    MapFaceModel(arguments.map, arguments.config, output);
+  } else if (!arguments.map.meshes.empty()) {
+    WeighMeshes(arguments.map, arguments.face, arguments.landmarks, SourceOf(arguments), output);
+  } else {
+    Rig(arguments);
+  }
+}
+
 }  // namespace
 
 Verb RigVerb() {
@@ -100,7 +115,7 @@ Verb RigVerb() {
                         "Head mesh of any topology (.obj, .ply), in any unit and with any axes; a face that `daumier "
                         "predict` wrote from a drawing or a portrait (predicted/drawing.obj, or predicted/drawing); or "
                         "FOLDER/NAME of a face in a database (faces/face-00012, faces/person-00003-level-1-neutral)")
-            ->required();
+            ->required(false);  // Required except with --map (TakeOverrides).
         command.add_option(
             "overrides", arguments->config.overrides,
             "source.KEY=value: the face model of the mesh's topology, or whose expressions a mesh of another "
@@ -120,8 +135,9 @@ Verb RigVerb() {
         command.add_flag("--keep-expression", arguments->keep_expression,
                          "Rig a predicted portrait with the expression that it shows; without it the expression is "
                          "removed");
+        AddMapArguments(command, arguments->map);
         command.footer("Options:\n" + HelpText<RigOptions>());
-        return [arguments] { Rig(*arguments); };
+        return [arguments] { RigOrMap(*arguments); };
       },
       /*keeps_freed_memory=*/false};
 }

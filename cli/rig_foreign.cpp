@@ -206,4 +206,28 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
           std::move(landmarks.stages), std::move(facts)};
 }
 
+CarriedTargets CarryTargetsTo(const faces::FaceTemplate& face, const faces::FaceModel& model) {
+  const geometry::TriangleMesh mesh{face.neutral, face.triangles};
+  const rig::HeadSurface surface = rig::MakeHeadSurface(mesh);
+  datasets::MeshLandmarks landmarks;
+  for (size_t l = 0; l < landmarks.size(); ++l)
+    landmarks[l] = face.neutral.row(face.annotation.landmarks[l]).transpose();
+  const datasets::RegisteredMesh registered =
+      datasets::RegisterMesh(model.face_template, {.name = face.source,
+                                                   .landmark_file = face.source,
+                                                   .mesh = WithoutEyeballs(surface, landmarks),
+                                                   .landmarks = landmarks,
+                                                   .shifted = {}});
+  TaskOfProcess().ThrowIfCancelled("{}: stopped; nothing was written", face.source);
+  const rig::ForeignRig foreign_rig(model);
+  rig::ForeignHead head = foreign_rig.On(mesh, {registered.vertices, registered.template_from_target});
+  for (const rig::HeadSlit& slit : head.slits.slits)
+    if (!slit.is_found || slit.is_sealed)
+      log::Warn("{}: lips or lids of the model are sealed, or were not found: expressions of them are mapped roughly",
+                face.source);
+  CarriedTargets carried{std::move(head.head.targets), registered.row};
+  carried.registration.erase("name");
+  return carried;
+}
+
 }  // namespace daumier::cli

@@ -28,4 +28,13 @@ enum class TakenLook { kOwn, kNone };
 RiggedForeignHead RigForeignHead(const GivenFace& given, const std::filesystem::path& landmarks,
                                  const faces::FaceModel& model, TakenLook look);
 
+/// The 52 targets of a face model on the vertices of another topology's mean face.
+struct CarriedTargets {
+  rig::MorphTargets targets;  ///< 3V x 52, cm, in the frame of the other template.
+  Json registration;          ///< A row of quality.json (docs/registration.md).
+};
+
+/// Registers the model by the landmarks of both annotations. @throws Error as RegisterMesh and ForeignRig.
+CarriedTargets CarryTargetsTo(const faces::FaceTemplate& face, const faces::FaceModel& model);
+
 }  // namespace daumier::cli

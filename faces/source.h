@@ -3,6 +3,8 @@
 #include "faces/face_model.h"
 #include "faces/import/given_faces.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,6 +40,12 @@ struct SourceOptions {
     visit("licence", licence, Text{}, "meshes: licence of the meshes, copied into every manifest and model card.");
   }
 };
+
+/// The name of the source that a file or folder is of, by its content; nothing for any other.
+/// - a folder that `daumier dataset model` wrote: as its manifest names it;
+/// - MakeHuman (package or checkout), ICT-FaceKit (checkout, its FaceXModel, or a tar archive), a folder of Tester_1 .. (facewarehouse);
+/// - .npz with v_template (flame) or shape_bm_core (facescape); .mat and .h5 (bfm); .pkl (flame, which is refused when it is read).
+std::optional<std::string> RecognisedSource(const std::filesystem::path& path);
 
 /// What a source gives, in centimetres and annotated: a model of which faces are drawn, or given faces. Reads
 /// nothing but what the options name.

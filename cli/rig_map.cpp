@@ -1,0 +1,207 @@
+#include "cli/rig_map.h"
+
+#include "cli/rig_foreign.h"
+#include "cli/weights_output.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/options.h"
+#include "core/stopwatch.h"
+#include "core/weights_folder.h"
+#include "faces/source.h"
+#include "rig/coefficient_file.h"
+#include "rig/expression_map_file.h"
+#include "rig/expression_targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace daumier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MapOptions {
+  faces::SourceOptions source;
+
+  template <class V>
+  void Visit(V&& visit) {
+    visit("source", source, Table{}, "The face model that is mapped.");
+  }
+};
+
+bool IsMapFile(const fs::path& file) {
+  return file.extension() == ".json" && fs::is_regular_file(file);
+}
+
+/// Where the model is and what it is, by `model` and the options.
+faces::SourceOptions SourceOfModel(const fs::path& model, const ConfigArguments& config) {
+  const Json given = config.Load();
+  faces::SourceOptions source = ParseOptions<MapOptions>(given, config.Where()).source;
+  const bool is_named = given.contains("source") && given.at("source").contains("name");
+  const auto& names = faces::kSourceNames;
+  if (!fs::exists(model) && std::ranges::find(names, model.string()) != names.end()) {
+    source.name = model.string();
+    return source;
+  }
+  if (!fs::exists(model))
+    throw UsageError(
+        fmt::format("--map: there is no {} (expected the file or folder of a face model, a map that this "
+                    "command wrote, or makehuman)",
+                    model.string()));
+  source.path = model.string();
+  if (is_named) return source;
+  const auto recognised = faces::RecognisedSource(model);
+  if (!recognised)
+    throw UsageError(fmt::format("--map {}: the face model is not recognised. Name it with source.name={}",
+                                 model.string(), fmt::join(names, "|")));
+  source.name = *recognised;
+  return source;
+}
+
+bool IsSameTopology(const faces::FaceTemplate& a, const faces::FaceTemplate& b) {
+  return a.num_vertices() == b.num_vertices() && a.triangles == b.triangles;
+}
+
+/// The 52 targets on the mean face of a model, and how they came there.
+struct TargetsOfModel {
+  rig::MorphTargets targets;
+  Json facts = Json::object();
+};
+
+TargetsOfModel TargetsOn(const faces::FaceTemplate& face, const faces::FaceModel& source) {
+  if (IsSameTopology(face, source.face_template)) return {rig::ExpressionTargets(source).On(face.neutral)};
+  CarriedTargets carried = CarryTargetsTo(face, source);
+  return {std::move(carried.targets), {{"registration", std::move(carried.registration)}}};
+}
+
+rig::ExpressionMap MapOfModel(const MapArguments& arguments, const ConfigArguments& config, Json& facts) {
+  if (IsMapFile(arguments.model)) return rig::ParseExpressionMap(ReadJson(arguments.model), arguments.model.string());
+  const faces::SourceOptions options = SourceOfModel(arguments.model, config);
+  const rig::ModelExpressions model = rig::ExpressionsOf(faces::LoadSource(options));
+  const faces::FaceModel source = ModelForForeignHeads(std::nullopt);
+  TargetsOfModel of_model = TargetsOn(model.face_template, source);
+  facts = std::move(of_model.facts);
+  rig::ExpressionMap map = rig::MapExpressions(model, of_model.targets);
+  map.targets = source.face_template.provenance;
+  return map;
+}
+
+/// Over all ends of expressions that move the face.
+Json SummaryOf(const rig::ExpressionMap& map) {
+  double error = 0, motion = 0, sum_rms = 0, sum_motion = 0, worst = -1;
+  int count = 0;
+  std::string worst_name;
+  for (const rig::MappedExpression& mapped : map.mapped) {
+    if (!mapped.explained()) continue;
+    ++count;
+    error += std::pow(mapped.error.rms_cm, 2);
+    motion += std::pow(mapped.no_motion.rms_cm, 2);
+    sum_rms += map.mm_per_cm * mapped.error.rms_cm;
+    sum_motion += map.mm_per_cm * mapped.no_motion.rms_cm;
+    if (mapped.error.rms_cm <= worst) continue;
+    worst = mapped.error.rms_cm;
+    worst_name = mapped.name + (mapped.is_negative ? " (negative)" : "");
+  }
+  if (count == 0) return {{"expressions", 0}};
+  return {{"expressions", count},
+          {"rms_mm", sum_rms / count},
+          {"no_motion_rms_mm", sum_motion / count},
+          {"explained", 1 - error / motion},
+          {"worst", worst_name},
+          {"worst_rms_mm", map.mm_per_cm * worst}};
+}
+
+std::string ProvenanceText(const Json& provenance) {
+  return fmt::format("{}, {}; {}", provenance.value("name", "unknown"), provenance.value("version", "unknown version"),
+                     provenance.value("licence", "unknown licence"));
+}
+
+void ApplyMap(const MapArguments& arguments, const rig::ExpressionMap& map, const MapOutput& output, Json& result) {
+  const rig::CoefficientFrames frames = rig::ReadCoefficients(arguments.coefficients, map);
+  for (const std::string& warning : frames.warnings) log::Warn("{}: {}", arguments.coefficients.string(), warning);
+  WriteWeights(output.out,
+               {.weights = rig::WeightsOf(map, frames.coefficients),
+                .seconds = frames.seconds.empty() ? EvenSeconds(frames.coefficients.rows(), arguments.frames_per_second)
+                                                  : frames.seconds,
+                .remarks = {"model: " + ProvenanceText(map.model), "targets: " + ProvenanceText(map.targets)}});
+  result["weights"] = output.out.string();
+  result["frames"] = frames.coefficients.rows();
+}
+
+}  // namespace
+
+void AddMapArguments(CLI::App& command, MapArguments& arguments) {
+  CLI::Option* const map = command.add_option(
+      "--map", arguments.model,
+      "Instead of a head, write the linear map from a face model's expression coefficients to the 52 weights (--out "
+      "NAME.json). MODEL: the file or folder of FLAME, BFM, FaceWarehouse or another source (docs/importers.md; "
+      "source.name=..., source.annotation=...), makehuman, or, for --apply, such a map");
+  CLI::Option* const apply =
+      command
+          .add_option("--apply", arguments.coefficients,
+                      "With --map: coefficients over time (CSV, JSON or .npy: a row a frame), which become weights for "
+                      "--animate (--out NAME.csv)")
+          ->check(CLI::ExistingFile)
+          ->needs(map);
+  CLI::Option* const meshes = command.add_option(
+      "--meshes", arguments.meshes,
+      "Instead of a head, write the weights that bring FACE, the neutral mesh of a person, nearest to these meshes of "
+      "the same person and topology, in the order of the command line, for --animate (--out NAME.csv)");
+  CLI::Option* const fps = command
+                               .add_option("--fps", arguments.frames_per_second,
+                                           "Frames a second of --meshes, and of --apply where the file states no times")
+                               ->check(CLI::Range(0.001, 1000.0))
+                               ->capture_default_str();
+  meshes->excludes(map);
+  for (const char* of_heads : {"--animate", "--frames", "--frame-size", "--names", "--visemes", "--normals",
+                               "--compress", "--vrm", "--texture", "--keep-expression"})
+    for (CLI::Option* const option : {map, apply, meshes, fps}) command.get_option(of_heads)->excludes(option);
+  command.get_option("--landmarks")->excludes(map);
+}
+
+void TakeOverrides(MapArguments& arguments, fs::path& face, ConfigArguments& config) {
+  const auto is_option = [](const fs::path& word) { return word.string().find('=') != std::string::npos; };
+  for (const fs::path& word : arguments.meshes)
+    if (is_option(word)) config.overrides.push_back(word.string());
+  std::erase_if(arguments.meshes, is_option);
+  if (arguments.model.empty()) {
+    if (face.empty()) throw UsageError("FACE is required, except with --map (see `daumier rig --help`)");
+    return;
+  }
+  if (is_option(face)) config.overrides.insert(config.overrides.begin(), face.string());
+  if (!face.empty() && !is_option(face))
+    throw UsageError(fmt::format("{}: --map takes no FACE. Leave it out", face.string()));
+  face.clear();
+}
+
+void MapFaceModel(const MapArguments& arguments, const ConfigArguments& config, const MapOutput& output) {
+  const Stopwatch watch;
+  const bool applies = !arguments.coefficients.empty();
+  if (applies) {
+    CheckWeightsFile(output, {arguments.model, arguments.coefficients});
+  } else {
+    if (IsMapFile(arguments.model))
+      throw UsageError(
+          fmt::format("--map {}: is a map already. Name coefficients with --apply", arguments.model.string()));
+    CheckMapFile(output, {arguments.model});
+  }
+  Json facts = Json::object();
+  const rig::ExpressionMap map = MapOfModel(arguments, config, facts);
+  Json result = {{"model", ProvenanceText(map.model)}};
+  if (!map.mapped.empty()) result["errors"] = SummaryOf(map);
+  if (applies) {
+    ApplyMap(arguments, map, output, result);
+  } else {
+    Json file = rig::ExpressionMapJson(map);
+    file.update(facts);
+    WriteFileAtomically(output.out, file.dump(1) + "\n");
+    result["map"] = output.out.string();
+  }
+  result.update(facts);
+  result["seconds"] = watch.seconds();
+  PrintResult(result, output.as_json);
+}
+
+}  // namespace daumier::cli
