@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "tests/faces/import/foreign_face.h"
+#include "tests/faces/import/foreign_files.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/paths.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +47,30 @@ TEST(Source, MeshesAreFacesAndNoModel) {
   EXPECT_EQ(given.face_template.provenance.at("licence"), "CC0");
   EXPECT_THROW(LoadFaceModel(options), UsageError);
   EXPECT_EQ(ParseOptions<SourceOptions>(Json::object()).licence, "unknown; set source.licence");
+}
+
+TEST(Source, IsRecognisedByItsContent) {
+  const testing::TempDir folder;
+  EXPECT_EQ(RecognisedSource(testing::SourceRoot() / "weights/face-ict"), "ict");
+  EXPECT_EQ(RecognisedSource(folder.path()), std::nullopt);
+  testing::WriteNpz(folder / "a.npz", {{"f", ""}, {"v_template", ""}});
+  testing::WriteNpz(folder / "b.npz", {{"shape_bm_core", ""}});
+  testing::WriteNpz(folder / "c.npz", {{"weights", ""}});
+  EXPECT_EQ(RecognisedSource(folder / "a.npz"), "flame");
+  EXPECT_EQ(RecognisedSource(folder / "b.npz"), "facescape");
+  EXPECT_EQ(RecognisedSource(folder / "c.npz"), std::nullopt);
+  EXPECT_EQ(RecognisedSource("generic_model.pkl"), "flame");
+  EXPECT_EQ(RecognisedSource("01_MorphableModel.mat"), "bfm");
+  EXPECT_EQ(RecognisedSource("model2019_face12.h5"), "bfm");
+  EXPECT_EQ(RecognisedSource("ict-facekit.tar.xz"), "ict");
+  EXPECT_EQ(RecognisedSource("head.obj"), std::nullopt);
+  MakeDirectory(folder / "fw/Tester_7");
+  EXPECT_EQ(RecognisedSource(folder / "fw"), "facewarehouse");
+  MakeDirectory(folder / "kit/FaceXModel");
+  EXPECT_EQ(RecognisedSource(folder / "kit"), "ict");
+  MakeDirectory(folder / "human/makehuman/data/3dobjs");
+  WriteFileAtomically(folder / "human/makehuman/data/3dobjs/base.obj", "");
+  EXPECT_EQ(RecognisedSource(folder / "human"), "makehuman");
 }
 
 TEST(Source, OptionsListTheSources) {
