@@ -76,10 +76,7 @@ TargetsOfModel TargetsOn(const faces::FaceTemplate& face, const faces::FaceModel
   return {std::move(carried.targets), {{"registration", std::move(carried.registration)}}};
 }
 
-rig::ExpressionMap MapOfModel(const MapArguments& arguments, const ConfigArguments& config, Json& facts) {
-  if (IsMapFile(arguments.model)) return rig::ParseExpressionMap(ReadJson(arguments.model), arguments.model.string());
-  const faces::SourceOptions options = SourceOfModel(arguments.model, config);
-  const rig::ModelExpressions model = rig::ExpressionsOf(faces::LoadSource(options));
+rig::ExpressionMap MapOfModel(const rig::ModelExpressions& model, Json& facts) {
   const faces::FaceModel source = ModelForForeignHeads(std::nullopt);
   TargetsOfModel of_model = TargetsOn(model.face_template, source);
   facts = std::move(of_model.facts);
@@ -118,16 +115,18 @@ std::string ProvenanceText(const Json& provenance) {
                      provenance.value("licence", "unknown licence"));
 }
 
-void ApplyMap(const MapArguments& arguments, const rig::ExpressionMap& map, const MapOutput& output, Json& result) {
-  const rig::CoefficientFrames frames = rig::ReadCoefficients(arguments.coefficients, map);
-  for (const std::string& warning : frames.warnings) log::Warn("{}: {}", arguments.coefficients.string(), warning);
-  WriteWeights(output.out,
-               {.weights = rig::WeightsOf(map, frames.coefficients),
-                .seconds = frames.seconds.empty() ? EvenSeconds(frames.coefficients.rows(), arguments.frames_per_second)
-                                                  : frames.seconds,
-                .remarks = {"model: " + ProvenanceText(map.model), "targets: " + ProvenanceText(map.targets)}});
-  result["weights"] = output.out.string();
-  result["frames"] = frames.coefficients.rows();
+rig::CoefficientFrames ReadFrames(const fs::path& file, const rig::ExpressionMap& map) {
+  rig::CoefficientFrames frames = rig::ReadCoefficients(file, map);
+  for (const std::string& warning : frames.warnings) log::Warn("{}: {}", file.string(), warning);
+  return frames;
+}
+
+void WriteWeightsOf(const rig::ExpressionMap& map, const rig::CoefficientFrames& frames, double frames_per_second,
+                    const fs::path& out) {
+  const Eigen::Index num_frames = frames.coefficients.rows();
+  WriteWeights(out, {.weights = rig::WeightsOf(map, frames.coefficients),
+                     .seconds = frames.seconds.empty() ? EvenSeconds(num_frames, frames_per_second) : frames.seconds,
+                     .remarks = {"model: " + ProvenanceText(map.model), "targets: " + ProvenanceText(map.targets)}});
 }
 
 }  // namespace
@@ -145,6 +144,12 @@ void AddMapArguments(CLI::App& command, MapArguments& arguments) {
                       "--animate (--out NAME.csv)")
           ->check(CLI::ExistingFile)
           ->needs(map);
+  command
+      .add_flag(
+          "--keep-strength", arguments.keeps_strength,
+          "With --apply: weights as strong as the expressions, up to twice those of least squares, which are small "
+          "where targets show an expression in part")
+      ->needs(apply);
   CLI::Option* const meshes = command.add_option(
       "--meshes", arguments.meshes,
       "Instead of a head, write the weights that bring FACE, the neutral mesh of a person, nearest to these meshes of "
@@ -179,20 +184,34 @@ void TakeOverrides(MapArguments& arguments, fs::path& face, ConfigArguments& con
 void MapFaceModel(const MapArguments& arguments, const ConfigArguments& config, const MapOutput& output) {
   const Stopwatch watch;
   const bool applies = !arguments.coefficients.empty();
-  if (applies) {
-    CheckWeightsFile(output, {arguments.model, arguments.coefficients});
+  const bool is_map = IsMapFile(arguments.model);
+  if (is_map && !applies)
+    throw UsageError(
+        fmt::format("--map {}: is a map already. Name coefficients with --apply", arguments.model.string()));
+  applies ? CheckWeightsFile(output, {arguments.model, arguments.coefficients})
+          : CheckMapFile(output, {arguments.model});
+
+  rig::ExpressionMap map;
+  std::optional<rig::ModelExpressions> model;
+  if (is_map) {
+    map = rig::ParseExpressionMap(ReadJson(arguments.model), arguments.model.string());
   } else {
-    if (IsMapFile(arguments.model))
-      throw UsageError(
-          fmt::format("--map {}: is a map already. Name coefficients with --apply", arguments.model.string()));
-    CheckMapFile(output, {arguments.model});
+    model = rig::ExpressionsOf(faces::LoadSource(SourceOfModel(arguments.model, config)));
+    map.expressions = model->names;
+    map.constant = model->constant;
   }
+  std::optional<rig::CoefficientFrames> frames;  // Before the model is registered, which takes long.
+  if (applies) frames = ReadFrames(arguments.coefficients, map);
   Json facts = Json::object();
-  const rig::ExpressionMap map = MapOfModel(arguments, config, facts);
+  if (model) map = MapOfModel(*model, facts);
+
   Json result = {{"model", ProvenanceText(map.model)}};
-  if (!map.mapped.empty()) result["errors"] = SummaryOf(map);
-  if (applies) {
-    ApplyMap(arguments, map, output, result);
+  if (model) result["errors"] = SummaryOf(map);
+  if (frames) {
+    WriteWeightsOf(arguments.keeps_strength ? rig::WithKeptStrength(map) : map, *frames, arguments.frames_per_second,
+                   output.out);
+    result["weights"] = output.out.string();
+    result["frames"] = frames->coefficients.rows();
   } else {
     Json file = rig::ExpressionMapJson(map);
     file.update(facts);

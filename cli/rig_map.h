@@ -16,6 +16,7 @@ struct MapArguments {
   std::filesystem::path coefficients;  ///< --apply
   std::vector<std::filesystem::path> meshes;
   double frames_per_second = 60;
+  bool keeps_strength = false;
 };
 
 /// What such a command writes, and where.

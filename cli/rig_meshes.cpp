@@ -93,6 +93,7 @@ void WeighMeshes(const MapArguments& arguments, const fs::path& face, const fs::
   inputs.insert(inputs.end(), {face, landmarks});
   CheckWeightsFile(output, inputs);
   const GivenFace given = ReadGivenFace(face);
+  ReadMeshOf(arguments.meshes.front(), given);  // Before the head is registered, which takes long.
   const NeutralHead head = NeutralHeadOf(given, landmarks, source);
   const Eigen::Index num_vertices = head.mesh.vertices.rows();
   // The head's own axes and unit: the way of its neutral mesh is that of every mesh.

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTolerance = 1e-10;   // Of gradients of columns of unit length, as a share of the greatest at 0.
 constexpr double kLeastPivot = 1e-11;  // Of the factor: below it columns count as dependent.
+constexpr double kLeastLength = 1e-6;  // Of the longest column: shorter ones count as 0.
 constexpr int kLargestSteps = 100;     // A variable.
 
 enum class Place { kLower, kFree, kUpper };
@@ -25,6 +26,9 @@ class ActiveSets {
         values_(Eigen::VectorXd::Zero(right.size())),
         places_(size_t(right.size()), Place::kLower),
         is_skipped_(size_t(right.size()), false) {
+    const double least_length = kLeastLength * lengths_.maxCoeff();
+    for (double& length : lengths_)
+      if (length < least_length) length = 0;
     const Eigen::VectorXd scales = lengths_.unaryExpr([](double length) { return length > 0 ? 1 / length : 0.0; });
     gram_ = scales.asDiagonal() * gram * scales.asDiagonal();
     right_ = scales.asDiagonal() * right;

@@ -7,6 +7,7 @@
 #include "rig/weight_limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace daumier::rig {
@@ -63,6 +64,16 @@ ExpressionMap MapExpressions(const ModelExpressions& model, const MorphTargets& 
     mapped.no_motion = solver.ErrorOf(displacement, Eigen::VectorXd::Zero(kNumArkitNames));
     (mapped.is_negative ? map.negative : map.positive).row(e) = weights.cast<float>();
   });
+  return map;
+}
+
+ExpressionMap WithKeptStrength(ExpressionMap map) {
+  for (size_t row = 0; row < map.mapped.size(); ++row) {
+    const MappedExpression& mapped = map.mapped[row];
+    const double explained = mapped.explained().value_or(1);
+    const auto gain = float(explained > 0 ? std::min(1 / std::sqrt(explained), kMostGain) : kMostGain);
+    (mapped.is_negative ? map.negative : map.positive).row(Eigen::Index(row) % map.num_expressions()) *= gain;
+  }
   return map;
 }
 

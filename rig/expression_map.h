@@ -44,6 +44,11 @@ struct ExpressionMap {
 /// @throws Error as WeightSolver.
 ExpressionMap MapExpressions(const ModelExpressions& model, const MorphTargets& targets);
 
+/// The map with each end of an expression times min(1 / sqrt(explained), kMostGain): its weights move the face about as far
+/// as the expression does. Least squares keep weights small where targets show an expression in part.
+ExpressionMap WithKeptStrength(ExpressionMap map);
+inline constexpr double kMostGain = 2;
+
 /// Weights of frames, N x 52: the sum, clamped to 0 .. 1, then within WeightLimits(). coefficients: N x E.
 /// @throws Error if there are not E columns, or a number is not finite.
 Eigen::MatrixXf WeightsOf(const ExpressionMap& map, const Eigen::MatrixXf& coefficients);

@@ -63,6 +63,21 @@ Eigen::MatrixXf MatrixOf(const Json& json, const char* key, Eigen::Index num_row
   return matrix;
 }
 
+std::vector<MappedExpression> MappedOf(const Json& rows, const ExpressionMap& map, const std::string& name) {
+  const Eigen::Index expected = map.positive.rows() + map.negative.rows();
+  DAUMIER_CHECK(rows.is_array() && std::ssize(rows) == expected, "{}: 'errors' has {} rows, expected {}", name,
+                rows.size(), expected);
+  std::vector<MappedExpression> mapped;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const auto cm = [&](const char* key) { return rows[i].at(key).get<double>() / map.mm_per_cm; };
+    mapped.push_back({map.expressions[i % map.expressions.size()],
+                      i >= map.expressions.size(),
+                      {cm("rms_mm"), cm("max_mm")},
+                      {cm("no_motion_rms_mm"), cm("no_motion_max_mm")}});
+  }
+  return mapped;
+}
+
 ExpressionMap Parsed(const Json& json, const std::string& name) {
   const auto targets = json.at("names").get<std::vector<std::string>>();
   DAUMIER_CHECK(std::ranges::equal(targets, ArkitNames()), "{}: 'names' are not the 52 of ARKit in their order", name);
@@ -81,6 +96,7 @@ ExpressionMap Parsed(const Json& json, const std::string& name) {
     DAUMIER_CHECK(found != map.expressions.end(), "{}: 'constant' is no expression of the map", name);
     map.constant = int(found - map.expressions.begin());
   }
+  map.mapped = MappedOf(json.at("errors"), map, name);
   map.model = json.at("model");
   map.targets = json.at("targets");
   return map;

@@ -106,6 +106,13 @@ TEST(BoundedLeastSquares, ZeroAndDependentColumnsStayAtTheirBounds) {
   EXPECT_EQ(x[3], 0);
 }
 
+TEST(BoundedLeastSquares, ColumnsThatAreNearlyZeroCountAsZero) {
+  Rng rng(4);
+  BoundedProblem problem = RandomProblem(rng, 9, 4, kNoBound);
+  problem.columns.col(1) *= 1e-9;
+  EXPECT_EQ(problem.Solved()[1], 0);
+}
+
 TEST(BoundedLeastSquares, NothingWantedIsZero) {
   EXPECT_EQ(BoundedLeastSquares(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones()),
             Eigen::VectorXd(Eigen::Vector2d::Zero()));

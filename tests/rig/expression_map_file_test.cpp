@@ -22,6 +22,10 @@ TEST(ExpressionMapFile, IsReadAsWritten) {
   EXPECT_EQ(read.negative, map.negative);
   EXPECT_EQ(read.model, map.model);
   EXPECT_EQ(read.targets, map.targets);
+  ASSERT_EQ(read.mapped.size(), 6u);
+  EXPECT_NEAR(read.mapped[0].explained().value(), 0.64, 1e-6);
+  EXPECT_TRUE(read.mapped[4].is_negative);
+  EXPECT_EQ(read.mapped[4].name, "b");
 }
 
 TEST(ExpressionMapFile, StatesOriginNamesAndErrors) {
@@ -49,6 +53,7 @@ TEST(ExpressionMapFile, OfBlendshapesHasOneEnd) {
   map.kind = CoefficientKind::kBlend;
   map.constant = std::nullopt;
   map.negative.resize(0, kNumArkitNames);
+  map.mapped.resize(3);
   const Json json = ExpressionMapJson(map);
   EXPECT_FALSE(json.contains("negative"));
   const ExpressionMap read = ParseExpressionMap(json, "map.json");
@@ -73,6 +78,7 @@ TEST(ExpressionMapFile, RefusesOtherFilesByName) {
   expect("/positive/0/5", -0.5, "negative or not finite");
   expect("/positive/0/5", "one", "Write it again");
   expect("/negative", Json::array(), "'negative' has 0 rows");
+  expect("/errors", Json::array(), "'errors' has 0 rows, expected 6");
   expect("/constant", "c", "'constant' is no expression");
   Json without = good;
   without.erase("model");

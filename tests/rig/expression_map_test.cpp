@@ -65,7 +65,7 @@ TEST_F(ExpressionMaps, OfTheModelsOwnExpressionsAreNearlyTheIdentity) {
     EXPECT_NEAR(map.positive(e, *target), 1, 0.1) << name;
     EXPECT_GT(map.mapped[size_t(e)].explained().value(), 0.8) << name;
   }
-  EXPECT_EQ(num_named, 47);
+  EXPECT_EQ(num_named, 48);
   EXPECT_EQ(map.negative.rows(), 0);
 }
 
@@ -85,13 +85,13 @@ TEST_F(ExpressionMaps, RecoverMixturesOfTargets) {
 
 TEST_F(ExpressionMaps, OfSignedModesHaveTwoEnds) {
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(kNumArkitNames, 3);
-  weights(TargetAt("jawOpen"), 0) = 0.4;
+  weights(TargetAt("browDownRight"), 0) = 0.4;
   weights(TargetAt("mouthSmileLeft"), 0) = -0.3;
   weights(TargetAt("browInnerUp"), 1) = 0.2;
   ModelExpressions model = Mixtures(weights, CoefficientKind::kSigned);
   model.constant = 1;
   const ExpressionMap map = MapExpressions(model, Targets());
-  EXPECT_NEAR(map.positive(0, TargetAt("jawOpen")), 0.4, 0.1);
+  EXPECT_NEAR(map.positive(0, TargetAt("browDownRight")), 0.4, 0.1);
   EXPECT_NEAR(map.negative(0, TargetAt("mouthSmileLeft")), 0.3, 0.1);
   EXPECT_NEAR(map.positive(1, TargetAt("browInnerUp")), 0.2, 1e-4);
   EXPECT_TRUE(map.negative.row(1).isZero()) << "constant";
@@ -132,6 +132,16 @@ TEST(WeightsOfCoefficients, AreWithinTheLimitsOfTargets) {
   const Eigen::MatrixXf weights = WeightsOf(SmallExpressionMap(), (Eigen::MatrixXf(1, 3) << 0, 1, 0).finished());
   EXPECT_FLOAT_EQ(weights(0, TargetAt("eyeSquintLeft")), 1);
   EXPECT_FLOAT_EQ(weights(0, TargetAt("eyeBlinkLeft")), 0.75f) << "1 - 0.25 eyeSquintLeft";
+}
+
+TEST(WeightsOfCoefficients, OfAnExpressionThatIsShownInPartKeepItsStrength) {
+  const ExpressionMap map = SmallExpressionMap();
+  ExpressionMap kept = WithKeptStrength(map);
+  EXPECT_FLOAT_EQ(kept.positive(0, TargetAt("jawOpen")), 0.5f / 0.8f) << "64 % are explained";
+  EXPECT_EQ(kept.negative, map.negative) << "nothing is known of the others";
+  kept.mapped[0].error = kept.mapped[0].no_motion;
+  kept.positive = map.positive;
+  EXPECT_FLOAT_EQ(WithKeptStrength(kept).positive(0, TargetAt("jawOpen")), float(kMostGain) * 0.5f);
 }
 
 TEST(WeightsOfCoefficients, NeedFiniteCoefficientsOfEveryExpression) {
