@@ -154,6 +154,10 @@ void AddMapArguments(CLI::App& command, MapArguments& arguments) {
       "--meshes", arguments.meshes,
       "Instead of a head, write the weights that bring FACE, the neutral mesh of a person, nearest to these meshes of "
       "the same person and topology, in the order of the command line, for --animate (--out NAME.csv)");
+  command
+      .add_flag("--gaze", arguments.has_gaze,
+                "With --meshes: lids also give eyeLook*, which turn the eyes; for meshes whose lids are exact")
+      ->needs(meshes);
   CLI::Option* const fps = command
                                .add_option("--fps", arguments.frames_per_second,
                                            "Frames a second of --meshes, and of --apply where the file states no times")

@@ -17,6 +17,7 @@ struct MapArguments {
   std::vector<std::filesystem::path> meshes;
   double frames_per_second = 60;
   bool keeps_strength = false;
+  bool has_gaze = false;  ///< --gaze
 };
 
 /// What such a command writes, and where.

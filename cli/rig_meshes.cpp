@@ -60,12 +60,6 @@ Eigen::VectorXd MassesOf(const NeutralHead& head) {
   return masses;
 }
 
-Eigen::VectorXd MostWeights() {
-  Eigen::VectorXd most = Eigen::VectorXd::Ones(rig::kNumArkitNames);
-  most[*rig::FindArkitName("tongueOut")] = 0;
-  return most;
-}
-
 geometry::Points ReadMeshOf(const fs::path& file, const GivenFace& given) {
   const geometry::PolygonMesh mesh = faces::ReadMesh(file);
   const Eigen::Index expected = given.mesh.vertices.rows();
@@ -99,7 +93,9 @@ void WeighMeshes(const MapArguments& arguments, const fs::path& face, const fs::
   // The head's own axes and unit: the way of its neutral mesh is that of every mesh.
   const geometry::Similarity head_from_file =
       geometry::AlignSimilarity(given.mesh.vertices.topRows(num_vertices), head.mesh.vertices);
-  const rig::WeightSolver solver(head.targets, MassesOf(head), MostWeights());
+  const rig::WeightSolver solver(
+      head.targets, MassesOf(head),
+      rig::MostWeights(1, arguments.has_gaze ? rig::GazeTargets::kUsed : rig::GazeTargets::kZero));
 
   rig::WeightsClip clip;
   clip.names.assign(rig::ArkitNames().begin(), rig::ArkitNames().end());

@@ -20,15 +20,6 @@ Eigen::VectorXd FaceAreas(const faces::FaceTemplate& face) {
   return masses;
 }
 
-Eigen::VectorXd MostWeights(bool has_gaze) {
-  Eigen::VectorXd most = Eigen::VectorXd::Constant(kNumArkitNames, std::numeric_limits<double>::infinity());
-  for (int t = 0; t < kNumArkitNames; ++t) {
-    const std::string_view name = ArkitNames()[size_t(t)];
-    if (name == "tongueOut" || (!has_gaze && name.starts_with("eyeLook"))) most[t] = 0;
-  }
-  return most;
-}
-
 }  // namespace
 
 std::optional<double> MappedExpression::explained() const {
@@ -51,7 +42,9 @@ ExpressionMap MapExpressions(const ModelExpressions& model, const MorphTargets& 
   map.positive = Eigen::MatrixXf::Zero(num_expressions, kNumArkitNames);
   map.negative = Eigen::MatrixXf::Zero(is_signed ? num_expressions : 0, kNumArkitNames);
   map.mapped.resize(size_t(num_expressions * (is_signed ? 2 : 1)));
-  const WeightSolver solver(targets, FaceAreas(model.face_template), MostWeights(model.has_gaze));
+  const WeightSolver solver(
+      targets, FaceAreas(model.face_template),
+      MostWeights(std::numeric_limits<double>::infinity(), model.has_gaze ? GazeTargets::kUsed : GazeTargets::kZero));
   OnAllCores(std::ssize(map.mapped), [&](int64_t row) {
     const Eigen::Index e = row % num_expressions;
     MappedExpression& mapped = map.mapped[size_t(row)];

@@ -25,6 +25,15 @@ Eigen::Index MouthClose() {
 
 }  // namespace
 
+Eigen::VectorXd MostWeights(double most, GazeTargets gaze) {
+  Eigen::VectorXd bounds = Eigen::VectorXd::Constant(kNumArkitNames, most);
+  for (int t = 0; t < kNumArkitNames; ++t) {
+    const std::string_view name = ArkitNames()[size_t(t)];
+    if (name == "tongueOut" || (gaze == GazeTargets::kZero && name.starts_with("eyeLook"))) bounds[t] = 0;
+  }
+  return bounds;
+}
+
 WeightSolver::WeightSolver(const MorphTargets& targets, const Eigen::VectorXd& masses, const Eigen::VectorXd& most)
     : num_vertices_(masses.size()), most_(most) {
   DAUMIER_CHECK(std::ranges::equal(targets.names, ArkitNames()), "the targets are not the 52 of ARKit in their order");

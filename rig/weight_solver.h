@@ -14,6 +14,11 @@ struct DisplacementError {
   double rms_cm = 0, greatest_cm = 0;
 };
 
+/// Whether eyeLook*, which turn the eyes, may be used: other displacements of lids look like theirs.
+enum class GazeTargets { kUsed, kZero };
+/// Upper bounds of the 52 weights: `most`, 0 of tongueOut, which no skin shows, and of eyeLook* unless they are used.
+Eigen::VectorXd MostWeights(double most, GazeTargets gaze);
+
 /// Weights of the 52 targets of a head that come nearest to a displacement of its vertices:
 ///   argmin_w sum_v m_v |sum_t w_t o_tv - d_v|^2,  0 <= w_t <= most_t,  w_mouthClose <= w_jawOpen,
 /// the last because mouthClose alone is no expression (WeightLimits). An upper bound of jawOpen is kept by lowering

@@ -22,7 +22,7 @@ std::string WeightsCsv(const Eigen::MatrixXf& weights, const std::vector<double>
   }
   text += fmt::format("time,{}\n", fmt::join(ArkitNames(), ","));
   for (Eigen::Index frame = 0; frame < weights.rows(); ++frame) {
-    text += fmt::format("{:.6f}", seconds[size_t(frame)]);
+    text += fmt::format("{:.9f}", seconds[size_t(frame)]);
     for (Eigen::Index t = 0; t < weights.cols(); ++t) text += fmt::format(",{:.5g}", std::max(0.0f, weights(frame, t)));
     text += '\n';
   }

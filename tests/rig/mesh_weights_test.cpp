@@ -29,10 +29,8 @@ class MeshWeightsOfHeads : public ::testing::Test {
       Rng rng(1);
       const geometry::Points rest = faces::IdentityFace(model, faces::DrawIdentity(model, rng));
       MorphTargets targets = ExpressionTargets(model).On(rest);
-      Eigen::VectorXd most = Eigen::VectorXd::Ones(kNumArkitNames);
-      most[*FindArkitName("tongueOut")] = 0;
       const Eigen::VectorXd areas = geometry::VertexAreas({rest, model.face_template.triangles});
-      WeightSolver solver(targets, areas, most);
+      WeightSolver solver(targets, areas, MostWeights(1, GazeTargets::kUsed));
       return Person{rest, std::move(targets), std::move(solver)};
     }();
     return person;

@@ -95,6 +95,14 @@ TEST(WeightSolver, SeparatesMotionsWithoutBounds) {
   EXPECT_LT((solved.motions - of_motions).norm(), 1e-9);
 }
 
+TEST(WeightSolver, BoundsByName) {
+  const Eigen::VectorXd without = MostWeights(1, GazeTargets::kZero), with = MostWeights(2, GazeTargets::kUsed);
+  EXPECT_EQ(without.sum(), 52 - 8 - 1);
+  EXPECT_EQ(without[WeightAt("eyeLookDownRight")], 0);
+  EXPECT_EQ(with.sum(), 2 * (52 - 1));
+  EXPECT_EQ(with[WeightAt("tongueOut")], 0);
+}
+
 TEST(WeightSolver, RefusesWhatDoesNotFit) {
   Rng rng(5);
   MorphTargets targets = RandomTargets(4, rng);

@@ -28,6 +28,14 @@ TEST(WeightsCsv, OfFramesAFewMillisecondsApartKeepsItsUnit) {
   EXPECT_NEAR(recording.seconds[1], 0.004, 1e-9);
 }
 
+TEST(WeightsCsv, KeepsEveryFrameOfAnEvenRate) {
+  std::vector<double> seconds;
+  for (int frame = 0; frame < 100; ++frame) seconds.push_back(frame / 60.0);
+  const Recording recording =
+      ParseClipCsv(WeightsCsv(Eigen::MatrixXf::Zero(100, kNumArkitNames), seconds, {}), "weights.csv");
+  EXPECT_EQ(Resample(recording, 60).num_frames(), 100);
+}
+
 TEST(WeightsCsv, NeedsATimeAFrame) {
   testing::ExpectError([] { WeightsCsv(Eigen::MatrixXf::Zero(2, kNumArkitNames), {0}, {}); }, "expected N x 52");
   testing::ExpectError([] { WeightsCsv(Eigen::MatrixXf::Zero(0, kNumArkitNames), {}, {}); }, "expected N x 52");
