@@ -147,8 +147,8 @@ void AddMapArguments(CLI::App& command, MapArguments& arguments) {
   command
       .add_flag(
           "--keep-strength", arguments.keeps_strength,
-          "With --apply: weights as strong as the expressions, up to twice those of least squares, which are small "
-          "where targets show an expression in part")
+          "With --apply: each expression times the gain, 1 to 2.5, that the map states: least squares keep weights "
+          "small where a target moves a wider region than the expression")
       ->needs(apply);
   CLI::Option* const meshes = command.add_option(
       "--meshes", arguments.meshes,

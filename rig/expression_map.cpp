@@ -20,6 +20,19 @@ Eigen::VectorXd FaceAreas(const faces::FaceTemplate& face) {
   return masses;
 }
 
+double GainOf(const WeightSolver& solver, const Eigen::VectorXd& displacement, const Eigen::VectorXd& weights) {
+  const Eigen::VectorXd shown = solver.Displacement(weights);
+  double product = 0, square = 0;
+  for (Eigen::Index i = 0; i < solver.masses().size(); ++i) {
+    const Eigen::Index v = 3 * solver.vertices()[size_t(i)];
+    const Eigen::Vector3d wanted = displacement.segment<3>(v), own = shown.segment<3>(v);
+    const double mass = solver.masses()[i] * wanted.squaredNorm();
+    product += mass * own.dot(wanted);
+    square += mass * own.squaredNorm();
+  }
+  return square > 0 ? std::clamp(product / square, 1.0, kMostGain) : 1;
+}
+
 }  // namespace
 
 std::optional<double> MappedExpression::explained() const {
@@ -55,6 +68,7 @@ ExpressionMap MapExpressions(const ModelExpressions& model, const MorphTargets& 
     const Eigen::VectorXd weights = solver.Solve(displacement);
     mapped.error = solver.ErrorOf(displacement, weights);
     mapped.no_motion = solver.ErrorOf(displacement, Eigen::VectorXd::Zero(kNumArkitNames));
+    mapped.gain = GainOf(solver, displacement, weights);
     (mapped.is_negative ? map.negative : map.positive).row(e) = weights.cast<float>();
   });
   return map;
@@ -63,9 +77,8 @@ ExpressionMap MapExpressions(const ModelExpressions& model, const MorphTargets& 
 ExpressionMap WithKeptStrength(ExpressionMap map) {
   for (size_t row = 0; row < map.mapped.size(); ++row) {
     const MappedExpression& mapped = map.mapped[row];
-    const double explained = mapped.explained().value_or(1);
-    const auto gain = float(explained > 0 ? std::min(1 / std::sqrt(explained), kMostGain) : kMostGain);
-    (mapped.is_negative ? map.negative : map.positive).row(Eigen::Index(row) % map.num_expressions()) *= gain;
+    (mapped.is_negative ? map.negative : map.positive).row(Eigen::Index(row) % map.num_expressions()) *=
+        float(mapped.gain);
   }
   return map;
 }

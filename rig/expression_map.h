@@ -15,6 +15,7 @@ struct MappedExpression {
   bool is_negative = false;     ///< Of coefficient -1.
   DisplacementError error;      ///< Of the weights.
   DisplacementError no_motion;  ///< Of weight 0: the displacement itself.
+  double gain = 1;              ///< As WithKeptStrength.
 
   /// The share of the squared displacement that the weights explain: 1 - (rms of the error / rms of the displacement)^2;
   /// nothing where the expression does not move the face.
@@ -44,10 +45,11 @@ struct ExpressionMap {
 /// @throws Error as WeightSolver.
 ExpressionMap MapExpressions(const ModelExpressions& model, const MorphTargets& targets);
 
-/// The map with each end of an expression times min(1 / sqrt(explained), kMostGain): its weights move the face about as far
-/// as the expression does. Least squares keep weights small where targets show an expression in part.
+/// The map with each end of an expression times the gain that brings it nearest to the displacement where that is great:
+///   argmin_g sum_v m_v |d_v|^2 |g sum_t w_t o_tv - d_v|^2, 1 <= g <= kMostGain.
+/// Least squares keep weights small where a target moves a wider region than the expression does.
 ExpressionMap WithKeptStrength(ExpressionMap map);
-inline constexpr double kMostGain = 2;
+inline constexpr double kMostGain = 2.5;
 
 /// Weights of frames, N x 52: the sum, clamped to 0 .. 1, then within WeightLimits(). coefficients: N x E.
 /// @throws Error if there are not E columns, or a number is not finite.

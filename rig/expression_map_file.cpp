@@ -41,6 +41,7 @@ Json ErrorsJson(const ExpressionMap& map) {
     set("no_motion_max_mm", mapped.no_motion.greatest_cm);
     const auto explained = mapped.explained();
     row["explained"] = explained ? Json(Rounded(*explained)) : Json();
+    row["gain"] = Rounded(mapped.gain);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -73,7 +74,11 @@ std::vector<MappedExpression> MappedOf(const Json& rows, const ExpressionMap& ma
     mapped.push_back({map.expressions[i % map.expressions.size()],
                       i >= map.expressions.size(),
                       {cm("rms_mm"), cm("max_mm")},
-                      {cm("no_motion_rms_mm"), cm("no_motion_max_mm")}});
+                      {cm("no_motion_rms_mm"), cm("no_motion_max_mm")},
+                      rows[i].at("gain").get<double>()});
+    const double gain = mapped.back().gain;
+    DAUMIER_CHECK(gain >= 1 && gain <= kMostGain, "{}: 'errors' has a gain of {}, expected 1 to {}", name, gain,
+                  kMostGain);
   }
   return mapped;
 }

@@ -24,6 +24,7 @@ TEST(ExpressionMapFile, IsReadAsWritten) {
   EXPECT_EQ(read.targets, map.targets);
   ASSERT_EQ(read.mapped.size(), 6u);
   EXPECT_NEAR(read.mapped[0].explained().value(), 0.64, 1e-6);
+  EXPECT_EQ(read.mapped[0].gain, 1.5);
   EXPECT_TRUE(read.mapped[4].is_negative);
   EXPECT_EQ(read.mapped[4].name, "b");
 }
@@ -43,7 +44,8 @@ TEST(ExpressionMapFile, StatesOriginNamesAndErrors) {
                                      {"max_mm", 2.4},
                                      {"no_motion_rms_mm", 2.4},
                                      {"no_motion_max_mm", 6.0},
-                                     {"explained", 0.75}}));
+                                     {"explained", 0.75},
+                                     {"gain", 1.0}}));
   EXPECT_EQ(json["errors"][1]["coefficient"], -1);
   EXPECT_TRUE(json["errors"][1]["explained"].is_null());
 }
@@ -79,6 +81,7 @@ TEST(ExpressionMapFile, RefusesOtherFilesByName) {
   expect("/positive/0/5", "one", "Write it again");
   expect("/negative", Json::array(), "'negative' has 0 rows");
   expect("/errors", Json::array(), "'errors' has 0 rows, expected 6");
+  expect("/errors/0/gain", 0.5, "a gain of 0.5, expected 1 to 2.5");
   expect("/constant", "c", "'constant' is no expression");
   Json without = good;
   without.erase("model");

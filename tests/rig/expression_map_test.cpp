@@ -134,14 +134,25 @@ TEST(WeightsOfCoefficients, AreWithinTheLimitsOfTargets) {
   EXPECT_FLOAT_EQ(weights(0, TargetAt("eyeBlinkLeft")), 0.75f) << "1 - 0.25 eyeSquintLeft";
 }
 
-TEST(WeightsOfCoefficients, OfAnExpressionThatIsShownInPartKeepItsStrength) {
-  const ExpressionMap map = SmallExpressionMap();
-  ExpressionMap kept = WithKeptStrength(map);
-  EXPECT_FLOAT_EQ(kept.positive(0, TargetAt("jawOpen")), 0.5f / 0.8f) << "64 % are explained";
-  EXPECT_EQ(kept.negative, map.negative) << "nothing is known of the others";
-  kept.mapped[0].error = kept.mapped[0].no_motion;
-  kept.positive = map.positive;
-  EXPECT_FLOAT_EQ(WithKeptStrength(kept).positive(0, TargetAt("jawOpen")), float(kMostGain) * 0.5f);
+TEST(WeightsOfCoefficients, OfAMapWithKeptStrengthAreTimesTheGain) {
+  const ExpressionMap map = SmallExpressionMap(), kept = WithKeptStrength(map);
+  EXPECT_FLOAT_EQ(kept.positive(0, TargetAt("jawOpen")), 1.5f * 0.5f);
+  EXPECT_EQ(kept.positive.bottomRows(2), map.positive.bottomRows(2));
+  EXPECT_EQ(kept.negative, map.negative);
+}
+
+/// A target that moves a wider region than the expression: least squares show less of it than there is at its centre.
+TEST_F(ExpressionMaps, OfNarrowExpressionsHaveAGain) {
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(kNumArkitNames, 2);
+  weights(TargetAt("browInnerUp"), 0) = weights(TargetAt("browInnerUp"), 1) = 0.5;
+  ModelExpressions model = Mixtures(weights, CoefficientKind::kBlend);
+  for (Eigen::Index v = 0; v < model.shapes.rows() / 3; ++v)
+    if (model.shapes.col(1).segment<3>(3 * v).norm() < 0.15f) model.shapes.col(1).segment<3>(3 * v).setZero();
+  const ExpressionMap map = MapExpressions(model, Targets());
+  EXPECT_NEAR(map.mapped[0].gain, 1, 1e-4) << "shown as it is";
+  EXPECT_GT(map.mapped[1].gain, 1.02);
+  EXPECT_LT(map.mapped[1].gain, kMostGain);
+  EXPECT_NEAR(map.mapped[1].gain * map.positive(1, TargetAt("browInnerUp")), 0.5, 0.1);
 }
 
 TEST(WeightsOfCoefficients, NeedFiniteCoefficientsOfEveryExpression) {

@@ -22,6 +22,7 @@ inline rig::ExpressionMap SmallExpressionMap() {
     for (const std::string& name : map.expressions) map.mapped.push_back({name, is_negative, {}, {}});
   map.mapped[0].error = {0.06, 0.2};  // Of 0.1: explained 0.64.
   map.mapped[0].no_motion = {0.1, 0.5};
+  map.mapped[0].gain = 1.5;
   map.model = {{"name", "Small"}, {"version", "1"}, {"checksum", ""}, {"licence", "mine"}};
   map.targets = {{"name", "ICT"}, {"version", "light"}, {"checksum", ""}, {"licence", "MIT"}};
   return map;
