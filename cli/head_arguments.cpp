@@ -30,7 +30,7 @@ void AddMixedTargets(std::span<const rig::Viseme> mixed, rig::MorphTargets& targ
 
 Json SizesOf(const RigFiles& files) {
   Json sizes = Json::object();
-  for (const auto& file : {std::optional(files.head), std::optional(files.sheet), files.compressed, files.vrm})
+  for (const auto& file : {std::optional(files.head), std::optional(files.sheet), files.compressed, files.vrm, files.print})
     if (file) sizes[file->string()] = fs::file_size(*file);
   return sizes;
 }
@@ -68,6 +68,7 @@ void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
                    "Write a small copy NAME_compressed.glb as well, for readers of EXT_meshopt_compression "
                    "(three.js, Babylon.js, model-viewer)");
   command.add_flag("--vrm", arguments.vrm, "Write an avatar NAME.vrm (VRM 1.0) as well");
+  AddHeadExtras(command, arguments.extras);
   command.add_flag("--force", arguments.force,
                    "Overwrite any existing file; heads that `rig` wrote are overwritten without this flag");
   command.add_flag("--json", arguments.as_json, "Print the result as JSON");
@@ -78,6 +79,8 @@ RigFiles CheckedHeadFiles(const HeadArguments& arguments, const std::vector<fs::
       RigFilesOf(arguments.out, arguments.compress ? AlsoCompressed::kYes : AlsoCompressed::kNo,
                  arguments.vrm || PresetNamed(arguments.names) == rig::NamePreset::kVrm ? AlsoVrm::kYes : AlsoVrm::kNo,
                  arguments.frames);
+  files.print = PrintFileOf(arguments.extras, files.head);
+  PrintPoseOf(arguments.extras);  // Its errors come before work begins.
   std::vector<fs::path> all = inputs;
   all.push_back(arguments.clip);
   CheckRigFiles(files, all, arguments.force);
@@ -95,6 +98,9 @@ std::optional<rig::WeightsClip> ReadHeadClip(const HeadArguments& arguments) {
 
 Json WriteHeadFiles(const HeadArguments& arguments, const RigFiles& files, const std::optional<rig::WeightsClip>& clip,
                     RigContent content) {
+  Json extras = Json::object();
+  if (files.print) extras["print"] = WritePrint(*files.print, content.head, PrintPoseOf(arguments.extras));
+  if (arguments.extras.triangles) extras["decimated"] = ReduceTriangles(arguments.extras, content.head);
   const bool is_rpm = PresetNamed(arguments.names) == rig::NamePreset::kReadyPlayerMe;
   if (arguments.visemes || is_rpm) AddMixedTargets(rig::Visemes(), content.head.targets);
   if (is_rpm) AddMixedTargets(rig::ReadyPlayerMeExtras(), content.head.targets);
@@ -112,6 +118,7 @@ Json WriteHeadFiles(const HeadArguments& arguments, const RigFiles& files, const
   result["triangles"] = content.head.mesh.triangles.rows();
   result["targets"] = content.head.targets.num_targets();
   result["clip_frames"] = content.clip.num_frames();
+  result.update(extras);
   result["bytes"] = SizesOf(files);
   return result;
 }

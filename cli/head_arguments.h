@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/head_extras.h"
 #include "cli/rig_files.h"
 #include "core/json.h"
 
@@ -18,6 +19,7 @@ struct HeadArguments {
   std::string names = "arkit";
   bool compress = false, vrm = false, normals = false, visemes = false, force = false, as_json = false;
   int frame_size = 512;
+  HeadExtras extras;
 };
 
 /// Adds --out, --animate, --frames, --names and the others to a command.

@@ -1,5 +1,6 @@
 #include "cli/rig_files.h"
 
+#include "cli/head_extras.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/json.h"
@@ -100,6 +101,7 @@ void CheckRigFiles(const RigFiles& files, const std::vector<fs::path>& inputs, b
   CheckOutputFile(files.sheet, MayReplace(replaces_all || is_own), inputs);
   for (const auto& copy : {files.compressed, files.vrm})
     if (copy) CheckOutputFile(*copy, MayReplace(replaces_all || IsOwnHead(*copy)), inputs);
+  if (files.print) CheckOutputFile(*files.print, MayReplace(replaces_all || IsOwnPrint(*files.print)), inputs);
   if (files.frames) CheckReplacedFolder(*files.frames, kFramesKind, inputs);
 }
 

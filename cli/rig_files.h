@@ -20,6 +20,7 @@ struct RigFiles {
   std::optional<std::filesystem::path> compressed{};  ///< NAME_compressed.glb
   std::optional<std::filesystem::path> vrm{};         ///< NAME.vrm
   std::optional<std::filesystem::path> frames{};      ///< A folder.
+  std::optional<std::filesystem::path> print{};       ///< NAME.stl
 };
 
 enum class AlsoCompressed { kNo, kYes };

@@ -127,6 +127,9 @@ RiggedHead HeadOfSurface(const RiggedHead& head, const geometry::TriangleMesh& j
     result.targets.offsets.middleRows<3>(3 * Eigen::Index(v)) =
         head.targets.offsets.middleRows<3>(3 * Eigen::Index(skin.vertices[v]));
   result.mesh = std::move(skin.mesh);
+  result.neck_cap.clear();
+  for (size_t row = 0; row < skin.rows.size(); ++row)
+    if (std::ranges::binary_search(head.neck_cap, skin.rows[row])) result.neck_cap.push_back(int(row));
   for (RiggedEye& eye : result.eyes) {
     const int num_rows = int(eye.mesh.triangles.rows());
     Part ball = PartOf(joined, surface, first_row, num_rows);

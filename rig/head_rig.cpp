@@ -143,6 +143,8 @@ RiggedHead HeadRig::On(const geometry::Points& neutral, const MorphTargets& targ
   head.mesh.uv = texture_space_.uv.topRows(num_mesh_uv_);
   head.mesh.uv_triangles = texture_space_.uv_triangles.topRows(num_mesh_triangles_);
   head.materials = materials_;
+  for (int f = 0; f < num_mesh_triangles_; ++f)
+    if (texture_space_.charts[size_t(f)] == TextureChart::kNeckCap) head.neck_cap.push_back(f);
   for (size_t side = 0; side < eyeballs.size(); ++side) head.eyes.push_back(EyeOf(eyeballs[side], side));
 
   head.targets.names = targets.names;
