@@ -106,16 +106,18 @@ void Measure(const std::string& name, const rig::RiggedHead& head, double mm, bo
         num_folded = std::max(num_folded, errors[t].num_folded);
       }
       const auto worst = std::ranges::max_element(greatest) - greatest.begin();
-      fmt::print("{:<14} {:>6} {:>6} {:<8} {:6.3f} {:6.3f}  {:6.3f} {:6.3f}  {:6.3f} {:6.3f}  {:6.3f} {:6.3f} {:<18} {:5.1f} {:>5} {:5.2f}\n",
-                 name, fewer.num_triangles_before, fewer.num_triangles,
-                 poses == rig::DecimatedPoses::kAll ? "all" : "neutral", errors[0].mean, errors[0].greatest,
-                 MedianOf(means), std::ranges::max(means), MedianOf(moved), std::ranges::max(moved), MedianOf(greatest),
-                 std::ranges::max(greatest), head.targets.names[size_t(worst)], 100 * fewer.greatest_peak_loss,
-                 num_folded, seconds);
+      fmt::print(
+          "{:<14} {:>6} {:>6} {:<8} {:6.3f} {:6.3f}  {:6.3f} {:6.3f}  {:6.3f} {:6.3f}  {:6.3f} {:6.3f} {:<18} {:5.1f} "
+          "{:>5} {:5.2f}\n",
+          name, fewer.num_triangles_before, fewer.num_triangles, poses == rig::DecimatedPoses::kAll ? "all" : "neutral",
+          errors[0].mean, errors[0].greatest, MedianOf(means), std::ranges::max(means), MedianOf(moved),
+          std::ranges::max(moved), MedianOf(greatest), std::ranges::max(greatest), head.targets.names[size_t(worst)],
+          100 * fewer.greatest_peak_loss, num_folded, seconds);
       if (!all_rows) continue;
       for (int t = 0; t < num_targets; ++t)
-        fmt::print("  {:<24} {:6.3f} {:6.3f} {:6.3f} {:>5}\n", head.targets.names[size_t(t)], errors[size_t(t) + 1].mean,
-                   errors[size_t(t) + 1].moved_mean, errors[size_t(t) + 1].greatest, errors[size_t(t) + 1].num_folded);
+        fmt::print("  {:<24} {:6.3f} {:6.3f} {:6.3f} {:>5}\n", head.targets.names[size_t(t)],
+                   errors[size_t(t) + 1].mean, errors[size_t(t) + 1].moved_mean, errors[size_t(t) + 1].greatest,
+                   errors[size_t(t) + 1].num_folded);
     }
   }
 }

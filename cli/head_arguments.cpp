@@ -30,7 +30,8 @@ void AddMixedTargets(std::span<const rig::Viseme> mixed, rig::MorphTargets& targ
 
 Json SizesOf(const RigFiles& files) {
   Json sizes = Json::object();
-  for (const auto& file : {std::optional(files.head), std::optional(files.sheet), files.compressed, files.vrm, files.print})
+  for (const auto& file :
+       {std::optional(files.head), std::optional(files.sheet), files.compressed, files.vrm, files.print})
     if (file) sizes[file->string()] = fs::file_size(*file);
   return sizes;
 }

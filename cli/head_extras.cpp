@@ -63,9 +63,10 @@ rig::PrintPose PrintPoseOf(const HeadExtras& extras) {
       if (parsed.ec != std::errc() || parsed.ptr != end) weight = -1;
     }
     if (!target || !(weight >= 0 && weight <= 1))
-      throw UsageError(fmt::format("--print-pose {}: expected TARGET=WEIGHT with one of the 52 names (jawOpen, "
-                                   "mouthSmileLeft, ...) and a weight from 0 to 1",
-                                   word));
+      throw UsageError(
+          fmt::format("--print-pose {}: expected TARGET=WEIGHT with one of the 52 names (jawOpen, "
+                      "mouthSmileLeft, ...) and a weight from 0 to 1",
+                      word));
     pose.emplace_back(rig::ArkitNames()[size_t(*target)], weight);
   }
   return pose;

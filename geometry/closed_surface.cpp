@@ -65,8 +65,8 @@ ManifoldSurface CutToManifold(const TriangleMesh& mesh) {
   ManifoldSurface result;
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
     const auto t = mesh.triangles.row(f);
-    DAUMIER_CHECK(t.minCoeff() >= 0 && t.maxCoeff() < mesh.vertices.rows(), "triangle {} names a vertex that is not there",
-                  f);
+    DAUMIER_CHECK(t.minCoeff() >= 0 && t.maxCoeff() < mesh.vertices.rows(),
+                  "triangle {} names a vertex that is not there", f);
     DAUMIER_CHECK(t[0] != t[1] && t[1] != t[2] && t[2] != t[0], "triangle {} has a vertex twice", f);
   }
   const auto next = [](int corner) { return corner / 3 * 3 + (corner + 1) % 3; };

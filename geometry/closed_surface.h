@@ -13,8 +13,8 @@ double EnclosedVolume(const TriangleMesh& mesh);
 
 /// A surface of which at most two triangles meet at an edge, and one fan at a vertex.
 struct ManifoldSurface {
-  TriangleMesh mesh;          ///< Without UV; triangles in their old order, vertices in use alone.
-  int num_bad_edges = 0;      ///< Edges of more than two triangles, or of two that run along it in the same direction.
+  TriangleMesh mesh;      ///< Without UV; triangles in their old order, vertices in use alone.
+  int num_bad_edges = 0;  ///< Edges of more than two triangles, or of two that run along it in the same direction.
 };
 
 /// The surface cut open along bad edges, and at vertices where several fans of triangles meet: each fan has a vertex of its

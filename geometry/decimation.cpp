@@ -15,8 +15,8 @@
 namespace daumier::geometry {
 namespace {
 
-constexpr float kFeatureWeight = 2;       // Of the planes that hold features.
-constexpr float kLengthShare = 1e-4f;     // Of an edge's squared length squared in its cost: decides between flat ones.
+constexpr float kFeatureWeight = 2;    // Of the planes that hold features.
+constexpr float kLengthShare = 1e-4f;  // Of an edge's squared length squared in its cost: decides between flat ones.
 
 /// The first vertex at the same place with the same offsets.
 std::vector<int> PlacesOf(const DecimationInput& input) {
@@ -34,7 +34,8 @@ std::vector<int> PlacesOf(const DecimationInput& input) {
 std::vector<int> UniqueUv(const TextureCoordinates& uv) {
   std::map<std::pair<double, double>, int> first;
   std::vector<int> unique;
-  for (int row = 0; row < uv.rows(); ++row) unique.push_back(first.try_emplace({uv(row, 0), uv(row, 1)}, row).first->second);
+  for (int row = 0; row < uv.rows(); ++row)
+    unique.push_back(first.try_emplace({uv(row, 0), uv(row, 1)}, row).first->second);
   return unique;
 }
 

@@ -10,17 +10,18 @@ namespace daumier::geometry {
 /// A surface to decimate.
 struct DecimationInput {
   const TriangleMesh& mesh;
-  const Eigen::MatrixXf& offsets;      ///< 3V x T, cm: the surface's other poses are mesh.vertices + column t. May be empty.
-  std::vector<int> labels = {};        ///< F: borders between labels are kept. Empty: there are none.
+  const Eigen::MatrixXf&
+      offsets;                   ///< 3V x T, cm: the surface's other poses are mesh.vertices + column t. May be empty.
+  std::vector<int> labels = {};  ///< F: borders between labels are kept. Empty: there are none.
   std::vector<float> importance = {};  ///< F: factor of the error. Empty: 1.
   std::vector<int> kept = {};          ///< Vertices that stay.
 };
 
 struct DecimatedSurface {
-  Triangles triangles;         ///< Of the vertices of the input.
-  Triangles uv_triangles;      ///< Of its rows of UV; 0 x 3 without UV.
-  std::vector<int> rows;       ///< The triangle of the input that became each, ascending.
-  bool is_reached = true;      ///< Whether there are as few triangles as was asked for.
+  Triangles triangles;     ///< Of the vertices of the input.
+  Triangles uv_triangles;  ///< Of its rows of UV; 0 x 3 without UV.
+  std::vector<int> rows;   ///< The triangle of the input that became each, ascending.
+  bool is_reached = true;  ///< Whether there are as few triangles as was asked for.
 };
 
 /// At most `num_triangles` triangles, by collapses of vertices onto neighbours in the order of their error in all poses

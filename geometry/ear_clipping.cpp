@@ -42,8 +42,7 @@ bool IsSimple(const Polygon& polygon) {
   const Eigen::Index n = polygon.rows();
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = i + 2; j < n; ++j)
-      if ((j + 1) % n != i &&
-          Touch(polygon.row(i), polygon.row(i + 1), polygon.row(j), polygon.row((j + 1) % n)))
+      if ((j + 1) % n != i && Touch(polygon.row(i), polygon.row(i + 1), polygon.row(j), polygon.row((j + 1) % n)))
         return false;
   return n >= 3;
 }

@@ -73,7 +73,8 @@ void PoseQuadrics::AddTriangle(int a, int b, int c, float weight) {
     const Lanes3 p = At(PositionOf(a), stride_, lane);
     const Lanes3 n = Cross(At(PositionOf(b), stride_, lane) - p, At(PositionOf(c), stride_, lane) - p);
     const Lanes length = Dot(n, n).sqrt();
-    const Lanes scale = (length > 0).select(weight / 6 / length.max(1e-30f), 0.0f);  // weight area / 3, n of unit length.
+    const Lanes scale =
+        (length > 0).select(weight / 6 / length.max(1e-30f), 0.0f);  // weight area / 3, n of unit length.
     for (const int v : {a, b, c}) AddPlane(QuadricOf(v), stride_, lane, n, scale);
   }
 }
@@ -111,7 +112,9 @@ void PoseQuadrics::Merge(int from, int to) {
     const Lanes3 d = At(PositionOf(to), stride_, lane) - At(PositionOf(from), stride_, lane);
     const Lanes3 product = Product(source, stride_, lane, d);
     const auto at = [&](int k) { return ConstMap(source + size_t(k) * stride_ + lane); };
-    const auto add = [&](int k, const Lanes& value) { Eigen::Map<Lanes>(target + size_t(k) * stride_ + lane) += value; };
+    const auto add = [&](int k, const Lanes& value) {
+      Eigen::Map<Lanes>(target + size_t(k) * stride_ + lane) += value;
+    };
     for (int k = 0; k < 6; ++k) add(k, at(k));
     add(6, at(6) + product.x);
     add(7, at(7) + product.y);

@@ -23,8 +23,8 @@ class PoseQuadrics {
   /// edge times `weight`.
   void AddEdge(int a, int b, int c, float weight);
 
-  /// What it costs to put `from` where `to` is: sum over the poses of Q_from + Q_to there, divided by the number of
-  /// poses, plus that of the worst pose.
+  /// What it costs to put `from` where `to` is: Q_from + Q_to there, its mean over the poses plus that of the worst pose. In the
+  /// mean pose 0 counts as often as makes the number of poses a multiple of eight.
   float Cost(int from, int to) const;
   /// Adds the quadrics of `from` to those of `to`.
   void Merge(int from, int to);
@@ -39,7 +39,7 @@ class PoseQuadrics {
   const float* QuadricOf(int vertex) const { return quadrics_.data() + size_t(vertex) * 10 * stride_; }
 
   int num_poses_;
-  size_t stride_;  ///< num_poses_, rounded up to whole lanes, which hold pose 0 again.
+  size_t stride_;                 ///< num_poses_, rounded up to whole lanes, which hold pose 0 again.
   std::vector<float> positions_;  ///< V x (x of all poses, y, z).
   std::vector<float> quadrics_;   ///< V x (xx, xy, xz, yy, yz, zz, x, y, z, constant), each of all poses.
 };

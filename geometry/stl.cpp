@@ -38,8 +38,8 @@ std::string EncodeStl(const TriangleMesh& mesh, std::string_view header) {
     Append(bytes, std::array<float, 3>{float(normals(f, 0)), float(normals(f, 1)), float(normals(f, 2))});
     for (const int v : mesh.triangles.row(f)) {
       DAUMIER_CHECK(mesh.vertices.row(v).allFinite(), "vertex {} is not finite", v);
-      Append(bytes, std::array<float, 3>{float(mesh.vertices(v, 0)), float(mesh.vertices(v, 1)),
-                                         float(mesh.vertices(v, 2))});
+      Append(bytes,
+             std::array<float, 3>{float(mesh.vertices(v, 0)), float(mesh.vertices(v, 1)), float(mesh.vertices(v, 2))});
     }
     Append(bytes, uint16_t(0));
   }
@@ -67,7 +67,8 @@ TriangleMesh DecodeStl(std::string_view bytes) {
     }
   }
   mesh.vertices.resize(std::ssize(places), 3);
-  for (const auto& [corner, v] : places) mesh.vertices.row(v) << double(corner[0]), double(corner[1]), double(corner[2]);
+  for (const auto& [corner, v] : places)
+    mesh.vertices.row(v) << double(corner[0]), double(corner[1]), double(corner[2]);
   return mesh;
 }
 

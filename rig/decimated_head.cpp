@@ -6,13 +6,28 @@
 #include "rig/texture_space.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace daumier::rig {
 namespace {
 
 constexpr float kInMouth = 0.3f, kBackOfEye = 0.03f, kFrontOfEye = 24;
-constexpr float kMoving = 3, kFullMove = 0.5f;       // cm
-constexpr float kStretching = 16, kFullStretch = 1;  // Change of a difference of two displacements by the edge's length.
+constexpr float kMoving = 3, kFullMove = 0.5f;  // cm
+constexpr float kStretching = 16,
+                kFullStretch = 1;  // Change of a difference of two displacements by the edge's length.
+
+/// Up to `most` targets, those that move most (sum of squares).
+std::vector<Eigen::Index> LargestTargets(const RiggedHead& head, Eigen::Index most) {
+  std::vector<Eigen::Index> targets(size_t(head.targets.offsets.cols()));
+  std::iota(targets.begin(), targets.end(), 0);
+  if (std::ssize(targets) <= most) return targets;
+  std::vector<float> sizes;
+  for (const Eigen::Index t : targets) sizes.push_back(head.targets.offsets.col(t).squaredNorm());
+  std::ranges::stable_sort(targets, std::ranges::greater(), [&](Eigen::Index t) { return sizes[size_t(t)]; });
+  targets.resize(size_t(most));
+  return targets;
+}
 
 bool IsInMouth(faces::HeadMaterial material) {
   using enum faces::HeadMaterial;
@@ -35,8 +50,8 @@ std::vector<float> ImportanceOfSkin(const RiggedHead& head) {
         stretch = std::max(stretch, (of_a - of_b).norm() / std::max(length, 1e-6f));
       }
     }
-    importance[size_t(f)] = 1 + kMoving * std::min(1.0f, move / kFullMove) +
-                            kStretching * std::min(1.0f, stretch / kFullStretch);
+    importance[size_t(f)] =
+        1 + kMoving * std::min(1.0f, move / kFullMove) + kStretching * std::min(1.0f, stretch / kFullStretch);
   });
   return importance;
 }
@@ -150,7 +165,8 @@ int NumTriangles(const RiggedHead& head) {
   return int(count);
 }
 
-DecimatedHead Decimated(const RiggedHead& head, int num_triangles, DecimatedPoses poses) {
+DecimatedHead Decimated(const RiggedHead& head, int num_triangles, DecimatedPoses poses,
+                        Eigen::Index most_posed_vertices) {
   DecimatedHead result;
   result.num_triangles_before = result.num_triangles = NumTriangles(head);
   if (result.num_triangles_before <= num_triangles) {
@@ -159,9 +175,11 @@ DecimatedHead Decimated(const RiggedHead& head, int num_triangles, DecimatedPose
   }
   const geometry::TriangleMesh joined = JoinedMesh(head);
   const bool all_poses = poses == DecimatedPoses::kAll;
-  const Eigen::Index num_targets = all_poses ? head.targets.offsets.cols() : 0;
-  Eigen::MatrixXf offsets = Eigen::MatrixXf::Zero(num_targets > 0 ? 3 * joined.vertices.rows() : 0, num_targets);
-  if (num_targets > 0) offsets.topRows(head.targets.offsets.rows()) = head.targets.offsets;
+  const std::vector<Eigen::Index> targets =
+      all_poses ? LargestTargets(head, most_posed_vertices / joined.vertices.rows()) : std::vector<Eigen::Index>();
+  Eigen::MatrixXf offsets =
+      Eigen::MatrixXf::Zero(targets.empty() ? 0 : 3 * joined.vertices.rows(), std::ssize(targets));
+  if (!targets.empty()) offsets.topRows(head.targets.offsets.rows()) = head.targets.offsets(Eigen::all, targets);
   TriangleFacts facts(head);
   geometry::DecimationInput input{joined, offsets, std::move(facts.labels)};
   if (all_poses) input.importance = std::move(facts.importance);

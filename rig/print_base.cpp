@@ -19,7 +19,7 @@ namespace daumier::rig {
 namespace {
 
 constexpr double kOpeningDegrees = 60, kCapDegrees = 50, kLeastCapArea = 4;  // cm^2
-constexpr double kNearLowest = 0.15, kCutShare = 0.01;                        // Of the height.
+constexpr double kNearLowest = 0.15, kCutShare = 0.01;                       // Of the height.
 
 double CosineOf(double degrees) {
   return std::cos(degrees * std::numbers::pi / 180);
@@ -111,6 +111,7 @@ void CutLowest(geometry::TriangleMesh& shell) {
   const double level = low + kCutShare * (high - low);
   const geometry::LevelCut cut = geometry::CutPositive(shell, level - shell.vertices.col(1).array());
   shell.vertices = geometry::WithEdgePoints(shell.vertices, cut.points);
+  shell.vertices.col(1).tail(std::ssize(cut.points)).setConstant(level);  // Shares of edges are limited.
   shell.triangles = cut.triangles;
   RemoveUnused(shell);
   for (const std::vector<int>& loop : geometry::BoundaryLoops(shell.triangles, int(shell.vertices.rows()))) {

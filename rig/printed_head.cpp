@@ -46,8 +46,7 @@ geometry::TriangleMesh PosedMesh(const RiggedHead& head, const PrintPose& pose) 
 
 /// At most two triangles an edge, wound alike.
 geometry::TriangleMesh ManifoldOf(const geometry::TriangleMesh& mesh, std::vector<std::string>& warnings) {
-  const geometry::TriangleMesh welded =
-      geometry::WeldedSurface(mesh, geometry::WeldTolerance(mesh.vertices));
+  const geometry::TriangleMesh welded = geometry::WeldedSurface(mesh, geometry::WeldTolerance(mesh.vertices));
   geometry::ManifoldSurface manifold = geometry::CutToManifold(welded);
   if (manifold.num_bad_edges == 0) return std::move(manifold.mesh);
   manifold = geometry::CutToManifold({welded.vertices, geometry::OrientOutwards(welded).triangles});
@@ -143,8 +142,8 @@ PrintedHead MakePrintedHead(const RiggedHead& head, const PrintPose& pose) {
   if (result.num_holes > 0)
     result.warnings.push_back(fmt::format("{} holes are closed in the print", result.num_holes));
   if (result.num_thin > 0)
-    result.warnings.push_back(fmt::format(
-        "{} parts thinner than 0.2 mm are left out of the print (lashes, cards of hair)", result.num_thin));
+    result.warnings.push_back(
+        fmt::format("{} parts thinner than 0.2 mm are left out of the print (lashes, cards of hair)", result.num_thin));
   return result;
 }
 

@@ -21,7 +21,7 @@ TEST(PoseQuadrics, ATrianglesCostIsAThirdOfItsAreaTimesTheSquaredDistance) {
   PoseQuadrics quadrics(TriangleAnd(5, -7, 0.5), Eigen::MatrixXf());
   EXPECT_EQ(quadrics.num_poses(), 1);
   quadrics.AddTriangle(0, 1, 2, 4);
-  const float expected = 4 * 3.0f / 3 * 0.25f;                  // Weight 4, area 3.
+  const float expected = 4 * 3.0f / 3 * 0.25f;  // Weight 4, area 3.
   EXPECT_NEAR(quadrics.Cost(0, 3), 2 * expected, 1e-6) << "the mean over the poses, and the worst";
   EXPECT_EQ(quadrics.Cost(0, 1), 0) << "in the plane";
 }

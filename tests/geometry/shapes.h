@@ -12,6 +12,13 @@ using geometry::Points;
 using geometry::TriangleMesh;
 using geometry::Vector3;
 
+/// A coordinate (0, 1, 2) of the middle of a triangle. (Reductions of vertices(triangle, axis) are wrong in Eigen 3.4: they take
+/// the first corner three times.)
+template <class Triangle>
+double MiddleOf(const TriangleMesh& mesh, const Triangle& triangle, int axis) {
+  return (mesh.vertices(triangle[0], axis) + mesh.vertices(triangle[1], axis) + mesh.vertices(triangle[2], axis)) / 3;
+}
+
 /// One equilateral triangle of side 1 in the plane z = 0.
 inline TriangleMesh EquilateralTriangle() {
   TriangleMesh mesh{Points(3, 3), geometry::Triangles(1, 3)};

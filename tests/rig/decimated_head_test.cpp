@@ -6,6 +6,8 @@
 #include "geometry/topology.h"
 #include "rig/expression_targets.h"
 #include "rig/head_rig.h"
+#include "rig/texture_space.h"
+#include "tests/geometry/shapes.h"
 #include "tests/rig/named_model.h"
 
 #include <gtest/gtest.h>
@@ -26,9 +28,9 @@ class DecimatedHeadTest : public ::testing::Test {
   }
 
   const faces::FaceModel model_ = testing::NamedModel();
-  const RiggedHead head_ = HeadRig(model_.face_template)
-                               .On(model_.face_template.neutral,
-                                   ExpressionTargets(model_).On(model_.face_template.neutral));
+  const RiggedHead head_ =
+      HeadRig(model_.face_template)
+          .On(model_.face_template.neutral, ExpressionTargets(model_).On(model_.face_template.neutral));
   const int half_ = NumTriangles(head_) / 2;
   const DecimatedHead fewer_ = Decimated(head_, half_);
 };
@@ -63,8 +65,7 @@ TEST_F(DecimatedHeadTest, HasAsFewTrianglesAsAskedForAndTheSameParts) {
 TEST_F(DecimatedHeadTest, VerticesThatRemainKeepPlaceDisplacementsAndUv) {
   int before = 0;
   for (Eigen::Index v = 0; v < fewer_.head.mesh.vertices.rows(); ++v) {
-    while (before < head_.mesh.vertices.rows() &&
-           head_.mesh.vertices.row(before) != fewer_.head.mesh.vertices.row(v))
+    while (before < head_.mesh.vertices.rows() && head_.mesh.vertices.row(before) != fewer_.head.mesh.vertices.row(v))
       ++before;
     ASSERT_LT(before, head_.mesh.vertices.rows()) << "in their old order";
     EXPECT_EQ(fewer_.head.targets.offsets.middleRows(3 * v, 3), head_.targets.offsets.middleRows(3 * before, 3));
@@ -104,7 +105,7 @@ TEST_F(DecimatedHeadTest, BordersOfItsOwnMaterialsStay) {
   own.own_materials = {{.name = "left"}, {.name = "right"}};
   const auto side = [](const geometry::TriangleMesh& mesh, double shift) {
     std::vector<int> sides;
-    for (const auto& t : mesh.triangles.rowwise()) sides.push_back(mesh.vertices(t, 0).mean() + shift > 0 ? 0 : 1);
+    for (const auto& t : mesh.triangles.rowwise()) sides.push_back(testing::MiddleOf(mesh, t, 0) + shift > 0 ? 0 : 1);
     return sides;
   };
   own.own = side(own.mesh, 0);
@@ -127,6 +128,15 @@ TEST_F(DecimatedHeadTest, ByTheNeutralPoseAloneItLosesPeaksOrNot) {
   EXPECT_TRUE(plain.is_reached);
   EXPECT_EQ(plain.greatest_peak_loss > 0, !plain.worst_target.empty());
   EXPECT_LE(plain.greatest_peak_loss, 1);
+}
+
+TEST_F(DecimatedHeadTest, ManyVerticesLeaveRoomForTheLargestTargetsAloneAndKeepAllPeaks) {
+  const Eigen::Index num_vertices = JoinedMesh(head_).vertices.rows();
+  const RiggedHead one = Decimated(head_, half_, DecimatedPoses::kAll, num_vertices).head;
+  EXPECT_NE(one.mesh.triangles, fewer_.head.mesh.triangles);
+  EXPECT_EQ(Decimated(head_, half_, DecimatedPoses::kAll, 2 * num_vertices).greatest_peak_loss, 0);
+  EXPECT_EQ(Decimated(head_, half_, DecimatedPoses::kAll, 100 * num_vertices).head.mesh.triangles,
+            fewer_.head.mesh.triangles);
 }
 
 TEST_F(DecimatedHeadTest, ReportsWhatItCannotReach) {

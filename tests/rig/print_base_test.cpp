@@ -4,8 +4,12 @@
 #include "geometry/topology.h"
 #include "tests/geometry/shapes.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace daumier::rig {
 namespace {
@@ -17,7 +21,7 @@ TriangleMesh OpenBall() {
   TriangleMesh ball = testing::Sphere(5, 4);
   std::vector<int> rows;
   for (int f = 0; f < ball.triangles.rows(); ++f)
-    if (ball.vertices(ball.triangles.row(f), 1).mean() > -3) rows.push_back(f);
+    if (testing::MiddleOf(ball, ball.triangles.row(f), 1) > -3) rows.push_back(f);
   ball.triangles = ball.triangles(rows, Eigen::all).eval();
   return geometry::ConnectedParts(ball).front();
 }
@@ -29,7 +33,9 @@ std::vector<std::vector<int>> LoopsOf(const TriangleMesh& mesh) {
 double AreaAtHeight(const TriangleMesh& mesh, double level) {
   double sum = 0;
   for (const auto& t : mesh.triangles.rowwise()) {
-    if ((mesh.vertices(t, 1).array() - level).abs().maxCoeff() > 1e-9) continue;
+    const bool is_there = std::ranges::all_of(std::array{t[0], t[1], t[2]},
+                                              [&](int v) { return std::abs(mesh.vertices(v, 1) - level) < 1e-9; });
+    if (!is_there) continue;
     const geometry::Vector3 a = mesh.vertices.row(t[0]), b = mesh.vertices.row(t[1]), c = mesh.vertices.row(t[2]);
     const geometry::Vector3 normal = 0.5 * (b - a).cross(c - a);
     EXPECT_LE(normal.y(), 0) << "bases look down";
@@ -56,26 +62,25 @@ TEST(PrintBase, AnOpeningIsExtendedDownAndClosedFlat) {
 }
 
 TEST(PrintBase, TheCapOfAClosedNeckIsReplaced) {
-  TriangleMesh ball = OpenBall();
-  geometry::FillHole(LoopsOf(ball)[0], ball);
-  ASSERT_TRUE(geometry::IsClosed(ball.triangles));
+  TriangleMesh ball = testing::Sphere(5, 4);
+  ball.vertices.col(1) = ball.vertices.col(1).cwiseMax(-3);
   EXPECT_EQ(AddFlatBase({}, -6, ball), PrintBase::kCap);
   EXPECT_TRUE(geometry::IsClosed(ball.triangles));
   EXPECT_EQ(geometry::EulerCharacteristic(ball.triangles), 2);
-  EXPECT_GT(AreaAtHeight(ball, -6), 40);
+  EXPECT_NEAR(AreaAtHeight(ball, -6), 3.14159 * 16, 4);
 }
 
 TEST(PrintBase, WithoutACapTheLowestPartIsCutOff) {
   TriangleMesh wedge{geometry::Points(4, 3), geometry::Triangles(4, 3)};  // Stands on a point.
   wedge.vertices << 0, 0, 0, 1, 9, 0, -1, 9, 1, -1, 9, -1;
-  wedge.triangles << 0, 1, 3, 0, 3, 2, 0, 2, 1, 1, 2, 3;
+  wedge.triangles << 0, 3, 1, 0, 2, 3, 0, 1, 2, 1, 3, 2;
   ASSERT_TRUE(geometry::IsClosed(wedge.triangles));
   ASSERT_GT(geometry::EnclosedVolume(wedge), 0);
   const double volume = geometry::EnclosedVolume(wedge);
   EXPECT_EQ(AddFlatBase({}, -6, wedge), PrintBase::kCut);
   EXPECT_TRUE(geometry::IsClosed(wedge.triangles));
   EXPECT_NEAR(wedge.vertices.col(1).minCoeff(), 0.09, 1e-9);
-  EXPECT_NEAR(geometry::EnclosedVolume(wedge), volume * (1 - 1e-6), volume * 1e-6);
+  EXPECT_NEAR(geometry::EnclosedVolume(wedge), volume, 1e-4 * volume);
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ using ::testing::HasSubstr;
 class PrintedHeadTest : public ::testing::Test {
  protected:
   const faces::FaceModel model_ = testing::NamedModel();
-  const RiggedHead head_ = HeadRig(model_.face_template)
-                               .On(model_.face_template.neutral,
-                                   ExpressionTargets(model_).On(model_.face_template.neutral));
+  const RiggedHead head_ =
+      HeadRig(model_.face_template)
+          .On(model_.face_template.neutral, ExpressionTargets(model_).On(model_.face_template.neutral));
 };
 
 /// A head of a mesh alone.
@@ -109,7 +109,9 @@ TEST(PrintedHead, SheetsAreLeftOutAndWhatIsInsideOutIsTurned) {
   EXPECT_EQ(print.num_shells, 1);
   EXPECT_EQ(print.num_thin, 1);
   EXPECT_THAT(print.warnings, ::testing::Contains(HasSubstr("1 parts thinner than 0.2 mm")));
-  testing::ExpectError([&] { MakePrintedHead(HeadOf(testing::FlatSheet(4))); }, "without thickness");
+  geometry::TriangleMesh sideways = testing::FlatSheet(4);
+  sideways.vertices.col(0).swap(sideways.vertices.col(2));
+  testing::ExpectError([&] { MakePrintedHead(HeadOf(sideways)); }, "without thickness");
 }
 
 TEST(PrintedHead, EdgesOfThreeTrianglesAreCutWithAWarning) {
