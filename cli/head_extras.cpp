@@ -89,18 +89,20 @@ Json WritePrint(const fs::path& file, const rig::RiggedHead& head, const rig::Pr
 
 Json ReduceTriangles(const HeadExtras& extras, rig::RiggedHead& head) {
   rig::DecimatedHead fewer = rig::Decimated(head, *extras.triangles);
-  if (fewer.num_triangles == fewer.num_triangles_before)
-    log::Info("--triangles {}: the head has {} triangles and is kept as it is", *extras.triangles, fewer.num_triangles);
   if (!fewer.is_reached)
     log::Warn(
         "--triangles {}: {} triangles are left. No more vertices can be removed without tearing borders of materials, "
         "seams of UV or open edges, or folding the surface over in an expression",
         *extras.triangles, fewer.num_triangles);
   head = std::move(fewer.head);
-  return {{"before", fewer.num_triangles_before},
-          {"after", fewer.num_triangles},
-          {"greatest_peak_loss_percent", Rounded(100 * fewer.greatest_peak_loss)},
-          {"worst_target", fewer.worst_target.empty() ? "none" : fewer.worst_target}};
+  Json result = {{"before", fewer.num_triangles_before},
+                 {"after", fewer.num_triangles},
+                 {"greatest_peak_loss_percent", Rounded(100 * fewer.greatest_peak_loss)}};
+  if (fewer.num_triangles_before <= *extras.triangles)
+    result["remark"] =
+        fmt::format("the head has no more triangles than --triangles {} and is kept as it is", *extras.triangles);
+  if (!fewer.worst_target.empty()) result["worst_target"] = fewer.worst_target;
+  return result;
 }
 
 }  // namespace daumier::cli

@@ -19,6 +19,8 @@ namespace daumier::rig {
 namespace {
 
 constexpr double kLeastThicknessMm = 0.2, kUnderLowest = 0.2, kMmPerCm = 10;  // cm
+constexpr double kApart =
+    1e-3;  // cm: the fans of two holes at one place share no edge in a file, which has no vertices.
 
 /// Head frame (y up, the face to +z) to print frame (z up): looking to -y, or up.
 Eigen::Matrix3d PrintFromHead(bool faces_up) {
@@ -82,6 +84,7 @@ Shell ClosedBut(geometry::TriangleMesh part, bool is_main, PrintedHead& result) 
     }
     geometry::FillHole(loops[i], shell.mesh);
     ++result.num_holes;
+    shell.mesh.vertices(shell.mesh.vertices.rows() - 1, 1) += kApart * result.num_holes;
   }
   return shell;
 }

@@ -5,14 +5,18 @@
 #include "tests/geometry/shapes.h"
 #include "tests/support/expect_error.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace daumier::geometry {
 namespace {
 
-using ::testing::IsEmpty;
-using ::testing::UnorderedElementsAre;
+std::set<int> Set(const std::vector<int>& values) {
+  return {values.begin(), values.end()};
+}
 
 CollapseMesh Plain(const TriangleMesh& mesh, std::vector<int> labels = {}) {
   return {mesh.triangles, mesh.triangles, std::move(labels), int(mesh.vertices.rows())};
@@ -30,9 +34,9 @@ Triangles AliveTriangles(const CollapseMesh& mesh) {
 // 0 1 2
 TEST(CollapseMesh, InnerVerticesMayGoAnywhereThoseOfTheBorderAlongIt) {
   const CollapseMesh mesh = Plain(testing::FlatSheet(2));
-  EXPECT_THAT(mesh.Targets(4), UnorderedElementsAre(0, 1, 3, 5, 7, 8));
-  EXPECT_THAT(mesh.Targets(1), UnorderedElementsAre(0, 2)) << "not to 4 and 5";
-  EXPECT_THAT(mesh.Neighbours(1), UnorderedElementsAre(0, 2, 4, 5));
+  EXPECT_EQ(Set(mesh.Targets(4)), (std::set<int>{0, 1, 3, 5, 7, 8}));
+  EXPECT_EQ(Set(mesh.Targets(1)), (std::set<int>{0, 2})) << "not to 4 and 5";
+  EXPECT_EQ(Set(mesh.Neighbours(1)), (std::set<int>{0, 2, 4, 5}));
   EXPECT_EQ(mesh.FeatureEdges().size(), 8u) << "the sides of the sheet";
 }
 
@@ -51,8 +55,8 @@ TEST(CollapseMesh, ACollapseRemovesTheTrianglesAtTheEdge) {
 TEST(CollapseMesh, VerticesBetweenLabelsGoAlongTheirBorderAndForksStay) {
   // The lower row of squares has another label: 3, 4, 5 lie on the border.
   const CollapseMesh mesh = Plain(testing::FlatSheet(2), {0, 0, 0, 0, 1, 1, 1, 1});
-  EXPECT_THAT(mesh.Targets(4), UnorderedElementsAre(3, 5));
-  EXPECT_THAT(mesh.Targets(3), IsEmpty()) << "three features meet";
+  EXPECT_EQ(Set(mesh.Targets(4)), (std::set<int>{3, 5}));
+  EXPECT_TRUE(mesh.Targets(3).empty()) << "three features meet";
 }
 
 TEST(CollapseMesh, WedgesFollowTheirSideOfASeam) {
@@ -62,10 +66,11 @@ TEST(CollapseMesh, WedgesFollowTheirSideOfASeam) {
     for (int k = 0; k < 3; ++k)
       if (wedges(f, k) >= 3 && wedges(f, k) <= 5) wedges(f, k) += 10;  // 13, 14, 15 above the seam.
   CollapseMesh mesh(sheet.triangles, wedges, {}, 9);
-  EXPECT_THAT(mesh.Targets(4), UnorderedElementsAre(3, 5));
+  EXPECT_EQ(Set(mesh.Targets(4)), (std::set<int>{3, 5}));
   const auto collapse = mesh.Plan(4, 5);
   ASSERT_TRUE(collapse);
-  EXPECT_THAT(collapse->wedges, UnorderedElementsAre(std::pair(4, 5), std::pair(14, 15)));
+  EXPECT_EQ((std::set<std::pair<int, int>>(collapse->wedges.begin(), collapse->wedges.end())),
+            (std::set<std::pair<int, int>>{{4, 5}, {14, 15}}));
   mesh.Apply(*collapse);
   for (int f = 0; f < 8; ++f)
     for (int k = 0; k < 3; ++k)
@@ -80,7 +85,7 @@ TEST(CollapseMesh, TheEndOfASeamStays) {
   for (int f = 4; f < 8; ++f)
     for (int k = 0; k < 3; ++k)
       if (wedges(f, k) == 3) wedges(f, k) = 13;  // The edge 3-4 is a seam that ends at 4.
-  EXPECT_THAT(CollapseMesh(sheet.triangles, wedges, {}, 9).Targets(4), IsEmpty());
+  EXPECT_TRUE(CollapseMesh(sheet.triangles, wedges, {}, 9).Targets(4).empty());
 }
 
 TEST(CollapseMesh, ATetrahedronStays) {
@@ -97,10 +102,10 @@ TEST(CollapseMesh, ATetrahedronStays) {
 TEST(CollapseMesh, VerticesOfThreeTrianglesAtAnEdgeAndOfTwoFansStay) {
   Triangles fin(3, 3);
   fin << 0, 1, 2, 1, 0, 3, 0, 1, 4;
-  EXPECT_THAT(CollapseMesh(fin, fin, {}, 5).Targets(0), IsEmpty());
+  EXPECT_TRUE(CollapseMesh(fin, fin, {}, 5).Targets(0).empty());
   Triangles bow(2, 3);
   bow << 0, 1, 2, 0, 3, 4;
-  EXPECT_THAT(CollapseMesh(bow, bow, {}, 5).Targets(0), IsEmpty());
+  EXPECT_TRUE(CollapseMesh(bow, bow, {}, 5).Targets(0).empty());
 }
 
 TEST(CollapseMesh, KeepsTheKindOfSurfaceUntilNothingIsLeftToCollapse) {

@@ -27,6 +27,10 @@ class DecimatedHeadTest : public ::testing::Test {
     return sum;
   }
 
+  static bool HasSameTriangles(const RiggedHead& a, const RiggedHead& b) {
+    return a.mesh.triangles.rows() == b.mesh.triangles.rows() && a.mesh.triangles == b.mesh.triangles;
+  }
+
   const faces::FaceModel model_ = testing::NamedModel();
   const RiggedHead head_ =
       HeadRig(model_.face_template)
@@ -133,10 +137,9 @@ TEST_F(DecimatedHeadTest, ByTheNeutralPoseAloneItLosesPeaksOrNot) {
 TEST_F(DecimatedHeadTest, ManyVerticesLeaveRoomForTheLargestTargetsAloneAndKeepAllPeaks) {
   const Eigen::Index num_vertices = JoinedMesh(head_).vertices.rows();
   const RiggedHead one = Decimated(head_, half_, DecimatedPoses::kAll, num_vertices).head;
-  EXPECT_NE(one.mesh.triangles, fewer_.head.mesh.triangles);
+  EXPECT_FALSE(HasSameTriangles(one, fewer_.head));
   EXPECT_EQ(Decimated(head_, half_, DecimatedPoses::kAll, 2 * num_vertices).greatest_peak_loss, 0);
-  EXPECT_EQ(Decimated(head_, half_, DecimatedPoses::kAll, 100 * num_vertices).head.mesh.triangles,
-            fewer_.head.mesh.triangles);
+  EXPECT_TRUE(HasSameTriangles(Decimated(head_, half_, DecimatedPoses::kAll, 100 * num_vertices).head, fewer_.head));
 }
 
 TEST_F(DecimatedHeadTest, ReportsWhatItCannotReach) {
