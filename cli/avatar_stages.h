@@ -8,7 +8,7 @@
 
 namespace daumier::cli {
 
-/// A step of an avatar that can be looked at.
+/// A step of an avatar of which there is a picture.
 struct AvatarStage {
   std::string name;  ///< Of its file, NN_name.png.
   render::Image picture;

@@ -21,8 +21,8 @@ void StillNeck(const faces::FaceTemplate& face, geometry::Points& offsets) {
   }
 }
 
-/// The mean of the offsets and their mirror image: one picture shows too little of a face's sides to tell its asymmetry
-/// from errors, which stand out when they are exaggerated.
+/// The mean of the offsets and their mirror image: one picture shows too little of a face's sides to separate its
+/// asymmetry from errors, which are conspicuous when they are exaggerated.
 void MakeEven(const faces::FaceTemplate& face, geometry::Points& offsets) {
   const std::vector<int>& mirror = face.annotation.mirror;
   if (mirror.empty()) return;

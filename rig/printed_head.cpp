@@ -29,7 +29,7 @@ Eigen::Matrix3d PrintFromHead(bool faces_up) {
   return faces_up ? Eigen::Matrix3d::Identity() : upright;
 }
 
-/// Without the cap of its neck.
+/// With its attachments, without the cap of its neck.
 geometry::TriangleMesh PosedMesh(const RiggedHead& head, const PrintPose& pose) {
   geometry::TriangleMesh mesh = JoinedMesh(head);
   for (const auto& [name, weight] : pose) {
@@ -43,7 +43,9 @@ geometry::TriangleMesh PosedMesh(const RiggedHead& head, const PrintPose& pose) 
   std::vector<int> rows;
   for (int f = 0; f < mesh.triangles.rows(); ++f)
     if (!std::ranges::binary_search(head.neck_cap, f)) rows.push_back(f);
-  return {mesh.vertices, mesh.triangles(rows, Eigen::all)};
+  std::vector<geometry::TriangleMesh> parts = {{mesh.vertices, mesh.triangles(rows, Eigen::all)}};
+  for (const HeadAttachment& attachment : head.attachments) parts.push_back(attachment.mesh);
+  return geometry::Joined(parts);
 }
 
 /// At most two triangles an edge, wound alike.

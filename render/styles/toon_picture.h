@@ -23,7 +23,7 @@ struct ToonPictureOptions {
 /// [Gastal and Oliveira 2011, section 4, three rounds], then the lightness Y in soft bands of the height h = 1 / bands,
 ///   Y' = b + h/2 tanh(4 (Y - b) / h) / tanh(2),  b the multiple of h that is nearest to Y [Winnemoeller et al. 2006,
 /// section 4], and colours Y' + saturation (c - Y), clamped. Values are sRGB in 0 .. 1, Y their luma.
-/// RGB or grey in, RGB out. Promises: a picture of one colour stays one; flat areas beside a border that is much larger than
+/// RGB or grey in, RGB out. Promises: a picture of one colour stays one; flat areas at a border that is much larger than
 /// `contrast` do not mix; the same picture gives the same bytes with any number of threads.
 /// @throws Error if the picture is empty.
 Image ToonPicture(const Image& picture, const ToonPictureOptions& options = {});

@@ -11,7 +11,7 @@ namespace daumier::portrait {
 struct ShownHair {
   double crown = 0;     ///< Share of 0.3 < v < 0.7, |u| < 0.4 that is hair.
   double forehead = 1;  ///< The lowest v of hair above the brows at |u| < 0.2: small for a fringe.
-  double length = 0;    ///< The lowest v of hair beside the face (0.5 < |u| < 1.1).
+  double length = 0;    ///< The lowest v of hair on both sides of the face (0.5 < |u| < 1.1).
   Eigen::Vector3f colour = {0.25F, 0.16F, 0.1F};  ///< Median of hair above the brows, RGB in 0 .. 1.
 };
 

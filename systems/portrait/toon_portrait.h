@@ -27,8 +27,8 @@ struct ToonPortrait {
 };
 
 /// render::ToonPicture with larger eyes: a Bulge about the middle of each eye's landmarks, its radius the eye's width or
-/// half of the distance between the eyes, whichever is less. What is outside of these discs stays where it is. Stands in
-/// for the stylisation of [Pan et al. 2024, section 3.1.3], whose weights are not to be had.
+/// half of the distance between the eyes, whichever is less. What is outside of these discs stays where it is. In place of
+/// the stylisation of [Pan et al. 2024, section 3.1.3], whose weights are not to be had.
 /// landmarks: 68 x 2, pixels; mask: of the picture's size, or null. @throws Error if there are not 68.
 ToonPortrait MakeToonPortrait(const render::Image& picture, std::span<const float> landmarks, const render::Image* mask,
                               const ToonPortraitOptions& options = {});

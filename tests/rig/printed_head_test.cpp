@@ -127,5 +127,16 @@ TEST(PrintedHead, EdgesOfThreeTrianglesAreCutWithAWarning) {
   EXPECT_THAT(print.warnings, ::testing::Contains(HasSubstr("1 edges have more than two triangles")));
 }
 
+TEST_F(PrintedHeadTest, HasItsAttachments) {
+  RiggedHead head = head_;
+  const PrintedHead bald = MakePrintedHead(head, {});
+  geometry::TriangleMesh bun = testing::Sphere(2, 2);
+  bun.vertices.rowwise() += head.mesh.vertices.colwise().maxCoeff();
+  head.attachments.push_back({"Bun", bun, Eigen::MatrixXf::Zero(bun.vertices.rows(), 3)});
+  const PrintedHead print = MakePrintedHead(head, {});
+  ExpectPrintable(print);
+  EXPECT_EQ(print.num_shells, bald.num_shells + 1);
+}
+
 }  // namespace
 }  // namespace daumier::rig
