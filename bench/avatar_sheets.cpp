@@ -51,10 +51,11 @@ void MakeSheets(const fs::path& weights, const fs::path& out, const std::vector<
     argument.find('=') == std::string::npos ? pictures.emplace_back(argument)
                                             : fs::path(overrides.emplace_back(argument));
   const auto options = ParseOptions<portrait::AvatarConfig>(LoadConfig({}, overrides), "arguments");
-  auto predictor = portrait::OpenPortraits(weights, Device(), ToJson(options.face));
+  std::unique_ptr<const portrait::PortraitPredictor> predictor =
+      portrait::OpenPortraits(weights, Device(), ToJson(options.face));
   const std::string source = predictor->run().model.face_template.source;
   const faces::FaceModel model = faces::ReadFaceModelWeights(WeightsNextTo(weights, "face-" + source), source);
-  const portrait::AvatarMaker maker(std::move(predictor), model, options.avatar);
+  const portrait::AvatarMaker maker([&] { return std::move(predictor); }, model, options.avatar);
   fs::create_directories(out);
   for (const fs::path& picture : pictures) {
     try {

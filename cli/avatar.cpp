@@ -120,9 +120,11 @@ MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& 
   const render::Image picture = render::ReadImage(arguments.input);
   const std::vector<fs::path> places = systems::WeightsPlaces();
   const fs::path weights = systems::WeightsNamed(arguments.weights, systems::ListWeights(places), places);
-  auto predictor = portrait::OpenPortraits(weights, ParseDevice(arguments.device), ToJson(config.face));
-  const faces::FaceModel model = FaceModelNextTo(weights, predictor->run().model.face_template.source);
-  const portrait::AvatarMaker maker(std::move(predictor), model, config.avatar);
+  const faces::FaceModel model = FaceModelOfWeights(weights);
+  const auto open = [&] {
+    return portrait::OpenPortraits(weights, ParseDevice(arguments.device), ToJson(config.face));
+  };
+  const portrait::AvatarMaker maker(open, model, config.avatar);
   for (const std::string& warning : maker.warnings()) log::Warn("{}", warning);
   MadeAvatar made;
   made.milliseconds["open"] = 1e3 * watch.seconds();

@@ -125,7 +125,7 @@ DrawnHead MakeDrawnHead(const fs::path& file, const PaletteOptions& options, int
     if (part == 0) {
       face = std::move(predictor->Predict({&input, 1}, TaskOfProcess()).front());
     } else {
-      const faces::FaceModel model = FaceModelNextTo(weights, predictor->face_template()->source);
+      const faces::FaceModel model = FaceModelOfWeights(weights);
       expressions.emplace(model);
       head_rig.emplace(model.face_template);
     }

@@ -2,12 +2,11 @@
 #include "faces/face_model.h"
 
 #include <filesystem>
-#include <string>
 
 namespace daumier::cli {
 
-/// The shipped face model of a source ("ict") next to weights that predict its faces.
-/// @throws Error naming the weights and where it was expected; as faces::ReadFaceModelWeights.
-faces::FaceModel FaceModelNextTo(const std::filesystem::path& weights, const std::string& source);
+/// The shipped face model that weights need, which lies next to them ("face-ict").
+/// @throws Error naming the weights if they need none; as NeededWeights and faces::ReadFaceModelWeights.
+faces::FaceModel FaceModelOfWeights(const std::filesystem::path& weights);
 
 }  // namespace daumier::cli

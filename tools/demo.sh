@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The main job on the default source: faces -> sketches -> train -> eval -> ONNX -> pictures, into runs/demo and data/demo;
-# then, with the shipped weights, three drawings -> heads.
+# then, with the shipped weights, three drawings -> heads and a portrait -> an animatable head.
 # Finds `daumier` on the PATH; `./dev demo` puts it there. --fresh starts from nothing.
 set -euo pipefail
 data=data/demo run=runs/demo
@@ -19,6 +19,7 @@ step daumier eval "$run"
 step daumier export "$run" --out "$run/export"
 step daumier predict docs/examples/drawings/man.svg docs/examples/drawings/girl.svg \
   docs/examples/drawings/quickdraw.ndjson --out "$run/drawings"
+step daumier avatar docs/examples/portraits/woman.jpg --out "$run/woman.glb" --stages "$run/woman"
 
 cat <<DONE
 
@@ -26,5 +27,6 @@ The demo took $(($(date +%s) - began)) s. Look at
   $run/report/index.html       errors, sheets, heat maps
   $data/gallery/               the faces and sketches it learned from
   $run/drawings/man.png        a drawing and its head; also girl, quickdraw (docs/examples/drawings)
+  $run/woman.glb               a portrait as a head with 52 expressions; $run/woman.png shows it, $run/woman/ its stages
   $run/export/model.onnx       the network, with parity.json and model_card.md
 DONE

@@ -33,14 +33,9 @@ fitting::PictureCamera CameraOf(const PictureMap& crop_from_picture) {
 
 }  // namespace
 
-AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, const faces::FaceModel& model,
-                         const AvatarOptions& options)
-    : predictor_(std::move(predictor)), options_(options), expression_shapes_(model.expression_shapes) {
-  const faces::MorphableModel& of_faces = predictor_->run().model;
-  DAUMIER_CHECK(of_faces.face_template.source == model.face_template.source &&
-                    of_faces.face_template.num_vertices() == model.face_template.num_vertices(),
-                "the portrait network is of the faces '{}', the expressions are of '{}': both have to be of one source",
-                of_faces.face_template.source, model.face_template.source);
+AvatarMaker::AvatarMaker(const std::function<std::unique_ptr<const PortraitPredictor>()>& open,
+                         const faces::FaceModel& model, const AvatarOptions& options)
+    : options_(options), expression_shapes_(model.expression_shapes) {
   if (options_.keep_expression) options_.texture.keep_gaze = true;
   if (options_.style.ends_with(".onnx")) {
     style_.emplace(options_.style, options_.network);
@@ -50,12 +45,18 @@ AvatarMaker::AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, con
   }
   OnAllCores(2, [&](int64_t part) {
     if (part == 0) {
+      predictor_ = open();
       targets_.emplace(model);
     } else {
       rig_.emplace(model.face_template);
       painter_.emplace(rig_->texture_space(), fitting::MakeTextureGuide(model.face_template, *rig_), options_.texture);
     }
   });
+  const faces::MorphableModel& of_faces = predictor_->run().model;
+  DAUMIER_CHECK(of_faces.face_template.source == model.face_template.source &&
+                    of_faces.face_template.num_vertices() == model.face_template.num_vertices(),
+                "the portrait network is of the faces '{}', the expressions are of '{}': both have to be of one source",
+                of_faces.face_template.source, model.face_template.source);
 }
 
 FoundPortrait AvatarMaker::FindStyled(render::Image& picture) const {

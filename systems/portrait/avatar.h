@@ -73,10 +73,11 @@ struct Avatar {
 /// -> texture. Const and thread-safe.
 class AvatarMaker {
  public:
-  /// `model`: of the predictor's topology, with its expressions. @throws UsageError if the style is none of those that
+  /// `open` makes the predictor, while the rest is prepared on another core. `model`: of its topology, with expressions.
+  /// @throws Error as `open`; UsageError if the style is none of those that
   /// the options name; Error if the model is of another topology, as StyleNetwork,
   /// rig::ExpressionTargets, rig::HeadRig and fitting::HeadPainter.
-  AvatarMaker(std::unique_ptr<const PortraitPredictor> predictor, const faces::FaceModel& model,
+  AvatarMaker(const std::function<std::unique_ptr<const PortraitPredictor>()>& open, const faces::FaceModel& model,
               const AvatarOptions& options = {});
 
   /// The head of the face of highest confidence. `edit`: changes the neutral face (an exaggeration); the texture is that of
@@ -98,7 +99,6 @@ class AvatarMaker {
   AvatarOptions options_;
   std::optional<StyleNetwork> style_;
   Eigen::MatrixXf expression_shapes_;  ///< 3V x E
-  // Prepared on two cores.
   std::optional<rig::ExpressionTargets> targets_;
   std::optional<rig::HeadRig> rig_;
   std::optional<fitting::HeadPainter> painter_;

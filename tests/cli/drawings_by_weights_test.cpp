@@ -144,11 +144,33 @@ TEST_F(DrawingsByWeights, ASessionBeginsWithAFaceThatLiesAsTheTemplateDoes) {
   EXPECT_FALSE(fs::exists(folder_ / "far"));
 }
 
-TEST_F(DrawingsByWeights, AnAvatarOfADrawingPointsToPredictAndRig) {
-  const ProcessResult result =
-      RunProcess({DAUMIER_PROGRAM, "--quiet", "avatar", In("girl.svg"), "--out", In("head.glb")});
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("is a drawing, and no picture"), HasSubstr("daumier rig DIR/girl.obj")));
+TEST_F(DrawingsByWeights, AnAvatarOfADrawingHasPlainColoursOrThoseOfItsPaper) {
+  const auto avatar = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {DAUMIER_PROGRAM, "--quiet", "avatar"});
+    return RunProcess(options);
+  };
+  const ProcessResult result = avatar({In("girl.svg"), "--out", In("girl.glb"), "--hair", "long", "--stages",
+                                       In("stages"), "palette.iris=green", "avatar.texture.size=128", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json facts = Json::parse(result.out);
+  EXPECT_EQ(facts.at("palette").at("skin").at("from"), "plain");
+  EXPECT_EQ(facts.at("palette").at("iris").at("colour"), "#008000");
+  EXPECT_EQ(facts.at("targets"), 52);
+  for (const char* file :
+       {"girl.glb", "girl.png", "stages/01_drawing.png", "stages/02_texture.png", "stages/times.json"})
+    EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+  EXPECT_NE(ReadFile(folder_ / "girl.glb").find("\"Hair\""), std::string::npos);
+
+  const ProcessResult styled = avatar({In("girl.svg"), "--style", "toon", "--out", In("styled.glb")});
+  EXPECT_EQ(styled.exit_code, 2);
+  EXPECT_THAT(styled.err, HasSubstr("are for portraits"));
+  const ProcessResult colour = avatar({In("girl.svg"), "palette.skin=skinny", "--out", In("styled.glb")});
+  EXPECT_EQ(colour.exit_code, 2);
+  EXPECT_THAT(colour.err, HasSubstr("palette.skin=skinny: is no colour"));
+  const ProcessResult portrait = avatar({In("girl.svg"), "--as", "portrait", "--out", In("styled.glb")});
+  EXPECT_EQ(portrait.exit_code, 2);
+  EXPECT_THAT(portrait.err, HasSubstr("leave out --as portrait"));
+  EXPECT_FALSE(fs::exists(folder_ / "styled.glb"));
 }
 
 TEST_F(DrawingsByWeights, DamagedWeightsAreNotCalledAbsent) {

@@ -28,7 +28,8 @@ AvatarMaker MakerWith(bool keep_expression, const PortraitPredictOptions& option
   AvatarOptions avatar;
   avatar.texture.size = 128;
   avatar.keep_expression = keep_expression;
-  return {OpenPortraits(SourceRoot() / "weights/portrait", Device(), ToJson(options)), Model(), avatar};
+  const auto open = [&] { return OpenPortraits(SourceRoot() / "weights/portrait", Device(), ToJson(options)); };
+  return {open, Model(), avatar};
 }
 
 render::Image Woman() {
@@ -74,6 +75,46 @@ TEST(AvatarMaker, TakesGivenLandmarks) {
   };
   EXPECT_LT((centred(avatar.face.vertices) - centred(found.face.vertices)).rowwise().norm().maxCoeff(), 1)
       << "the same landmarks, but for their confidences";
+}
+
+TEST(AvatarMaker, RigsTheEditedFaceWithTheTextureOfThePicture) {
+  const AvatarMaker maker = MakerWith(false);
+  const Avatar plain = maker.Make(Woman());
+  const Avatar larger = maker.Make(Woman(), [](const geometry::Points& face) { return geometry::Points(1.1 * face); });
+  EXPECT_LT((larger.neutral - 1.1 * plain.neutral).norm(), 1e-9);
+  EXPECT_GT(larger.head.mesh.vertices.col(1).maxCoeff(), 1.05 * plain.head.mesh.vertices.col(1).maxCoeff());
+  EXPECT_EQ(*larger.texture, *plain.texture);
+}
+
+TEST(AvatarMaker, ReadsTheFaceInItsStyle) {
+  const auto maker_with = [](const std::string& style) {
+    AvatarOptions avatar;
+    avatar.texture.size = 128;
+    avatar.style = style;
+    const auto open = [] { return OpenPortraits(SourceRoot() / "weights/portrait", Device(), Json::object()); };
+    return AvatarMaker(open, Model(), avatar);
+  };
+  const Avatar plain = maker_with("none").Make(Woman()), toon = maker_with("toon").Make(Woman());
+  EXPECT_NE(toon.picture, plain.picture);
+  const auto opening = [](const Avatar& avatar) {  // Of the right eye, pixels.
+    const std::vector<float>& landmarks = avatar.found.landmarks;
+    return std::hypot(landmarks[2 * 41] - landmarks[2 * 37], landmarks[2 * 41 + 1] - landmarks[2 * 37 + 1]);
+  };
+  EXPECT_GT(opening(toon), 1.15 * opening(plain));
+  testing::ExpectError([&] { maker_with("oil"); }, "there is no style 'oil'");
+  testing::ExpectError([&] { maker_with("nowhere.onnx"); }, "nowhere.onnx");
+}
+
+TEST(AvatarMaker, TakesAGivenMask) {
+  const testing::TempDir folder;
+  render::Image mask(224, 224, 1, 0);
+  for (int row = 20; row < 224; ++row)
+    for (int column = 40; column < 190; ++column) mask.at(row, column) = 255;
+  render::WriteImage(folder.path() / "mask.png", mask);
+  const Avatar avatar = MakerWith(false, {.mask = (folder.path() / "mask.png").string()}).Make(Woman());
+  ASSERT_TRUE(avatar.found.mask);
+  EXPECT_EQ(avatar.found.mask->at(100, 20), uint8_t(PictureClass::kBackground)) << "black is background";
+  EXPECT_NE(avatar.found.mask->at(150, 60), uint8_t(PictureClass::kBackground)) << "white is the head";
 }
 
 TEST(PortraitReading, IsParsedBeyondTheCropOfTheFace) {

@@ -56,5 +56,41 @@ TEST(LandmarkFiles, AMaskHasThePicturesSizeAndClasses) {
   testing::ExpectError([&] { ReadMask(folder / "n.png", 8, 9); }, "a pixel of class 8, expected 0 to 7");
 }
 
+TEST(ReadHeadMask, TakesClassesOrBlackAndWhiteOfTheSameShape) {
+  const daumier::testing::TempDir folder;
+  const auto file = folder.path() / "mask.png";
+  render::Image classes(4, 6, 1, uint8_t(PictureClass::kHair));
+  classes.at(3, 5) = uint8_t(PictureClass::kSkin);
+  render::WriteImage(file, classes);
+  EXPECT_EQ(ReadHeadMask(file, 4, 6, std::nullopt), classes);
+  const render::Image twice = ReadHeadMask(file, 8, 12, std::nullopt);
+  EXPECT_EQ(twice.at(7, 11), uint8_t(PictureClass::kSkin));
+  EXPECT_EQ(twice.at(5, 11), uint8_t(PictureClass::kHair));
+
+  render::Image white(4, 6, 3, 255);
+  for (int c = 0; c < 3; ++c) white.at(0, 0, c) = 0;
+  render::WriteImage(file, white);
+  render::Image parsed(4, 6, 1, uint8_t(PictureClass::kBackground));
+  parsed.at(0, 0) = parsed.at(1, 1) = uint8_t(PictureClass::kLips);
+  const render::Image within = ReadHeadMask(file, 4, 6, parsed);
+  EXPECT_EQ(within.at(0, 0), uint8_t(PictureClass::kBackground)) << "black";
+  EXPECT_EQ(within.at(1, 1), uint8_t(PictureClass::kLips));
+  EXPECT_EQ(within.at(2, 2), uint8_t(PictureClass::kSkin));
+}
+
+TEST(ReadHeadMask, RefusesOthers) {
+  const daumier::testing::TempDir folder;
+  const auto file = folder.path() / "mask.png";
+  const auto expect_refused = [&](const render::Image& mask, const std::string& part) {
+    render::WriteImage(file, mask);
+    daumier::testing::ExpectError([&] { ReadHeadMask(file, 4, 6, std::nullopt); }, part);
+  };
+  expect_refused(render::Image(4, 6, 1, 90), "has a pixel of the value 90");
+  expect_refused(render::Image(4, 7, 1, 0), "expected the same shape");
+  render::Image coloured(4, 6, 3, 10);
+  coloured.at(0, 0, 1) = 200;
+  expect_refused(coloured, "is a picture in colours");
+}
+
 }  // namespace
 }  // namespace daumier::portrait
