@@ -17,7 +17,7 @@ struct KnownInput {
 class ConstantFolder {
  public:
   /// Numbers that a folder reads and writes at most; what exceeds them is left to the plan.
-  static constexpr int64_t kMostFolded = int64_t{1} << 26;
+  static constexpr int64_t kMostFolded = int64_t{1} << 25;
 
   /// The node's output, or nothing where an input is not known, the operator is not one of these, or too much is
   /// computed. Whole numbers do not wrap around. @throws Error naming the node and the cause if the node is not as ONNX

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "runtime/finite.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -29,6 +30,7 @@ class Fusion {
       const std::string& op = graph_.nodes[i].op;
       if (op == "Identity") FuseIdentity(i);
       if (op == "BatchNormalization") FuseBatchNorm(i);
+      if (op == "Add") FuseGroupNorm(i);
       if (op == "Add") FuseSum(i);
       if (op == "Relu" || op == "LeakyRelu" || op == "Sigmoid" || op == "Tanh") FuseActivation(i);
     }
@@ -111,10 +113,70 @@ class Fusion {
     return name;
   }
 
+  /// The node of `op` that computes one input of `node`, if nothing else reads it, and the weight that is the other
+  /// one, of a number for each channel of an image: (C, 1, 1) or (1, C, 1, 1).
+  struct ByChannel {
+    const GraphNode* node = nullptr;
+    const GraphTensor* weight = nullptr;
+  };
+  ByChannel OfChannels(const GraphNode& node, const std::string& op) {
+    if (node.inputs.size() != 2) return {};
+    for (size_t i = 0; i < 2; ++i) {
+      const GraphTensor* const weight = NumbersOf(node, i);
+      const GraphNode* const before = OnlyFor(node.inputs[1 - i]);
+      if (weight == nullptr || before == nullptr || before->op != op) continue;
+      const Shape& shape = weight->shape;
+      const auto count = int64_t(weight->numbers.size());
+      if (count > 1 && (shape == Shape{count, 1, 1} || shape == Shape{1, count, 1, 1})) return {before, weight};
+    }
+    return {};
+  }
+
+  /// The node of `op` that computes input 0 of `node`, if nothing else reads it.
+  const GraphNode* OnlyBefore(const GraphNode* node, const std::string& op) {
+    const GraphNode* const before = node == nullptr || !node->Reads(0) ? nullptr : OnlyFor(node->inputs[0]);
+    return before != nullptr && before->op == op ? before : nullptr;
+  }
+
+  /// PyTorch's group norm before set 18: groups are seen as channels, normalised, seen as channels again, scaled.
+  void FuseGroupNorm(size_t at) {
+    const auto [product, shifts] = OfChannels(graph_.nodes[at], "Mul");
+    const auto [back, scales] = product == nullptr ? ByChannel{} : OfChannels(*product, "Reshape");
+    const GraphNode* const norm = OnlyBefore(back, "InstanceNormalization");
+    const GraphNode* const to_groups = OnlyBefore(norm, "Reshape");
+    if (to_groups == nullptr || to_groups->inputs.size() != 2 || back->inputs.size() != 2 || norm->inputs.size() != 3)
+      return;
+    const auto shape = producers_.find(back->inputs[1]);
+    if (shape == producers_.end() || graph_.nodes[shape->second].op != "Shape" ||
+        graph_.nodes[shape->second].inputs[0] != to_groups->inputs[0] ||
+        !graph_.nodes[shape->second].attributes.empty())
+      return;
+    const auto groups = graph_.weights.find(to_groups->inputs[1]);
+    const GraphTensor *const ones = NumbersOf(*norm, 1), *const zeros = NumbersOf(*norm, 2);
+    if (groups == graph_.weights.end() || groups->second.integers.size() != 3 || ones == nullptr || zeros == nullptr)
+      return;
+    const std::vector<int64_t>& seen = groups->second.integers;
+    const auto is_all = [&](const GraphTensor& tensor, float number) {
+      return int64_t(tensor.numbers.size()) == seen[1] && std::ranges::count(tensor.numbers, number) == seen[1];
+    };
+    if (seen[0] != 0 || seen[1] < 1 || seen[2] != -1 || !is_all(*ones, 1) || !is_all(*zeros, 0)) return;
+    if (shifts->numbers.size() != scales->numbers.size()) return;
+    const auto channels = int64_t(scales->numbers.size());
+    GraphNode fused{.op = "GroupNormalization", .name = graph_.nodes[at].name};
+    fused.attributes = {{"num_groups", seen[1]}, {"epsilon", norm->Real("epsilon", 1e-5f)}, {"of_images", int64_t{1}}};
+    fused.inputs = {to_groups->inputs[0],
+                    AddWeight(fused.name + "/scale", {.shape = {channels}, .numbers = scales->numbers}),
+                    AddWeight(fused.name + "/shift", {.shape = {channels}, .numbers = shifts->numbers})};
+    fused.output = graph_.nodes[at].output;
+    for (const GraphNode* const node : {to_groups, norm, back, product})
+      removed_[size_t(node - graph_.nodes.data())] = true;
+    graph_.nodes[at] = std::move(fused);
+  }
+
   /// A sum whose later operand is a convolution's.
   void FuseSum(size_t at) {
     const GraphNode sum = graph_.nodes[at];
-    if (sum.inputs.size() != 2 || sum.inputs[0] == sum.inputs[1]) return;
+    if (sum.op != "Add" || sum.inputs.size() != 2 || sum.inputs[0] == sum.inputs[1]) return;
     std::optional<size_t> best;
     for (size_t i = 0; i < 2; ++i) {
       const GraphNode* const before = OnlyFor(sum.inputs[i]);

@@ -10,7 +10,8 @@ inline constexpr const char* kActivationAlpha = "fused_alpha";
 inline constexpr size_t kAddend = 3;
 
 /// The same function by fewer nodes: batch norms go into the convolutions before them, sums and activations become part
-/// of the convolutions and products before them, identities vanish. Only values that nothing else reads vanish. The
+/// of the convolutions and products before them, norms of groups that are written as norms of images become their own
+/// operator, identities vanish. Only values that nothing else reads vanish. The
 /// graph has passed CheckGraph.
 Graph Fused(Graph graph);
 

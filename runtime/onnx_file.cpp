@@ -141,7 +141,7 @@ StoredPort PortOf(WireReader info) {
           int64_t size = -1;
           WireReader dimension = shape.Message();
           while (dimension.Next())
-            if (dimension.field() == 1) size = dimension.Integer();
+            if (dimension.field() == 1 && dimension.Integer() != 0) size = dimension.Integer();  // 0: free, too.
           input.shape.push_back(size);
           DAUMIER_CHECK(size >= -1 && input.shape.size() <= kMostDimensions, "the input '{}' has the shape {}",
                         input.name, ShapeText(input.shape));

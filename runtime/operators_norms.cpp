@@ -5,6 +5,7 @@
 #include "runtime/operators.h"
 #include "runtime/row_norm.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -33,29 +34,21 @@ void AddRowNorm(const GraphNode& node, const Shape& shape, RowNorm norm, PlanBui
   plan.Define(node, shape, PlainLayout(shape), to);
 }
 
-/// Images in blocks of channels.
-void AddBlockNorm(const GraphNode& node, int block, PlanBuilder& plan) {
+/// Images in blocks of channels, in the layout that they have.
+void AddBlockNorm(const GraphNode& node, BlockNorm norm, PlanBuilder& plan) {
   const PlannedValue value = plan.Value(node.inputs[0]);
   const Shape& shape = value.shape;
-  const int64_t kinds = (shape[1] + block - 1) / block;
-  const auto filled = [&](size_t input) {
-    std::vector<float> numbers = plan.Weight(node, input).numbers;
-    numbers.resize(size_t(kinds * block), 0);
-    return numbers;
-  };
-  BlockNorm norm{.planes = shape[0] * kinds,
-                 .area = shape[2] * shape[3],
-                 .block = block,
-                 .kinds = kinds,
-                 .epsilon = EpsilonOf(node),
-                 .scales = filled(1),
-                 .shifts = filled(2),
-                 .with_relu = node.Text(kActivation, "") == "Relu"};
+  norm.images = shape[0], norm.channels = shape[1], norm.area = shape[2] * shape[3];
   const Place from = value.place;
   const Place to = plan.MayOverwrite(node.inputs[0]) ? from : plan.NewOutput(node, shape, value.layout);
   plan.AddOwn(node, std::array{from, to},
               [=, norm = std::move(norm)](Arena& arena) { norm.Run(arena.At(from), arena.At(to)); });
   plan.Define(node, shape, value.layout, to);
+}
+
+/// The block of channels that an image lies in; 1: plain.
+int BlockOfImage(const PlannedValue& value) {
+  return value.shape.size() == 4 ? std::max(BlockOf(value.layout, value.shape), 1) : 1;
 }
 
 void PlanInstanceNorm(const GraphNode& node, PlanBuilder& plan) {
@@ -67,17 +60,21 @@ void PlanInstanceNorm(const GraphNode& node, PlanBuilder& plan) {
     const size_t found = plan.Weight(node, input).numbers.size();
     DAUMIER_CHECK(int64_t(found) == channels, "input {} has {} numbers, expected {}", input, found, channels);
   }
-  const int block = shape.size() == 4 ? BlockOf(value.layout, shape) : 1;
-  if (block > 1) return AddBlockNorm(node, block, plan);
+  const std::vector<float>&scales = plan.Weight(node, 1).numbers, &shifts = plan.Weight(node, 2).numbers;
+  const bool with_relu = node.Text(kActivation, "") == "Relu";
+  if (const int block = BlockOfImage(value); block > 1)
+    return AddBlockNorm(
+        node, {.block = block, .epsilon = EpsilonOf(node), .scales = scales, .shifts = shifts, .with_relu = with_relu},
+        plan);
   AddRowNorm(node, shape,
              {.rows = shape[0] * channels,
               .runs = 1,
               .length = CheckedSize(shape, "its input") / (shape[0] * channels),
               .kinds = channels,
               .epsilon = EpsilonOf(node),
-              .scales = plan.Weight(node, 1).numbers,
-              .shifts = plan.Weight(node, 2).numbers,
-              .with_relu = node.Text(kActivation, "") == "Relu"},
+              .scales = scales,
+              .shifts = shifts,
+              .with_relu = with_relu},
              plan);
 }
 
@@ -96,6 +93,8 @@ void PlanGroupNorm(const GraphNode& node, PlanBuilder& plan) {
   const int64_t groups = node.Integer("num_groups", 0);
   DAUMIER_CHECK(shape.size() >= 3 && groups >= 1 && shape[1] % groups == 0, "the input is {} with {} groups",
                 ShapeText(shape), groups);
+  DAUMIER_CHECK(shape.size() == 4 || node.Integer("of_images", 0) == 0, "the input is {}, expected (N, C, H, W)",
+                ShapeText(shape));
   const int64_t channels = shape[1], of_group = channels / groups;
   const bool scales_groups = node.Integer("scales_groups", 0) != 0;
   const auto by_channel = [&](size_t input, float otherwise) {
@@ -105,6 +104,14 @@ void PlanGroupNorm(const GraphNode& node, PlanBuilder& plan) {
     for (const float number : numbers) repeated.insert(repeated.end(), size_t(of_group), number);
     return repeated;
   };
+  if (const int block = BlockOfImage(plan.Value(node.inputs[0])); block > 1)
+    return AddBlockNorm(node,
+                        {.block = block,
+                         .of_group = of_group,
+                         .epsilon = EpsilonOf(node),
+                         .scales = by_channel(1, 1),
+                         .shifts = by_channel(2, 0)},
+                        plan);
   AddRowNorm(node, shape,
              {.rows = shape[0] * groups,
               .runs = of_group,

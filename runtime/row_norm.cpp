@@ -60,24 +60,15 @@ void ScaleRun(const float* from, int64_t count, float scale, float shift, float 
   }
 }
 
-/// Moments of eight channels.
-struct LaneMoments {
-  double count = 0;
-  EightDoubles mean = {}, variance = {};
-};
-
+/// The moments of eight channels, whose numbers lie `step` apart.
 DAUMIER_FOR_EACH_PROCESSOR
-void MomentsOfLanes(const float* pixels, int64_t count, int64_t step, LaneMoments& moments) {
+void MomentsOfLanes(const float* pixels, int64_t count, int64_t step, Moments* moments) {
   const auto size = double(count);
   EightDoubles sum = {}, squares = {};
   for (int64_t i = 0; i < count; ++i) AddDistances(pixels + i * step, EightDoubles{}, false, sum);
   const EightDoubles mean = sum / size;
   for (int64_t i = 0; i < count; ++i) AddDistances(pixels + i * step, mean, true, squares);
-  const double all = moments.count + size, share = size / all;
-  const EightDoubles distance = mean - moments.mean;
-  moments.variance = (1 - share) * moments.variance + share * (squares / size + (1 - share) * distance * distance);
-  moments.mean += share * distance;
-  moments.count = all;
+  for (int64_t lane = 0; lane < kNormLanes; ++lane) moments[lane] = {size, mean[lane], squares[lane] / size};
 }
 
 DAUMIER_FOR_EACH_PROCESSOR
@@ -98,21 +89,36 @@ void ScaleLanes(const float* from, int64_t count, int64_t step, const float* sca
 }  // namespace
 
 void BlockNorm::Run(const float* from, float* to) const {
-  const int64_t groups = block / kNormLanes, plane_size = area * block, pixels = kPartOfRow / block;
-  ForEachPart(PartsOf(planes, planes * plane_size), [&](int64_t p) {
-    for (int64_t group = 0; group < groups; ++group) {
-      const int64_t begin = p * plane_size + group * kNormLanes;
-      LaneMoments moments;
-      for (int64_t i = 0; i < area; i += pixels)
-        MomentsOfLanes(from + begin + i * block, std::min(pixels, area - i), block, moments);
-      float lane_scales[kNormLanes], lane_shifts[kNormLanes];
-      for (int64_t lane = 0; lane < kNormLanes; ++lane) {
-        const auto kind = size_t(p % kinds * block + group * kNormLanes + lane);
-        const double scale = scales[kind] / std::sqrt(moments.variance[lane] + epsilon);
-        lane_scales[lane] = float(scale);
-        lane_shifts[lane] = float(shifts[kind] - moments.mean[lane] * scale);
+  const int64_t planes = (channels + block - 1) / block, plane_size = area * block, lanes = planes * block;
+  const int64_t pixels = kPartOfRow / block;
+  std::vector<Moments> moments(size_t(images * lanes));
+  const Parts parts = PartsOf(images * planes, images * planes * plane_size);
+  ForEachPart(parts, [&](int64_t p) {
+    for (int64_t i = 0; i < area; i += pixels) {
+      for (int64_t first = 0; first < block; first += kNormLanes) {
+        Moments of_part[kNormLanes], *const all = moments.data() + p * block + first;
+        MomentsOfLanes(from + p * plane_size + i * block + first, std::min(pixels, area - i), block, of_part);
+        for (int64_t lane = 0; lane < kNormLanes; ++lane) all[lane] = Merged(all[lane], of_part[lane]);
       }
-      ScaleLanes(from + begin, area, block, lane_scales, lane_shifts, with_relu, to + begin);
+    }
+  });
+  std::vector<float> lane_scales(moments.size(), 0), lane_shifts(moments.size(), 0);
+  for (int64_t n = 0; n < images; ++n) {
+    for (int64_t c = 0; c < channels; c += of_group) {
+      Moments group;
+      for (int64_t i = c; i < c + of_group; ++i) group = Merged(group, moments[size_t(n * lanes + i)]);
+      for (int64_t i = c; i < c + of_group; ++i) {
+        const double scale = scales[size_t(i)] / std::sqrt(group.variance + epsilon);
+        lane_scales[size_t(n * lanes + i)] = float(scale);
+        lane_shifts[size_t(n * lanes + i)] = float(shifts[size_t(i)] - group.mean * scale);
+      }
+    }
+  }
+  ForEachPart(parts, [&](int64_t p) {
+    for (int64_t first = 0; first < block; first += kNormLanes) {
+      const int64_t begin = p * plane_size + first, lane = p * block + first;
+      ScaleLanes(from + begin, area, block, &lane_scales[size_t(lane)], &lane_shifts[size_t(lane)], with_relu,
+                 to + begin);
     }
   });
 }

@@ -23,13 +23,14 @@ struct RowNorm {
   void Run(const float* from, float* to) const;
 };
 
-/// The same for each channel of images in blocks of 8 or 16 channels: planes of `area` pixels of `block` numbers each.
+/// The same for images in blocks of 8 or 16 channels, with a mean and a variance for each group of channels: planes of
+/// `area` pixels of `block` numbers each.
 struct BlockNorm {
-  int64_t planes = 0, area = 0;
+  int64_t images = 1, channels = 0, area = 0;
   int block = 8;
-  int64_t kinds = 1;  ///< Of planes: plane p has the scales from (p mod kinds) * block on.
+  int64_t of_group = 1;  ///< Channels of a group; 1: a norm of images.
   float epsilon = 0;
-  std::vector<float> scales = {}, shifts = {};  ///< kinds * block; 0 where a lane only fills up a block, which stays 0.
+  std::vector<float> scales = {}, shifts = {};  ///< By channels. What fills up a block becomes 0.
   bool with_relu = false;
 
   void Run(const float* from, float* to) const;

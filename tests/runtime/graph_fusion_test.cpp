@@ -3,6 +3,8 @@
 #include "tests/runtime/graph_example.h"
 #include "tests/support/expect_error.h"
 
+#include <algorithm>
+
 namespace daumier::runtime {
 namespace {
 
@@ -59,6 +61,30 @@ TEST(Fused, RefusesABatchNormOfNegativeVariance) {
   example.Weight("w", {1, 1, 3, 3}, FixedNumbers(9)).Node("Conv", {"x", "w"}, "c", kSame).Weight("s", {1}, {1});
   example.Weight("v", {1}, {-1}).Node("BatchNormalization", {"c", "s", "s", "s", "v"}, "y");
   testing::ExpectError([&] { Fused(example.graph); }, "makes numbers that are not finite");
+}
+
+/// PyTorch's group norm: x seen as two groups, normalised, seen as x, times scale plus shift; `outputs` may hold on to
+/// its parts.
+GraphExample GroupNormExample(std::vector<std::string> outputs = {"y"}, std::vector<float> ones = {1, 1}) {
+  GraphExample example({-1, 4, 3, 3}, std::move(outputs));
+  example.Integers("g", {0, 2, -1}).Weight("ones", {2}, std::move(ones)).Weight("zeros", {2}, {0, 0});
+  example.Weight("scale", {4, 1, 1}, {1, 2, 3, 4}).Weight("shift", {4, 1, 1}, {4, 3, 2, 1});
+  example.Node("Reshape", {"x", "g"}, "r").Node("InstanceNormalization", {"r", "ones", "zeros"}, "n");
+  example.Node("Shape", {"x"}, "s").Node("Reshape", {"n", "s"}, "b").Node("Mul", {"b", "scale"}, "m");
+  return example.Node("Add", {"m", "shift"}, "y");
+}
+
+TEST(Fused, ANormOfGroupsIsOneNode) {
+  const Graph fused = Fused(GroupNormExample().graph);
+  EXPECT_NO_THROW(CheckGraph(fused));
+  ASSERT_EQ(std::ranges::count(fused.nodes, "GroupNormalization", &GraphNode::op), 1);
+  EXPECT_EQ(std::ranges::count(fused.nodes, "InstanceNormalization", &GraphNode::op), 0);
+  // What is read elsewhere, or scaled twice, stays as it is written, and has the same numbers.
+  const Graph parts = Fused(GroupNormExample({"y", "m"}).graph), scaled = Fused(GroupNormExample({"y"}, {1, 2}).graph);
+  EXPECT_EQ(std::ranges::count(parts.nodes, "GroupNormalization", &GraphNode::op), 0);
+  EXPECT_EQ(std::ranges::count(scaled.nodes, "GroupNormalization", &GraphNode::op), 0);
+  const FloatArray x = FixedArray({2, 4, 3, 3});
+  ExpectNear(GroupNormExample().Run(x), GroupNormExample({"y", "m"}).Run(x), 1e-6);
 }
 
 }  // namespace

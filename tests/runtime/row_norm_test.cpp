@@ -46,12 +46,32 @@ TEST(RowNorm, OfBlocksEqualsThatOfRows) {
     RowNorm{
         .rows = block, .runs = 1, .length = kArea, .kinds = block, .epsilon = 1e-5f, .scales = scales, .shifts = shifts}
         .Run(rows.data(), expected.data());
-    BlockNorm{.planes = 1, .area = kArea, .block = block, .epsilon = 1e-5f, .scales = scales, .shifts = shifts}.Run(
-        blocks.data(), found.data());
+    BlockNorm{.channels = block, .area = kArea, .block = block, .epsilon = 1e-5f, .scales = scales, .shifts = shifts}
+        .Run(blocks.data(), found.data());
     std::vector<float> sorted(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) sorted[i] = found[i % kArea * size_t(block) + i / kArea];
     ExpectNear({{int64_t(rows.size())}, sorted}, {{int64_t(rows.size())}, expected}, 1e-6);
   }
+}
+
+TEST(RowNorm, OfGroupsInBlocksEqualsThatOfRows) {
+  constexpr int64_t kArea = 300, kChannels = 12;  // Two groups of six, of which one lies in two blocks of 8.
+  const std::vector<float> rows = FixedNumbers(size_t(kChannels * kArea));
+  std::vector<float> blocks(16 * kArea, 0), found(16 * kArea, 9), expected(rows.size());
+  const auto place = [](size_t i) {
+    const size_t channel = i / kArea, pixel = i % kArea;
+    return (channel / 8 * kArea + pixel) * 8 + channel % 8;
+  };
+  for (size_t i = 0; i < rows.size(); ++i) blocks[place(i)] = rows[i];
+  const std::vector<float> scales = FixedNumbers(kChannels, 2), shifts = FixedNumbers(kChannels, 3);
+  RowNorm{.rows = 2, .runs = 6, .length = kArea, .kinds = 2, .epsilon = 1e-5f, .scales = scales, .shifts = shifts}.Run(
+      rows.data(), expected.data());
+  BlockNorm{.channels = kChannels, .area = kArea, .of_group = 6, .epsilon = 1e-5f, .scales = scales, .shifts = shifts}
+      .Run(blocks.data(), found.data());
+  std::vector<float> sorted(rows.size());
+  for (size_t i = 0; i < rows.size(); ++i) sorted[i] = found[place(i)];
+  ExpectNear({{int64_t(rows.size())}, sorted}, {{int64_t(rows.size())}, expected}, 1e-6);
+  for (size_t i = 0; i < 4 * kArea; ++i) EXPECT_EQ(found[(kArea + i / 4) * 8 + 4 + i % 4], 0);
 }
 
 }  // namespace
