@@ -25,7 +25,8 @@ TEST(StyleNetworks, HaveTheOutputsOfOnnxRuntime) {
     const torch::Tensor y = expected->outputs.at(0).at("y");
     ASSERT_EQ(found.shape, y.sizes().vec());
     const torch::Tensor difference = torch::from_blob(const_cast<float*>(found.values.data()), y.sizes()) - y;
-    EXPECT_LE(difference.abs().max().item<float>(), 1e-5f * y.abs().max().item<float>());
+    // ONNX Runtime sums the moments of norms in float32, ours are of float64.
+    EXPECT_LE(difference.abs().max().item<float>(), 3e-5f * y.abs().max().item<float>());
   }
 }
 
