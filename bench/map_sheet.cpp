@@ -1,4 +1,4 @@
-// Named expressions of a face model next to the weights that a map makes of them, on the shipped head:
+// Named expressions of a face model above the weights that a map makes of them, on the shipped head:
 //   map_sheet MAP.json SOURCE PATH OUT.jpg [PIXELS]
 // MAP.json is of `daumier rig --map` for that model; SOURCE is makehuman or ict, PATH as source.path. Above the model, below
 // the mean head of weights/face-ict with weights of least squares, and with kept strength. Prints the weights of at least 0.05.

@@ -129,6 +129,20 @@ void WriteWeightsOf(const rig::ExpressionMap& map, const rig::CoefficientFrames&
                      .remarks = {"model: " + ProvenanceText(map.model), "targets: " + ProvenanceText(map.targets)}});
 }
 
+void CheckOptions(const MapArguments& arguments) {
+  const auto is_given = [&](const char* option) { return arguments.command->count(option) > 0; };
+  const bool makes_weights = is_given("--map") || is_given("--meshes");
+  if (!makes_weights && is_given("--fps")) throw UsageError("--fps is an option of --meshes and of --map with --apply");
+  if (!makes_weights) return;
+  for (const char* of_heads : {"--animate", "--frames", "--frame-size", "--names", "--visemes", "--normals",
+                               "--compress", "--vrm", "--texture", "--keep-expression"})
+    if (is_given(of_heads))
+      throw UsageError(fmt::format("{}: {} makes weights and no head. Leave {} out", of_heads,
+                                   is_given("--map") ? "--map" : "--meshes", of_heads));
+  if (is_given("--map") && is_given("--landmarks"))
+    throw UsageError("--landmarks: --map takes the landmarks of source.annotation. Leave --landmarks out");
+}
+
 }  // namespace
 
 void AddMapArguments(CLI::App& command, MapArguments& arguments) {
@@ -158,23 +172,24 @@ void AddMapArguments(CLI::App& command, MapArguments& arguments) {
       .add_flag("--gaze", arguments.has_gaze,
                 "With --meshes: lids also give eyeLook*, which turn the eyes; for meshes whose lids are exact")
       ->needs(meshes);
-  CLI::Option* const fps = command
-                               .add_option("--fps", arguments.frames_per_second,
-                                           "Frames a second of --meshes, and of --apply where the file states no times")
-                               ->check(CLI::Range(0.001, 1000.0))
-                               ->capture_default_str();
+  command
+      .add_option("--fps", arguments.frames_per_second,
+                  "Frames a second of --meshes, and of --apply where the file states no times")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->capture_default_str();
   meshes->excludes(map);
-  for (const char* of_heads : {"--animate", "--frames", "--frame-size", "--names", "--visemes", "--normals",
-                               "--compress", "--vrm", "--texture", "--keep-expression"})
-    for (CLI::Option* const option : {map, apply, meshes, fps}) command.get_option(of_heads)->excludes(option);
-  command.get_option("--landmarks")->excludes(map);
+  arguments.command = &command;
 }
 
 void TakeOverrides(MapArguments& arguments, fs::path& face, ConfigArguments& config) {
-  const auto is_option = [](const fs::path& word) { return word.string().find('=') != std::string::npos; };
+  CheckOptions(arguments);
+  const auto is_option = [](const fs::path& word) {
+    return word.string().find('=') != std::string::npos && !fs::exists(word);
+  };
   for (const fs::path& word : arguments.meshes)
     if (is_option(word)) config.overrides.push_back(word.string());
-  std::erase_if(arguments.meshes, is_option);
+  if (std::erase_if(arguments.meshes, is_option) > 0 && arguments.meshes.empty())
+    throw UsageError("--meshes names no mesh");
   if (arguments.model.empty()) {
     if (face.empty()) throw UsageError("FACE is required, except with --map (see `daumier rig --help`)");
     return;

@@ -17,7 +17,8 @@ struct MapArguments {
   std::vector<std::filesystem::path> meshes;
   double frames_per_second = 60;
   bool keeps_strength = false;
-  bool has_gaze = false;  ///< --gaze
+  bool has_gaze = false;              ///< --gaze
+  const CLI::App* command = nullptr;  ///< That has the options.
 };
 
 /// What such a command writes, and where.
@@ -26,11 +27,11 @@ struct MapOutput {
   bool force = false, as_json = false;
 };
 
-/// Adds --map, --apply, --meshes and --fps. Options of heads exclude them.
+/// Adds --map, --apply, --meshes and what belongs to them.
 void AddMapArguments(CLI::App& command, MapArguments& arguments);
 
 /// Options key=value among the meshes, or in the place of FACE with --map, become overrides. @throws UsageError if FACE is
-/// missing, or given with --map.
+/// missing, or given with --map; if an option of heads is given with --map or --meshes, or one of theirs without them.
 void TakeOverrides(MapArguments& arguments, std::filesystem::path& face, ConfigArguments& config);
 
 /// --map: writes the map of a model, or with --apply the weights of coefficients.

@@ -23,7 +23,7 @@ class MeshWeightsOfHeads : public ::testing::Test {
     MorphTargets targets;
     WeightSolver solver;
   };
-  static const Person& APerson() {
+  static const Person& ThePerson() {
     static const Person person = [] {
       const faces::FaceModel model = faces::ReadFaceModel(testing::SourceRoot() / "weights/face-ict");
       Rng rng(1);
@@ -36,8 +36,8 @@ class MeshWeightsOfHeads : public ::testing::Test {
     return person;
   }
   static geometry::Points Shown(const Eigen::VectorXd& weights) {
-    const Eigen::VectorXd offset = APerson().targets.offsets.cast<double>() * weights;
-    return APerson().rest + Eigen::Map<const geometry::Points>(offset.data(), offset.size() / 3, 3);
+    const Eigen::VectorXd offset = ThePerson().targets.offsets.cast<double>() * weights;
+    return ThePerson().rest + Eigen::Map<const geometry::Points>(offset.data(), offset.size() / 3, 3);
   }
 };
 
@@ -45,7 +45,7 @@ TEST_F(MeshWeightsOfHeads, AreThoseOfTheBlend) {
   Rng rng(2);
   for (int i = 0; i < 5; ++i) {
     const Eigen::VectorXd weights = testing::RandomWeights(rng);
-    const MeshWeights solved = WeightsOfMesh(APerson().solver, APerson().rest, Shown(weights));
+    const MeshWeights solved = WeightsOfMesh(ThePerson().solver, ThePerson().rest, Shown(weights));
     EXPECT_LT((solved.weights - weights).cwiseAbs().maxCoeff(), 1e-5);
     EXPECT_LT(solved.error.greatest_cm, 1e-5);
     EXPECT_GT(solved.at_rest.rms_cm, 0.01);
@@ -58,14 +58,14 @@ TEST_F(MeshWeightsOfHeads, DoNotDependOnWhereTheHeadIs) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, geometry::Vector3(1, -2, 0.5).normalized()).toRotationMatrix();
   const geometry::Vector3 shift(10, -4, 30);
   const geometry::Points moved = (Shown(weights) * turn.transpose()).rowwise() + shift.transpose();
-  const MeshWeights solved = WeightsOfMesh(APerson().solver, APerson().rest, moved);
+  const MeshWeights solved = WeightsOfMesh(ThePerson().solver, ThePerson().rest, moved);
   EXPECT_LT((solved.weights - weights).cwiseAbs().maxCoeff(), 1e-5);
   EXPECT_LT((solved.rotation - turn).norm(), 1e-6);
   EXPECT_LT((solved.translation - shift).norm(), 1e-4);
 }
 
 TEST_F(MeshWeightsOfHeads, OfTheHeadAtRestAreZero) {
-  const MeshWeights solved = WeightsOfMesh(APerson().solver, APerson().rest, APerson().rest);
+  const MeshWeights solved = WeightsOfMesh(ThePerson().solver, ThePerson().rest, ThePerson().rest);
   EXPECT_LT(solved.weights.maxCoeff(), 1e-9);
   EXPECT_LT(solved.error.rms_cm, 1e-9);
 }
@@ -75,13 +75,13 @@ TEST_F(MeshWeightsOfHeads, AreNearThoseOfANoisyMesh) {
   const Eigen::VectorXd weights = testing::RandomWeights(rng);
   geometry::Points mesh = Shown(weights);
   for (double& x : mesh.reshaped()) x += 0.02 * rng.Normal();  // 0.2 mm a coordinate.
-  const MeshWeights solved = WeightsOfMesh(APerson().solver, APerson().rest, mesh);
+  const MeshWeights solved = WeightsOfMesh(ThePerson().solver, ThePerson().rest, mesh);
   EXPECT_LT((solved.weights - weights).cwiseAbs().maxCoeff(), 0.05);
   EXPECT_NEAR(solved.error.rms_cm, 0.02 * std::sqrt(3.0), 0.004);
 }
 
 TEST_F(MeshWeightsOfHeads, NeedTheSameVertices) {
-  testing::ExpectError([] { WeightsOfMesh(APerson().solver, APerson().rest, APerson().rest.topRows(5)); },
+  testing::ExpectError([] { WeightsOfMesh(ThePerson().solver, ThePerson().rest, ThePerson().rest.topRows(5)); },
                        "the mesh has 5 vertices");
 }
 
