@@ -10,6 +10,8 @@
 #include "faces/marked_points.h"
 #include "render/read_drawing.h"
 #include "rig/clip_files.h"
+#include "rig/coefficient_file.h"
+#include "rig/expression_map_file.h"
 #include "runtime/graph_runner.h"
 #include "runtime/onnx_file.h"
 
@@ -31,6 +33,13 @@ void ReadMeshFile(const std::filesystem::path& path) {
 
 void ReadClipFile(const std::filesystem::path& path) {
   rig::Resample(rig::ReadClip(path), 60);
+}
+
+void ReadCoefficientFile(const std::filesystem::path& path) {
+  rig::ExpressionMap map;
+  map.expressions = {"mode_00", "mode_01", "mode_02"};
+  map.constant = 2;
+  rig::ReadCoefficients(path, map);
 }
 
 /// Runs the graph on zeros, if it is a small one.
@@ -66,6 +75,9 @@ constexpr Target kTargets[] = {
      [](const std::filesystem::path& path) { faces::ParseAnnotationFile(ReadFile(path), "annotation"); }},
     {"clip_csv", "a.csv", ReadClipFile},
     {"clip_json", "a.json", ReadClipFile},
+    {"coefficients", "a.csv", ReadCoefficientFile},
+    {"expression_map", "a.json",
+     [](const std::filesystem::path& path) { rig::ParseExpressionMap(ReadJson(path), "map"); }},
 };
 
 }  // namespace

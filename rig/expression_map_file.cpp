@@ -83,12 +83,21 @@ std::vector<MappedExpression> MappedOf(const Json& rows, const ExpressionMap& ma
   return mapped;
 }
 
+Json ProvenanceOf(const Json& json, const char* key, const std::string& name) {
+  const Json& provenance = json.at(key);
+  for (const char* text : {"name", "version", "licence"})
+    DAUMIER_CHECK(provenance.is_object() && provenance.value(text, Json("")).is_string(),
+                  "{}: '{}' is no origin (expected name, version and licence)", name, key);
+  return provenance;
+}
+
 ExpressionMap Parsed(const Json& json, const std::string& name) {
   const auto targets = json.at("names").get<std::vector<std::string>>();
   DAUMIER_CHECK(std::ranges::equal(targets, ArkitNames()), "{}: 'names' are not the 52 of ARKit in their order", name);
   ExpressionMap map;
   map.expressions = json.at("expressions").get<std::vector<std::string>>();
   const auto num_expressions = Eigen::Index(map.expressions.size());
+  DAUMIER_CHECK(num_expressions > 0, "{}: 'expressions' is empty", name);
   const std::string kind = json.at("coefficients").get<std::string>();
   DAUMIER_CHECK(kind == "signed" || kind == "blend", "{}: 'coefficients' is '{}', expected signed or blend", name,
                 kind);
@@ -102,8 +111,8 @@ ExpressionMap Parsed(const Json& json, const std::string& name) {
     map.constant = int(found - map.expressions.begin());
   }
   map.mapped = MappedOf(json.at("errors"), map, name);
-  map.model = json.at("model");
-  map.targets = json.at("targets");
+  map.model = ProvenanceOf(json, "model", name);
+  map.targets = ProvenanceOf(json, "targets", name);
   return map;
 }
 

@@ -82,6 +82,9 @@ TEST(ExpressionMapFile, RefusesOtherFilesByName) {
   expect("/negative", Json::array(), "'negative' has 0 rows");
   expect("/errors", Json::array(), "'errors' has 0 rows, expected 6");
   expect("/errors/0/gain", 0.5, "a gain of 0.5, expected 1 to 2.5");
+  expect("/expressions", Json::array(), "'expressions' is empty");
+  expect("/model", "FLAME", "'model' is no origin");
+  expect("/targets/licence", 3, "'targets' is no origin");
   expect("/constant", "c", "'constant' is no expression");
   Json without = good;
   without.erase("model");
