@@ -1,4 +1,4 @@
-// How far heads of fewer triangles (rig::Decimated) are from the full ones, next to edge collapses by the neutral pose alone:
+// How far heads of fewer triangles (rig::Decimated) are from the full ones, and those of plain edge collapses by the neutral pose alone:
 //   decimated_heads SOURCE PATH [PERSONS [PICTURE [TARGETS]]]
 // SOURCE is ict or makehuman, PATH as source.path. The heads are PERSONS (3) random persons and as many caricatures of level 4 (seed 1).
 // The distance from vertices of skin and lid rims of the full head to the decimated surface, mm at 200 mm from chin to hairline: of all

@@ -21,7 +21,7 @@ struct DecimatedSurface {
   Triangles triangles;     ///< Of the vertices of the input.
   Triangles uv_triangles;  ///< Of its rows of UV; 0 x 3 without UV.
   std::vector<int> rows;   ///< The triangle of the input that became each, ascending.
-  bool is_reached = true;  ///< Whether there are as few triangles as was demanded.
+  bool is_reached = true;  ///< Whether there are at most `num_triangles`.
 };
 
 /// At most `num_triangles` triangles, by collapses of vertices onto neighbours in the order of their error in all poses

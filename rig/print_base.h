@@ -13,7 +13,7 @@ enum class PrintBase {
   kCut       ///< There is neither: the lowest part is cut off.
 };
 
-/// The opening of a shell on which a print may rest: the longest of its holes if its area vector is within 60 degrees of `down`
+/// The opening of a shell that may become its base: the longest of its holes if its area vector is within 60 degrees of `down`
 /// (unit length). loops: as geometry::BoundaryLoops.
 std::optional<size_t> OpeningTowards(const geometry::TriangleMesh& shell, const std::vector<std::vector<int>>& loops,
                                      const geometry::Vector3& down);

@@ -71,7 +71,7 @@ TEST(PrintBase, TheCapOfAClosedNeckIsReplaced) {
 }
 
 TEST(PrintBase, WithoutACapTheLowestPartIsCutOff) {
-  TriangleMesh wedge{geometry::Points(4, 3), geometry::Triangles(4, 3)};  // Rests on a point.
+  TriangleMesh wedge{geometry::Points(4, 3), geometry::Triangles(4, 3)};  // On a point.
   wedge.vertices << 0, 0, 0, 1, 9, 0, -1, 9, 1, -1, 9, -1;
   wedge.triangles << 0, 3, 1, 0, 2, 3, 0, 1, 2, 1, 3, 2;
   ASSERT_TRUE(geometry::IsClosed(wedge.triangles));
