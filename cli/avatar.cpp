@@ -87,7 +87,14 @@ portrait::FaceEdit CaricatureOf(double strength) {
   if (strength == 0) return {};
   return [strength](const geometry::Points& neutral) {
     const deform::OpenedModel opened = deform::OpenCodeModel(deform::ShippedModel());
-    return fitting::ExaggeratedFace(*opened.model, neutral, strength, opened.expression);
+    fitting::ExaggeratedFace face = fitting::Exaggerate(*opened.model, neutral, strength, opened.expression);
+    if (face.radius > opened.model->usual_radius())
+      log::Warn(
+          "--caricature {}: the face is farther from the mean than the model's own caricatures ({:.1f} of at most "
+          "{:.1f}), "
+          "and may fold at chin and neck; a smaller share is safer",
+          strength, face.radius, opened.model->usual_radius());
+    return face.vertices;
   };
 }
 

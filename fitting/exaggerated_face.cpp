@@ -33,15 +33,16 @@ void MakeEven(const faces::FaceTemplate& face, geometry::Points& offsets) {
 
 }  // namespace
 
-geometry::Points ExaggeratedFace(const CodeModel& model, const geometry::Points& face, double strength,
-                                 std::span<const int> expression) {
+ExaggeratedFace Exaggerate(const CodeModel& model, const geometry::Points& face, double strength,
+                           std::span<const int> expression) {
   const MeshCode found = CodeOfMesh(model, face);
   Eigen::VectorXd deviation = found.code;
   for (const int number : expression) deviation[number] = 0;
-  geometry::Points offsets = model.Vertices(found.code + strength * deviation) - found.vertices;
+  const Eigen::VectorXd code = found.code + strength * deviation;
+  geometry::Points offsets = model.Vertices(code) - found.vertices;
   MakeEven(model.face_template(), offsets);
   StillNeck(model.face_template(), offsets);
-  return face + offsets;
+  return {face + offsets, code.norm()};
 }
 
 }  // namespace daumier::fitting
