@@ -134,6 +134,37 @@ TEST_F(RigMapCommand, MapsBlendshapesOfFaceWarehouseAndAppliesTheMap) {
   EXPECT_EQ(At(clip.weights, 0, "browInnerUp"), 0);
 }
 
+/// The same head with its vertices in reverse order is of another topology: the shipped model is registered onto it.
+TEST_F(RigMapCommand, RegistersModelsOfOtherTopologies) {
+  const int last = Face().num_vertices() - 1;
+  const auto reversed = [](const geometry::Points& points) -> geometry::Points { return points.colwise().reverse(); };
+  MakeDirectory(folder_ / "poses/Tester_1/TrainingPose");
+  for (int pose = 0; pose < 20; ++pose) {
+    const geometry::Points shown = pose == 1   ? Shown({{"jawOpen", 0.5f}, {"mouthSmileLeft", 0.25f}})
+                                   : pose == 2 ? Shown({{"browInnerUp", 0.75f}})
+                                               : Face().neutral;
+    geometry::WriteObj(folder_ / fmt::format("poses/Tester_1/TrainingPose/pose_{}.obj", pose),
+                       {0.1 * reversed(shown), (last - Face().triangles.array()).matrix()});
+  }
+  Json annotation = ReadJson(folder_ / "annotation.json");
+  for (Json& landmark : annotation["landmarks"]) landmark = last - landmark.get<int>();
+  annotation["hairline"] = last - annotation["hairline"].get<int>();
+  WriteFileAtomically(folder_ / "annotation.json", annotation.dump());
+  const ProcessResult result =
+      Map(In("poses"), "map.json", {Annotation(), "source.name=facewarehouse_poses", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json map = ReadJson(folder_ / "map.json");
+  EXPECT_LT(map["registration"]["template_to_target_mm"]["mean"], 0.05);
+  const auto weight = [&](int row, const char* name) {
+    return map["positive"][row][*rig::FindArkitName(name)].get<double>();
+  };
+  EXPECT_NEAR(weight(0, "jawOpen"), 0.5, 0.05);
+  EXPECT_NEAR(weight(0, "mouthSmileLeft"), 0.25, 0.05);
+  EXPECT_NEAR(weight(1, "browInnerUp"), 0.75, 0.05);
+  EXPECT_GT(map["errors"][0]["explained"], 0.98);
+  EXPECT_TRUE(map["errors"][5]["explained"].is_null()) << "a pose that is neutral";
+}
+
 TEST_F(RigMapCommand, MapsBothEndsOfTheModesOfBfm) {
   WriteBfm();
   WriteFileAtomically(folder_ / "take.json", "[[0, 0], [1, 2], [0, -2]]");
