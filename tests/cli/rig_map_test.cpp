@@ -53,15 +53,21 @@ class RigMapCommand : public ::testing::Test {
   void WriteMesh(const std::string& name, const geometry::Points& vertices) const {
     geometry::WriteObj(folder_ / name, {vertices, Face().triangles});
   }
-  /// A person of FaceWarehouse, in its unit of 10 cm.
-  void WriteFaceWarehouse() const {
+  enum class Order { kSame, kReversed };
+  /// A person of FaceWarehouse, in its unit of 10 cm. In reversed order the vertices are of another topology.
+  void WriteFaceWarehouse(Order order = Order::kSame) const {
+    const bool is_reversed = order == Order::kReversed;
+    const auto in_file = [&](const geometry::Points& points) -> geometry::Points {
+      return 0.1 * (is_reversed ? geometry::Points(points.colwise().reverse()) : points);
+    };
     MakeDirectory(folder_ / "fw/Tester_1/Blendshape");
-    const std::vector<geometry::Points> shapes = {Face().neutral, Shown({{"jawOpen", 0.5f}, {"mouthSmileLeft", 0.25f}}),
-                                                  Shown({{"browInnerUp", 0.75f}})};
-    WriteMesh("fw/Tester_1/Blendshape/shape_0.obj", 0.1 * Face().neutral);
+    geometry::Triangles triangles = Face().triangles;
+    if (is_reversed) triangles = (Face().num_vertices() - 1 - triangles.array()).matrix();
+    geometry::WriteObj(folder_ / "fw/Tester_1/Blendshape/shape_0.obj", {in_file(Face().neutral), triangles});
     std::string bytes = BytesOf(std::vector<int32_t>{2, Face().num_vertices(), 0});
-    for (const geometry::Points& shape : shapes) {
-      const MeshBytes floats = (0.1 * shape).cast<float>();
+    for (const geometry::Points& shape :
+         {Face().neutral, Shown({{"jawOpen", 0.5f}, {"mouthSmileLeft", 0.25f}}), Shown({{"browInnerUp", 0.75f}})}) {
+      const MeshBytes floats = in_file(shape).cast<float>();
       bytes.append(reinterpret_cast<const char*>(floats.data()), sizeof(float) * size_t(floats.size()));
     }
     WriteFileAtomically(folder_ / "fw/Tester_1/Blendshape/shape.bs", bytes);
@@ -134,24 +140,14 @@ TEST_F(RigMapCommand, MapsBlendshapesOfFaceWarehouseAndAppliesTheMap) {
   EXPECT_EQ(At(clip.weights, 0, "browInnerUp"), 0);
 }
 
-/// The same head with its vertices in reverse order is of another topology: the shipped model is registered onto it.
 TEST_F(RigMapCommand, RegistersModelsOfOtherTopologies) {
+  WriteFaceWarehouse(Order::kReversed);
   const int last = Face().num_vertices() - 1;
-  const auto reversed = [](const geometry::Points& points) -> geometry::Points { return points.colwise().reverse(); };
-  MakeDirectory(folder_ / "poses/Tester_1/TrainingPose");
-  for (int pose = 0; pose < 20; ++pose) {
-    const geometry::Points shown = pose == 1   ? Shown({{"jawOpen", 0.5f}, {"mouthSmileLeft", 0.25f}})
-                                   : pose == 2 ? Shown({{"browInnerUp", 0.75f}})
-                                               : Face().neutral;
-    geometry::WriteObj(folder_ / fmt::format("poses/Tester_1/TrainingPose/pose_{}.obj", pose),
-                       {0.1 * reversed(shown), (last - Face().triangles.array()).matrix()});
-  }
   Json annotation = ReadJson(folder_ / "annotation.json");
   for (Json& landmark : annotation["landmarks"]) landmark = last - landmark.get<int>();
   annotation["hairline"] = last - annotation["hairline"].get<int>();
   WriteFileAtomically(folder_ / "annotation.json", annotation.dump());
-  const ProcessResult result =
-      Map(In("poses"), "map.json", {Annotation(), "source.name=facewarehouse_poses", "--json"});
+  const ProcessResult result = Map(In("fw"), "map.json", {Annotation()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json map = ReadJson(folder_ / "map.json");
   EXPECT_LT(map["registration"]["template_to_target_mm"]["mean"], 0.05);
@@ -162,7 +158,6 @@ TEST_F(RigMapCommand, RegistersModelsOfOtherTopologies) {
   EXPECT_NEAR(weight(0, "mouthSmileLeft"), 0.25, 0.05);
   EXPECT_NEAR(weight(1, "browInnerUp"), 0.75, 0.05);
   EXPECT_GT(map["errors"][0]["explained"], 0.98);
-  EXPECT_TRUE(map["errors"][5]["explained"].is_null()) << "a pose that is neutral";
 }
 
 TEST_F(RigMapCommand, MapsBothEndsOfTheModesOfBfm) {
