@@ -5,12 +5,14 @@
 // its landmarks; targets are carried by rig::ForeignRig, and plainly from the nearest vertex of the registered template.
 // The truth is rig::ExpressionTargets of the person. A row a head: median over the targets of the mean error (of vertices
 // that move by more than 0.1 mm) and of the greatest one, and vertices that were taken for the other side of their slit,
-// without those around its corners, where sides meet (testing::SidesApart). With another source: the sides on its mean head.
+// without those around its corners, where sides meet (testing::SidesApart). Then a row a target. With another source: the
+// sides on its mean head.
 #include "bench/expression_subject.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "datasets/build/registered_faces.h"
 #include "geometry/nearest.h"
+#include "rig/arkit_names.h"
 #include "rig/foreign_head.h"
 #include "tests/support/other_topology.h"
 #include "tests/support/sides_apart.h"
@@ -20,7 +22,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace daumier {
@@ -29,6 +33,7 @@ namespace {
 /// How far carried targets are from the truth, mm.
 struct TransferError {
   std::vector<double> mean, greatest;  ///< Over vertices that move by more than 0.1 mm; one a target that has any.
+  std::vector<std::string> names;      ///< Of these targets.
   int num_wrong = 0;
   std::string worst;
 };
@@ -59,6 +64,7 @@ TransferError ErrorsOf(const rig::MorphTargets& truth, const testing::OtherTopol
     if (count == 0) continue;
     error.mean.push_back(mm * sum / count);
     error.greatest.push_back(mm * greatest);
+    error.names.push_back(truth.names[size_t(t)]);
     if (mm * greatest > worst) {
       worst = mm * greatest;
       error.worst = truth.names[size_t(t)];
@@ -93,10 +99,25 @@ class TransferBench {
     TransferError own = ErrorsOf(truth, other, rigged.head.targets.offsets, mm);
     for (size_t v = 0; v < other.sources.size(); ++v) own.num_wrong += IsWrong(other.sources[v], rigged.sides[v]);
     TransferError plain = PlainErrors(registered, truth, other, head, mm);
+    AddByTarget(own, &ByTarget::own);
+    AddByTarget(plain, &ByTarget::plain);
     fmt::print("{:<28} {:>7} {:>8.3f} {:>8.3f} {:>6} {:<18} {:>8.3f} {:>8.3f} {:>6}  {:5.1f} {:5.1f}\n", name,
                head.vertices.rows(), MedianOf(own.mean), MedianOf(own.greatest), own.num_wrong, own.worst,
                MedianOf(plain.mean), MedianOf(plain.greatest), plain.num_wrong, seconds_registering,
                seconds - seconds_registering);
+  }
+
+  /// Each target: means over the heads of the mean error, and the greatest error of all heads.
+  void PrintTargets() const {
+    fmt::print("\n{:<22} {:>8} {:>8} {:>8} {:>8}\n", "target, mm", "mean", "plain", "greatest", "plain");
+    for (const std::string_view word : rig::ArkitNames()) {
+      const std::string name(word);
+      const auto found = by_target_.find(name);
+      if (found == by_target_.end()) continue;
+      const auto& [own, plain] = found->second;
+      fmt::print("{:<22} {:>8.3f} {:>8.3f} {:>8.2f} {:>8.2f}\n", name, own.sum / own.count, plain.sum / plain.count,
+                 own.greatest, plain.greatest);
+    }
   }
 
   /// Sides alone, on the mean head of another source.
@@ -129,6 +150,23 @@ class TransferBench {
   const faces::FaceTemplate& face() const { return subject_.model().face_template; }
 
  private:
+  struct Sum {
+    double sum = 0, greatest = 0;
+    int count = 0;
+  };
+  struct ByTarget {
+    Sum own, plain;
+  };
+
+  void AddByTarget(const TransferError& error, Sum ByTarget::*which) {
+    for (size_t i = 0; i < error.names.size(); ++i) {
+      Sum& sum = by_target_[error.names[i]].*which;
+      sum.sum += error.mean[i];
+      sum.greatest = std::max(sum.greatest, error.greatest[i]);
+      ++sum.count;
+    }
+  }
+
   bool IsWrong(const std::pair<int, int>& source, rig::FaceSide side) const {
     const rig::FaceSide a = true_sides_[size_t(source.first)], b = true_sides_[size_t(source.second)];
     return a == b && a != rig::FaceSide::kNone && side == rig::OppositeSide(a);
@@ -157,6 +195,7 @@ class TransferBench {
   rig::ForeignRig rig_;
   rig::FaceSlits slits_;
   std::vector<rig::FaceSide> sides_, true_sides_;
+  std::map<std::string, ByTarget> by_target_;
 };
 
 int Run(const std::vector<std::string>& words) {
@@ -176,6 +215,7 @@ int Run(const std::vector<std::string>& words) {
     bench.Measure(name("decimated 1/2"), person, testing::DecimatedTopology(neutral, 0.5, rng));
     bench.Measure(name("decimated 1/5"), person, testing::DecimatedTopology(neutral, 0.2, rng));
   }
+  bench.PrintTargets();
   if (words.size() > 4) bench.MeasureSides({.name = words[3], .path = words[4]});
   return 0;
 }
