@@ -10,17 +10,18 @@
 #include "rig/texture_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace daumier::rig {
 namespace {
 
 constexpr double kLeastThicknessMm = 0.2, kUnderLowest = 0.2, kMmPerCm = 10;  // cm
-constexpr double kApart =
-    1e-3;  // cm: the fans of two holes at one place share no edge in a file, which has no vertices.
+constexpr double kApartMm = 0.002;
 
 /// Head frame (y up, the face to +z) to print frame (z up): looking to -y, or up.
 Eigen::Matrix3d PrintFromHead(bool faces_up) {
@@ -86,7 +87,6 @@ Shell ClosedBut(geometry::TriangleMesh part, bool is_main, PrintedHead& result) 
     }
     geometry::FillHole(loops[i], shell.mesh);
     ++result.num_holes;
-    shell.mesh.vertices(shell.mesh.vertices.rows() - 1, 1) += kApart * result.num_holes;
   }
   return shell;
 }
@@ -101,6 +101,24 @@ std::optional<geometry::TriangleMesh> Solid(geometry::TriangleMesh shell) {
   if (2 * std::abs(volume) < kLeastThicknessMm * area) return std::nullopt;
   if (volume < 0) shell.triangles.col(1).swap(shell.triangles.col(2));
   return shell;
+}
+
+/// Moves vertices of equal coordinates apart, each towards its neighbours: a file has no vertices, and where fans meet at one place
+/// its edges would have four triangles.
+void SeparatePlaces(geometry::TriangleMesh& mesh) {
+  const geometry::Adjacency neighbours = geometry::VertexNeighbours(mesh.triangles, int(mesh.vertices.rows()));
+  std::set<std::array<float, 3>> taken;
+  for (int v = 0; v < mesh.vertices.rows(); ++v) {
+    const geometry::Vector3 place = mesh.vertices.row(v);
+    geometry::Vector3 inwards = geometry::Vector3::Zero();
+    for (const int n : neighbours[v]) inwards += mesh.vertices.row(n).transpose() - place;
+    inwards = inwards.norm() > 0 ? inwards.normalized() : geometry::Vector3::UnitX();
+    for (int step = 0;; ++step) {
+      mesh.vertices.row(v) = (place + step * kApartMm * inwards).transpose();
+      const Eigen::RowVector3f rounded = mesh.vertices.row(v).cast<float>();
+      if (taken.insert({rounded[0], rounded[1], rounded[2]}).second) break;
+    }
+  }
 }
 
 }  // namespace
@@ -144,6 +162,7 @@ PrintedHead MakePrintedHead(const RiggedHead& head, const PrintPose& pose) {
   const Eigen::RowVector3d low = solids.front().vertices.colwise().minCoeff(),
                            high = solids.front().vertices.colwise().maxCoeff();
   result.mesh.vertices.rowwise() -= Eigen::RowVector3d(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), low[2]);
+  SeparatePlaces(result.mesh);
   if (result.num_holes > 0)
     result.warnings.push_back(fmt::format("{} holes are closed in the print", result.num_holes));
   if (result.num_thin > 0)

@@ -30,7 +30,8 @@ using PrintPose = std::vector<std::pair<std::string, float>>;
 /// is thinner than 0.2 mm (twice its volume by its area) is left out. The largest shell gets a flat base (AddFlatBase) 2 mm below the
 /// lowest point of all: its neck is extended straight down. Eyes, teeth and tongue are shells of their own, inside of the largest one or
 /// overlapping it.
-/// Every edge of `mesh` has two triangles in opposite directions, and every shell has a positive volume.
+/// Every edge of `mesh` has two triangles in opposite directions, and every shell has a positive volume. No two vertices have the same
+/// coordinates in float32 (fans that met at a place are moved apart by 0.002 mm), so that this holds for a file as well.
 /// @throws Error on an unknown target, or if nothing has a thickness.
 PrintedHead MakePrintedHead(const RiggedHead& head, const PrintPose& pose = {});
 

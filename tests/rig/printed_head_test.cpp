@@ -56,6 +56,8 @@ void ExpectPrintable(const PrintedHead& print) {
   EXPECT_EQ(print.mesh.vertices.col(2).minCoeff(), 0);
   const auto read = geometry::DecodeStl(geometry::EncodeStl(print.mesh, "head"));
   EXPECT_EQ(read.triangles.rows(), print.mesh.triangles.rows());
+  EXPECT_EQ(read.vertices.rows(), print.mesh.vertices.rows());
+  EXPECT_TRUE(geometry::IsClosed(read.triangles));
 }
 
 TEST_F(PrintedHeadTest, IsClosedShellsInMillimetresOnAFlatBase) {
@@ -112,6 +114,19 @@ TEST(PrintedHead, SheetsAreLeftOutAndWhatIsInsideOutIsTurned) {
   geometry::TriangleMesh sideways = testing::FlatSheet(4);
   sideways.vertices.col(0).swap(sideways.vertices.col(2));
   testing::ExpectError([&] { MakePrintedHead(HeadOf(sideways)); }, "without thickness");
+}
+
+TEST(PrintedHead, HolesThatTouchAtAVertexAreApartInTheFile) {
+  geometry::TriangleMesh ball = testing::Sphere(5, 4);
+  // Two holes around opposite neighbours of a vertex meet there.
+  const geometry::Adjacency at = geometry::TrianglesAtVertices(ball.triangles, int(ball.vertices.rows()));
+  std::vector<int> rows;
+  for (int f = 0; f < ball.triangles.rows(); ++f)
+    if (f != at[4][0] && f != at[4][2]) rows.push_back(f);
+  ball.triangles = ball.triangles(rows, Eigen::all).eval();
+  const PrintedHead print = MakePrintedHead(HeadOf(ball));
+  ExpectPrintable(print);
+  EXPECT_EQ(print.num_shells, 1);
 }
 
 TEST(PrintedHead, EdgesOfThreeTrianglesAreCutWithAWarning) {
