@@ -51,7 +51,7 @@ struct Corners {
   std::vector<Wedge> table;
 };
 
-Corners CornersOf(const TriangleMesh& mesh, const std::vector<int>& places) {
+Corners WedgedCornersOf(const TriangleMesh& mesh, const std::vector<int>& places) {
   Corners corners;
   const std::vector<int> unique_uv = UniqueUv(mesh.uv);
   std::map<std::pair<int, int>, int> numbers;
@@ -94,7 +94,7 @@ class Decimator {
   explicit Decimator(const DecimationInput& input)
       : input_(input),
         places_(PlacesOf(input)),
-        corners_(CornersOf(input.mesh, places_)),
+        corners_(WedgedCornersOf(input.mesh, places_)),
         mesh_(corners_.places, corners_.wedges, Selected(input.labels, corners_.rows), int(input.mesh.vertices.rows())),
         quadrics_(input.mesh.vertices, input.offsets),
         stamps_(places_.size(), 0),

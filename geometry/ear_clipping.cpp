@@ -9,36 +9,36 @@
 namespace daumier::geometry {
 namespace {
 
-using Corner = Eigen::RowVector2d;
+using PolygonCorner = Eigen::RowVector2d;
 
 /// Twice the area of a triangle, positive if it runs counter-clockwise.
-double Turn(const Corner& a, const Corner& b, const Corner& c) {
+double TurnOf(const PolygonCorner& a, const PolygonCorner& b, const PolygonCorner& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-bool Touch(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-  const auto lies_on = [](const Corner& p, const Corner& q, const Corner& point) {
-    return Turn(p, q, point) == 0 && (point - p).dot(point - q) <= 0;
+bool Touch(const PolygonCorner& a, const PolygonCorner& b, const PolygonCorner& c, const PolygonCorner& d) {
+  const auto lies_on = [](const PolygonCorner& p, const PolygonCorner& q, const PolygonCorner& point) {
+    return TurnOf(p, q, point) == 0 && (point - p).dot(point - q) <= 0;
   };
   if (lies_on(a, b, c) || lies_on(a, b, d) || lies_on(c, d, a) || lies_on(c, d, b)) return true;
-  return Turn(a, b, c) * Turn(a, b, d) < 0 && Turn(c, d, a) * Turn(c, d, b) < 0;
+  return TurnOf(a, b, c) * TurnOf(a, b, d) < 0 && TurnOf(c, d, a) * TurnOf(c, d, b) < 0;
 }
 
 /// Twice the area by the square of the longest side: 0 for a triangle without area.
-double Fatness(const Corner& a, const Corner& b, const Corner& c) {
-  return Turn(a, b, c) / std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
+double Fatness(const PolygonCorner& a, const PolygonCorner& b, const PolygonCorner& c) {
+  return TurnOf(a, b, c) / std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
 }
 
 }  // namespace
 
-double SignedArea(const Polygon& polygon) {
+double SignedArea(const FlatPolygon& polygon) {
   double sum = 0;
   for (Eigen::Index i = 0; i < polygon.rows(); ++i)
-    sum += Turn(polygon.row(0), polygon.row(i), polygon.row((i + 1) % polygon.rows()));
+    sum += TurnOf(polygon.row(0), polygon.row(i), polygon.row((i + 1) % polygon.rows()));
   return 0.5 * sum;
 }
 
-bool IsSimple(const Polygon& polygon) {
+bool IsSimple(const FlatPolygon& polygon) {
   const Eigen::Index n = polygon.rows();
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = i + 2; j < n; ++j)
@@ -47,7 +47,7 @@ bool IsSimple(const Polygon& polygon) {
   return n >= 3;
 }
 
-Triangles ClipEars(const Polygon& polygon) {
+Triangles ClipEars(const FlatPolygon& polygon) {
   const int n = int(polygon.rows());
   DAUMIER_CHECK(n >= 3, "a polygon has {} corners, expected 3 or more", n);
   std::vector<int> rest(size_t(n), 0);
@@ -59,9 +59,9 @@ Triangles ClipEars(const Polygon& polygon) {
     const double fat = Fatness(polygon.row(a), polygon.row(b), polygon.row(c));
     if (fat <= 0) return fat;
     const bool has_corner = std::ranges::any_of(rest, [&](int p) {
-      return p != a && p != b && p != c && Turn(polygon.row(a), polygon.row(b), polygon.row(p)) >= 0 &&
-             Turn(polygon.row(b), polygon.row(c), polygon.row(p)) >= 0 &&
-             Turn(polygon.row(c), polygon.row(a), polygon.row(p)) >= 0;
+      return p != a && p != b && p != c && TurnOf(polygon.row(a), polygon.row(b), polygon.row(p)) >= 0 &&
+             TurnOf(polygon.row(b), polygon.row(c), polygon.row(p)) >= 0 &&
+             TurnOf(polygon.row(c), polygon.row(a), polygon.row(p)) >= 0;
     });
     return has_corner ? -1.0 : fat;
   };

@@ -16,7 +16,7 @@ constexpr size_t kHeaderBytes = 80, kTriangleBytes = 50;
 static_assert(std::endian::native == std::endian::little);
 
 template <class T>
-void Append(std::string& bytes, const T& value) {
+void AppendBytes(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
@@ -33,15 +33,15 @@ std::string EncodeStl(const TriangleMesh& mesh, std::string_view header) {
   std::string bytes(header);
   bytes.resize(kHeaderBytes, '\0');
   bytes.reserve(kHeaderBytes + 4 + kTriangleBytes * size_t(count));
-  Append(bytes, uint32_t(count));
+  AppendBytes(bytes, uint32_t(count));
   for (Eigen::Index f = 0; f < count; ++f) {
-    Append(bytes, std::array<float, 3>{float(normals(f, 0)), float(normals(f, 1)), float(normals(f, 2))});
+    AppendBytes(bytes, std::array<float, 3>{float(normals(f, 0)), float(normals(f, 1)), float(normals(f, 2))});
     for (const int v : mesh.triangles.row(f)) {
       DAUMIER_CHECK(mesh.vertices.row(v).allFinite(), "vertex {} is not finite", v);
-      Append(bytes,
-             std::array<float, 3>{float(mesh.vertices(v, 0)), float(mesh.vertices(v, 1)), float(mesh.vertices(v, 2))});
+      AppendBytes(bytes, std::array<float, 3>{float(mesh.vertices(v, 0)), float(mesh.vertices(v, 1)),
+                                              float(mesh.vertices(v, 2))});
     }
-    Append(bytes, uint16_t(0));
+    AppendBytes(bytes, uint16_t(0));
   }
   return bytes;
 }

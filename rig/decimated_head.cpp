@@ -12,7 +12,7 @@
 namespace daumier::rig {
 namespace {
 
-constexpr float kInMouth = 0.3f, kBackOfEye = 0.03f, kFrontOfEye = 24;
+constexpr float kMouthInside = 0.3f, kBackOfEye = 0.03f, kFrontOfEye = 24;
 constexpr float kMoving = 3, kFullMove = 0.5f;  // cm
 constexpr float kStretching = 16,
                 kFullStretch = 1;  // Change of a difference of two displacements by the edge's length.
@@ -66,7 +66,7 @@ struct TriangleFacts {
     importance = ImportanceOfSkin(head);
     for (size_t f = 0; f < head.materials.size(); ++f) {
       labels.push_back(has_own ? head.own[f] : int(head.materials[f]));
-      if (IsInMouth(head.materials[f])) importance[f] = kInMouth;
+      if (IsInMouth(head.materials[f])) importance[f] = kMouthInside;
     }
     for (const RiggedEye& eye : head.eyes) {
       for (size_t f = 0; f < eye.materials.size(); ++f) {
@@ -95,18 +95,18 @@ Peak PeakOf(const RiggedHead& head, Eigen::Index target) {
 }
 
 /// Some rows of what a decimated surface has, as a mesh of the vertices that they use.
-struct Part {
+struct DecimatedPart {
   geometry::TriangleMesh mesh;
   std::vector<int> vertices;  ///< Of the joined mesh.
   std::vector<int> rows;      ///< Of the part's triangles before.
 };
 
-Part PartOf(const geometry::TriangleMesh& joined, const geometry::DecimatedSurface& surface, int first_row,
-            int num_rows) {
+DecimatedPart DecimatedPartOf(const geometry::TriangleMesh& joined, const geometry::DecimatedSurface& surface,
+                              int first_row, int num_rows) {
   const auto begin = std::ranges::lower_bound(surface.rows, first_row),
              end = std::ranges::lower_bound(surface.rows, first_row + num_rows);
   const Eigen::Index first = begin - surface.rows.begin(), count = end - begin;
-  Part part;
+  DecimatedPart part;
   geometry::TriangleMesh all{joined.vertices, surface.triangles.middleRows(first, count), {}, {}};
   all.uv_triangles.resize(0, 3);
   if (joined.has_uv()) {
@@ -134,7 +134,7 @@ RiggedHead HeadOfSurface(const RiggedHead& head, const geometry::TriangleMesh& j
                          const geometry::DecimatedSurface& surface) {
   RiggedHead result = head;
   int first_row = int(head.mesh.triangles.rows());
-  Part skin = PartOf(joined, surface, 0, first_row);
+  DecimatedPart skin = DecimatedPartOf(joined, surface, 0, first_row);
   result.materials = OfRows(head.materials, skin.rows);
   result.own = OfRows(head.own, skin.rows);
   result.targets.offsets.resize(3 * std::ssize(skin.vertices), head.targets.offsets.cols());
@@ -147,7 +147,7 @@ RiggedHead HeadOfSurface(const RiggedHead& head, const geometry::TriangleMesh& j
     if (std::ranges::binary_search(head.neck_cap, skin.rows[row])) result.neck_cap.push_back(int(row));
   for (RiggedEye& eye : result.eyes) {
     const int num_rows = int(eye.mesh.triangles.rows());
-    Part ball = PartOf(joined, surface, first_row, num_rows);
+    DecimatedPart ball = DecimatedPartOf(joined, surface, first_row, num_rows);
     first_row += num_rows;
     eye.materials = OfRows(eye.materials, ball.rows);
     eye.own = OfRows(eye.own, ball.rows);

@@ -61,8 +61,8 @@ std::vector<int> CapOf(const geometry::TriangleMesh& shell) {
 }
 
 /// A loop seen from below, x to the left: counter-clockwise for one with the surface on its left and above it.
-geometry::Polygon SeenFromBelow(const geometry::Points& vertices, const std::vector<int>& loop) {
-  geometry::Polygon polygon(std::ssize(loop), 2);
+geometry::FlatPolygon SeenFromBelow(const geometry::Points& vertices, const std::vector<int>& loop) {
+  geometry::FlatPolygon polygon(std::ssize(loop), 2);
   for (size_t i = 0; i < loop.size(); ++i) {  // A loop walks against the winding of what closes it.
     const int v = loop[loop.size() - 1 - i];
     polygon.row(Eigen::Index(i)) << vertices(v, 0), vertices(v, 2);
@@ -71,7 +71,7 @@ geometry::Polygon SeenFromBelow(const geometry::Points& vertices, const std::vec
 }
 
 bool IsExtendable(const geometry::TriangleMesh& shell, const std::vector<int>& loop) {
-  const geometry::Polygon polygon = SeenFromBelow(shell.vertices, loop);
+  const geometry::FlatPolygon polygon = SeenFromBelow(shell.vertices, loop);
   return geometry::IsSimple(polygon) && geometry::SignedArea(polygon) > 0;
 }
 

@@ -40,7 +40,8 @@ struct RiggedHead {
   std::vector<OwnMaterial> own_materials = {};
   std::vector<int> own = {};
   std::vector<HeadAttachment> attachments = {};
-  std::vector<int> neck_cap = {};  ///< Triangles of `mesh` that close the neck, ascending; of heads of a face model alone.
+  /// Triangles of `mesh` that close the neck, ascending; of heads of a face model alone.
+  std::vector<int> neck_cap = {};
 };
 
 }  // namespace daumier::rig

@@ -10,18 +10,18 @@
 namespace daumier::geometry {
 namespace {
 
-Polygon Corners(std::initializer_list<Eigen::RowVector2d> corners) {
-  Polygon polygon(std::ssize(corners), 2);
+FlatPolygon Corners(std::initializer_list<Eigen::RowVector2d> corners) {
+  FlatPolygon polygon(std::ssize(corners), 2);
   Eigen::Index i = 0;
   for (const Eigen::RowVector2d& corner : corners) polygon.row(i++) = corner;
   return polygon;
 }
 
 /// The sum of the areas of its triangles, each of which has to run counter-clockwise.
-double AreaOfTriangles(const Polygon& polygon, const Triangles& triangles) {
+double AreaOfTriangles(const FlatPolygon& polygon, const Triangles& triangles) {
   double sum = 0;
   for (const auto& t : triangles.rowwise()) {
-    Polygon one(3, 2);
+    FlatPolygon one(3, 2);
     one << polygon.row(t[0]), polygon.row(t[1]), polygon.row(t[2]);
     EXPECT_GE(SignedArea(one), 0);
     sum += SignedArea(one);
@@ -30,13 +30,13 @@ double AreaOfTriangles(const Polygon& polygon, const Triangles& triangles) {
 }
 
 TEST(EarClipping, CutsPolygonsThatAreNotConvex) {
-  const Polygon angle = Corners({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+  const FlatPolygon angle = Corners({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   EXPECT_DOUBLE_EQ(SignedArea(angle), 3);
   EXPECT_TRUE(IsSimple(angle));
   const Triangles triangles = ClipEars(angle);
   EXPECT_EQ(triangles.rows(), 4);
   EXPECT_DOUBLE_EQ(AreaOfTriangles(angle, triangles), 3);
-  Polygon star(40, 2);
+  FlatPolygon star(40, 2);
   for (int i = 0; i < 40; ++i) {
     const double angle_of = 2 * std::numbers::pi * i / 40, radius = i % 2 == 0 ? 1 : 0.3;
     star.row(i) << radius * std::cos(angle_of), radius * std::sin(angle_of);
