@@ -13,7 +13,7 @@ constexpr int kMostSteps = 30;
 constexpr double kStillRadians = 1e-9;
 
 /// A rotation and a translation.
-struct Motion {
+struct RigidMotion {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   geometry::Vector3 translation = geometry::Vector3::Zero();
 
@@ -23,14 +23,14 @@ struct Motion {
 };
 
 /// argmin sum_v m_v |R a_v + t - b_v|^2 over rotations [Kabsch 1976].
-Motion AlignRigidly(const geometry::Points& a, const geometry::Points& b, const Eigen::VectorXd& masses) {
+RigidMotion AlignRigidly(const geometry::Points& a, const geometry::Points& b, const Eigen::VectorXd& masses) {
   const Eigen::RowVector3d centre_a = masses.transpose() * a / masses.sum(),
                            centre_b = masses.transpose() * b / masses.sum();
   const Eigen::Matrix3d covariance =
       (b.rowwise() - centre_b).transpose() * masses.asDiagonal() * (a.rowwise() - centre_a);
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  Motion motion;
+  RigidMotion motion;
   motion.rotation = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
   motion.translation = centre_b.transpose() - motion.rotation * centre_a.transpose();
   return motion;
@@ -59,7 +59,7 @@ MeshWeights WeightsOfMesh(const WeightSolver& solver, const geometry::Points& re
   DAUMIER_CHECK(rest.rows() == solver.num_vertices() && mesh.rows() == rest.rows(),
                 "the mesh has {} vertices, the head at rest {}, its targets {}", mesh.rows(), rest.rows(),
                 solver.num_vertices());
-  Motion motion =
+  RigidMotion motion =
       AlignRigidly(rest(solver.vertices(), Eigen::all), mesh(solver.vertices(), Eigen::all), solver.masses());
   MeshWeights result;
   result.weights = Eigen::VectorXd::Zero(kNumArkitNames);

@@ -29,16 +29,16 @@ int MultipleAbove(double length) {
 }
 
 /// A picture within a larger one.
-struct Canvas {
+struct StyleCanvas {
   int height, width;                  ///< Of all.
   int content_height, content_width;  ///< Of the picture, from the top left corner.
 };
 
-Canvas CanvasFor(const render::Image& picture, const runtime::ImageInput& input, int side) {
+StyleCanvas StyleCanvasFor(const render::Image& picture, const runtime::ImageInput& input, int side) {
   const double scale = input.height && input.width
                            ? std::min(double(*input.height) / picture.height, double(*input.width) / picture.width)
                            : std::min(1.0, double(side) / std::max(picture.height, picture.width));
-  Canvas canvas{};
+  StyleCanvas canvas{};
   canvas.content_height = std::max(1, int(std::lround(scale * picture.height)));
   canvas.content_width = std::max(1, int(std::lround(scale * picture.width)));
   canvas.height = input.height ? int(*input.height) : MultipleAbove(canvas.content_height);
@@ -80,7 +80,7 @@ StyleNetwork::StyleNetwork(const std::filesystem::path& file, const StyleNetwork
 
 render::Image StyleNetwork::Run(const render::Image& picture, const std::string& range, int side,
                                 double* within) const {
-  const Canvas canvas = CanvasFor(picture, network_.input(), side);
+  const StyleCanvas canvas = StyleCanvasFor(picture, network_.input(), side);
   const ValueRange& values = RangeNamed(range);
   const render::Image content = render::Resize(render::ToRgb(picture), canvas.content_height, canvas.content_width);
   FloatArray in({canvas.height, canvas.width, 3});

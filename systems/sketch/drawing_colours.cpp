@@ -14,37 +14,37 @@ constexpr int kLeastChroma = 26;  // Of 255.
 constexpr double kLeastSkinShare = 0.2, kLeastPartShare = 0.1;
 constexpr size_t kLeastPixels = 6;
 
-using Outline = std::vector<Eigen::Vector2d>;
+using RegionOutline = std::vector<Eigen::Vector2d>;
 
-Outline OutlineOf(const render::Stroke& stroke) {
-  Outline outline;
+RegionOutline RegionOutlineOf(const render::Stroke& stroke) {
+  RegionOutline outline;
   for (const auto& [x, y] : stroke.points) outline.emplace_back(x, y);
   return outline;
 }
 
-std::vector<Outline> CurvesOfKind(const std::vector<render::Stroke>& curves, std::string_view kind) {
+std::vector<RegionOutline> CurvesOfKind(const std::vector<render::Stroke>& curves, std::string_view kind) {
   const std::vector<std::string>& kinds = faces::CurveKinds();
   const auto number = std::ranges::find(kinds, kind) - kinds.begin();
-  std::vector<Outline> found;
+  std::vector<RegionOutline> found;
   for (const render::Stroke& curve : curves)
-    if (curve.kind == number && curve.points.size() > 1) found.push_back(OutlineOf(curve));
+    if (curve.kind == number && curve.points.size() > 1) found.push_back(RegionOutlineOf(curve));
   return found;
 }
 
-Eigen::Vector2d MiddleOf(const Outline& outline) {
+Eigen::Vector2d MiddleOf(const RegionOutline& outline) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& point : outline) sum += point;
   return sum / double(outline.size());
 }
 
 /// Each upper line with the lower one that is nearest to it, as one outline.
-std::vector<Outline> Joined(const std::vector<Outline>& upper, const std::vector<Outline>& lower) {
-  std::vector<Outline> joined;
+std::vector<RegionOutline> Joined(const std::vector<RegionOutline>& upper, const std::vector<RegionOutline>& lower) {
+  std::vector<RegionOutline> joined;
   if (lower.empty()) return joined;
-  for (const Outline& above : upper) {
-    Outline outline = above;
-    Outline below = *std::ranges::min_element(
-        lower, {}, [&](const Outline& line) { return (MiddleOf(line) - MiddleOf(above)).norm(); });
+  for (const RegionOutline& above : upper) {
+    RegionOutline outline = above;
+    RegionOutline below = *std::ranges::min_element(
+        lower, {}, [&](const RegionOutline& line) { return (MiddleOf(line) - MiddleOf(above)).norm(); });
     if ((below.front() - above.back()).norm() > (below.back() - above.back()).norm()) std::ranges::reverse(below);
     outline.insert(outline.end(), below.begin(), below.end());
     joined.push_back(std::move(outline));
@@ -56,13 +56,13 @@ std::vector<Outline> Joined(const std::vector<Outline>& upper, const std::vector
 class Region {
  public:
   Region(int height, int width) : mask_(height, width, 1, 0) {}
-  Region& With(const std::vector<Outline>& outlines) { return Fill(outlines, 1); }
-  Region& Without(const std::vector<Outline>& outlines) { return Fill(outlines, 0); }
+  Region& With(const std::vector<RegionOutline>& outlines) { return Fill(outlines, 1); }
+  Region& Without(const std::vector<RegionOutline>& outlines) { return Fill(outlines, 0); }
   const render::Image& mask() const { return mask_; }
 
  private:
-  Region& Fill(const std::vector<Outline>& outlines, uint8_t value) {
-    for (const Outline& outline : outlines) render::FillArea({.outlines = {outline}}, {}, value, mask_);
+  Region& Fill(const std::vector<RegionOutline>& outlines, uint8_t value) {
+    for (const RegionOutline& outline : outlines) render::FillArea({.outlines = {outline}}, {}, value, mask_);
     return *this;
   }
 
@@ -97,9 +97,9 @@ std::optional<Eigen::Vector3f> ColourWithin(const render::Image& picture, const 
 DrawnColours FindDrawnColours(const render::Image& picture, const std::vector<render::Stroke>& curves) {
   if (picture.channels != 3) return {};
   const auto of_kind = [&](std::string_view kind) { return CurvesOfKind(curves, kind); };
-  const std::vector<Outline> brows = of_kind("brow"), lips = of_kind("lips"),
-                             mouth = Joined(of_kind("upper_mouth"), of_kind("lower_mouth")),
-                             eyes = Joined(of_kind("upper_eye"), of_kind("lower_eye"));
+  const std::vector<RegionOutline> brows = of_kind("brow"), lips = of_kind("lips"),
+                                   mouth = Joined(of_kind("upper_mouth"), of_kind("lower_mouth")),
+                                   eyes = Joined(of_kind("upper_eye"), of_kind("lower_eye"));
   const auto colour = [&](const Region& region, double least_share) {
     return ColourWithin(picture, region, least_share);
   };
