@@ -2,6 +2,7 @@
 #include "cli/head_hair.h"
 #include "cli/rig_face.h"
 #include "cli/rig_foreign.h"
+#include "cli/rig_from.h"
 #include "cli/rig_map.h"
 #include "cli/verb.h"
 #include "core/log.h"
@@ -25,6 +26,7 @@ struct RigArguments {
   HairArguments hair;
   HeadArguments head;
   MapArguments map;
+  FromArguments from;
   ConfigArguments config;
 };
 
@@ -90,6 +92,18 @@ void Rig(const RigArguments& arguments) {
   PrintResult(result, arguments.head.as_json);
 }
 
+/// A head from one that another program has edited.
+void RigFrom(RigArguments& arguments) {
+  const Stopwatch watch;
+  const RigFiles files = CheckedHeadFiles(arguments.head, {arguments.face, arguments.from.head});
+  const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
+  EditedRig edited = RigEdited(ReadGivenFace(arguments.face), arguments.from, arguments.head);
+  Json result = WriteHeadFiles(arguments.head, files, clip, std::move(edited.content));
+  result.update(edited.facts);
+  result["seconds"] = watch.seconds();
+  PrintResult(result, arguments.head.as_json);
+}
+
 /// Makes a head, or weights for one.
 void RigOrMap(RigArguments& arguments) {
   TakeOverrides(arguments.map, arguments.face, arguments.config);
@@ -98,6 +112,8 @@ void RigOrMap(RigArguments& arguments) {
     MapFaceModel(arguments.map, arguments.config, output);
   } else if (!arguments.map.meshes.empty()) {
     WeighMeshes(arguments.map, arguments.face, arguments.landmarks, SourceOf(arguments), output);
+  } else if (!arguments.from.head.empty()) {
+    RigFrom(arguments);
   } else {
     Rig(arguments);
   }
@@ -135,6 +151,7 @@ Verb RigVerb() {
         command.add_flag("--keep-expression", arguments->keep_expression,
                          "Rig a predicted portrait with the expression that it shows; without it the expression is "
                          "removed");
+        AddFromArguments(command, arguments->from);
         AddMapArguments(command, arguments->map);
         command.footer("Options:\n" + HelpText<RigOptions>());
         return [arguments] { RigOrMap(*arguments); };

@@ -3,6 +3,7 @@
 #include "core/licence_text.h"
 #include "gltf/head_mesh.h"
 #include "gltf/own_parts.h"
+#include "gltf/triangle_runs.h"
 
 #include <map>
 #include <string>
@@ -72,6 +73,7 @@ class HeadAssembly {
     } else {
       node(nodes.head)["mesh"] = face;
       nodes.with_targets = {nodes.head};
+      StateTriangles(nodes.head, head_.materials, head_.neck_cap);
     }
     if (!head_.eyes.empty()) {
       const int surface = is_own() ? -1 : Surface("Eye", 0.2);
@@ -109,6 +111,13 @@ class HeadAssembly {
     return index;
   }
 
+  /// Not where compression changes the order of triangles.
+  void StateTriangles(int of_node, const std::vector<faces::HeadMaterial>& materials,
+                      const std::vector<int>& neck_cap) {
+    if (builder_.encoding() == GlbEncoding::kPlain)
+      node(of_node)["extras"]["triangles"] = TriangleRuns(materials, neck_cap);
+  }
+
   /// A mesh a material: the part that moves most at the head's node, the others below it. Parts that do not move have no
   /// targets.
   void AddOwnFace(HeadNodes& nodes) {
@@ -135,7 +144,9 @@ class HeadAssembly {
     if (!is_own()) {
       const int mesh = AddMesh(builder_, (name + "ball").c_str(), eye.mesh, eye.materials, zero, {}, surface,
                                is_coloured_, options_);
-      return AddChild(parent, {{"name", name}, {"mesh", mesh}}, place);
+      const int of_eye = AddChild(parent, {{"name", name}, {"mesh", mesh}}, place);
+      StateTriangles(of_eye, eye.materials, {});
+      return of_eye;
     }
     std::optional<int> node_of_eye;
     for (const OwnPart& part : PartsByMaterial(eye.mesh, eye.own, {})) {

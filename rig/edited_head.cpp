@@ -1,0 +1,152 @@
+#include "rig/edited_head.h"
+
+#include "geometry/nearest.h"
+#include "geometry/topology.h"
+#include "rig/transferred_targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace daumier::rig {
+namespace {
+
+constexpr double kLidReach = 1.3;  // In radii of an eyeball.
+constexpr double kMmPerCm = 10;
+constexpr Eigen::Index kPivotShare = 20, kLeastOfPivot = 3;
+
+/// The matched vertices of the head's mesh, before and after.
+struct Moved {
+  std::vector<int> vertices;
+  geometry::Points from, to;
+  geometry::VertexTree tree;
+
+  Moved(const RiggedHead& head, const EditedMatch& match)
+      : vertices(MatchedVertices(head, match)),
+        from(head.mesh.vertices(vertices, Eigen::all)),
+        to(match.places(vertices, Eigen::all)),
+        tree(from) {}
+
+  geometry::Vector3 NearestMove(const geometry::Vector3& point) const {
+    const int row = tree.Nearest(point).vertex;
+    return (to.row(row) - from.row(row)).transpose();
+  }
+  MeanMotion Motion(const std::vector<int>& rows) const {
+    return MeanMotionOf(from(rows, Eigen::all), to(rows, Eigen::all));
+  }
+
+ private:
+  static std::vector<int> MatchedVertices(const RiggedHead& head, const EditedMatch& match) {
+    std::vector<int> matched;
+    for (int v = 0; v < head.mesh.vertices.rows(); ++v)
+      if (match.is_matched[size_t(v)]) matched.push_back(v);
+    return matched;
+  }
+};
+
+MeanMotion MotionAround(const Moved& moved, const geometry::Points& points) {
+  std::vector<int> rows;
+  for (const auto& point : points.rowwise()) rows.push_back(moved.tree.Nearest(point.transpose()).vertex);
+  std::ranges::sort(rows);
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return moved.Motion(rows);
+}
+
+/// All vertices of the mesh, those without a match moved with the others.
+geometry::Points EditedVertices(const RiggedHead& head, const EditedMatch& match, const Moved& moved) {
+  const int num_vertices = int(head.mesh.vertices.rows());
+  geometry::Points vertices = match.places.topRows(num_vertices);
+  const std::vector<int> labels =
+      geometry::ConnectedComponents(geometry::VertexNeighbours(head.mesh.triangles, num_vertices));
+  std::vector<std::vector<int>> without(size_t(*std::ranges::max_element(labels)) + 1);
+  std::vector<bool> has_match(without.size(), false);
+  for (int v = 0; v < num_vertices; ++v) {
+    const auto label = size_t(labels[size_t(v)]);
+    if (match.is_matched[size_t(v)]) has_match[label] = true;
+    if (!match.is_matched[size_t(v)]) without[label].push_back(v);
+  }
+  for (size_t part = 0; part < without.size(); ++part) {
+    if (without[part].empty()) continue;
+    if (has_match[part]) {
+      for (const int v : without[part]) vertices.row(v) += moved.NearestMove(vertices.row(v).transpose()).transpose();
+      continue;
+    }
+    const MeanMotion motion = MotionAround(moved, vertices(without[part], Eigen::all));
+    for (const int v : without[part]) vertices.row(v) = motion.Apply(vertices.row(v).transpose()).transpose();
+  }
+  return vertices;
+}
+
+void MoveEye(const EditedMatch& match, const Moved& moved, Eigen::Index first, RiggedEye& eye) {
+  const Eigen::Index count = eye.mesh.vertices.rows();
+  Eigen::Index num_matched = 0;
+  for (Eigen::Index i = 0; i < count; ++i) num_matched += match.is_matched[size_t(first + i)] ? 1 : 0;
+  const geometry::Points before = eye.mesh.vertices.rowwise() + eye.centre.transpose();
+  if (10 * num_matched >= 9 * count) {
+    const geometry::Points after = match.places.middleRows(first, count);
+    if (after == before) return;
+    eye.centre = MeanMotionOf(before, after).Apply(eye.centre);
+    eye.mesh.vertices = after.rowwise() - eye.centre.transpose();
+    return;
+  }
+  const double reach = kLidReach * eye.mesh.vertices.rowwise().norm().maxCoeff();
+  std::vector<int> lids;
+  for (Eigen::Index i = 0; i < moved.from.rows(); ++i)
+    if ((moved.from.row(i).transpose() - eye.centre).norm() < reach) lids.push_back(int(i));
+  const MeanMotion motion = lids.empty() ? MotionAround(moved, before) : moved.Motion(lids);
+  eye.centre = motion.Apply(eye.centre);
+  eye.mesh.vertices *= motion.scale;
+}
+
+geometry::Vector3 MovedPivot(const Moved& moved, const geometry::Vector3& pivot) {
+  std::vector<int> rows(size_t(moved.from.rows()));
+  for (size_t i = 0; i < rows.size(); ++i) rows[i] = int(i);
+  const Eigen::VectorXd distances = (moved.from.rowwise() - pivot.transpose()).rowwise().squaredNorm();
+  const auto count =
+      std::clamp(moved.from.rows() / kPivotShare, std::min(kLeastOfPivot, moved.from.rows()), moved.from.rows());
+  std::ranges::nth_element(rows, rows.begin() + count - 1, {}, [&](int i) { return distances[i]; });
+  rows.resize(size_t(count));
+  std::ranges::sort(rows);
+  return moved.Motion(rows).Apply(pivot);
+}
+
+void StateChanges(const RiggedHead& before, const Moved& moved, EditedHead& result) {
+  const Eigen::VectorXd moves = (moved.to - moved.from).rowwise().norm();
+  result.mean_edit_mm = kMmPerCm * moves.mean();
+  result.most_edit_mm = kMmPerCm * moves.maxCoeff();
+  for (Eigen::Index t = 0; t < before.targets.offsets.cols(); ++t) {
+    for (Eigen::Index v = 0; v < before.mesh.vertices.rows(); ++v) {
+      const auto of_vertex = [&](const RiggedHead& head) { return head.targets.offsets.col(t).segment<3>(3 * v); };
+      const double change = kMmPerCm * double((of_vertex(result.head) - of_vertex(before)).norm());
+      if (change <= result.most_target_change_mm) continue;
+      result.most_target_change_mm = change;
+      result.most_changed_target = before.targets.names[size_t(t)];
+    }
+  }
+}
+
+}  // namespace
+
+EditedHead ApplyEdit(const RiggedHead& head, const EditedMatch& match) {
+  const Moved moved(head, match);
+  EditedHead result{.head = head};
+  result.num_matched = int(std::ranges::count(match.is_matched, true));
+  result.head.mesh.vertices = EditedVertices(head, match, moved);
+  Eigen::Index first = head.mesh.vertices.rows();
+  for (RiggedEye& eye : result.head.eyes) {
+    const Eigen::Index count = eye.mesh.vertices.rows();
+    MoveEye(match, moved, first, eye);
+    first += count;
+  }
+  result.head.head_pivot = MovedPivot(moved, head.head_pivot);
+  result.head.jaw_pivot = MovedPivot(moved, head.jaw_pivot);
+  for (HeadAttachment& attachment : result.head.attachments)
+    for (auto vertex : attachment.mesh.vertices.rowwise()) vertex += moved.NearestMove(vertex.transpose()).transpose();
+  if (head.targets.num_targets() > 0)
+    result.head.targets = TransferredTargets(head.mesh, result.head.mesh.vertices, head.targets);
+  StateChanges(head, moved, result);
+  return result;
+}
+
+}  // namespace daumier::rig
