@@ -81,7 +81,7 @@ EditedRig RigEdited(const GivenFace& given, const FromArguments& arguments, Head
     throw UsageError(fmt::format("--from {}: {} is no mesh. Give the .obj or .ply of the edited head",
                                  arguments.head.string(), given.file.string()));
   gltf::HeadInFile file = gltf::ReadHead(arguments.head);
-  const rig::HeadNumbering numbering{file.of_file_vertices, file.pivot_height_cm};
+  const rig::HeadNumbering numbering{file.of_file_vertices, file.of_eye_vertices, file.pivot_height_cm};
   const rig::EditedMatch match = [&] {
     try {
       return rig::MatchEdited(file.head, numbering, given.mesh);

@@ -135,7 +135,7 @@ void CheckOptions(const MapArguments& arguments) {
   if (!makes_weights && is_given("--fps")) throw UsageError("--fps is an option of --meshes and of --map with --apply");
   if (!makes_weights) return;
   for (const char* of_heads : {"--animate", "--frames", "--frame-size", "--names", "--visemes", "--normals",
-                               "--compress", "--vrm", "--texture", "--keep-expression"})
+                               "--compress", "--vrm", "--texture", "--keep-expression", "--from"})
     if (is_given(of_heads))
       throw UsageError(fmt::format("{}: {} makes weights and no head. Leave {} out", of_heads,
                                    is_given("--map") ? "--map" : "--meshes", of_heads));

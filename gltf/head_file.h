@@ -41,6 +41,8 @@ struct HeadFileOptions {
 /// Vertices that no triangle uses are left out; those at seams of UV occur once a side, with the normal of the unsplit
 /// surface.
 ///
+/// What triangles show is stated in `extras.triangles` of Head and eyes (triangle_runs.h), unless the file is compressed.
+///
 /// Materials of its own (RiggedHead::own_materials): a mesh a material. That which moves most is Face, others are Face_NAME
 /// at the nodes Head_NAME below Head, with all targets if any of their vertices moves; eyes likewise.
 ///

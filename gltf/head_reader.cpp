@@ -294,7 +294,8 @@ class HeadReading {
       for (const Json& child : node.at("children")) parts.push_back(PartOf(file_.Item("nodes", child.get<int64_t>())));
     rig::RiggedEye eye;
     eye.centre = TranslationOf(node);
-    eye.mesh = JoinedParts(parts, Weld(parts));
+    result_.of_eye_vertices.push_back(Weld(parts));
+    eye.mesh = JoinedParts(parts, result_.of_eye_vertices.back());
     const auto num_triangles = size_t(eye.mesh.triangles.rows());
     auto stated = StatedTriangles(node, int64_t(num_triangles));
     eye.materials = stated ? std::move(stated->materials)

@@ -15,10 +15,11 @@ struct HeadInFile {
   /// follow each other at one place with one motion, and vertices of other parts there. UV rows of `mesh` and of eyes are
   /// the vertices of the file. Names and order of targets are the file's.
   rig::RiggedHead head;
-  std::shared_ptr<const render::Image> texture;  ///< The atlas; null: none.
-  std::vector<int> of_file_vertices;             ///< Of each vertex of the file's head, in order, that of `head.mesh`.
-  double pivot_height_cm = 0;                    ///< The node's: where other programs show the head.
-  bool has_normals = false;                      ///< Targets change normals.
+  std::shared_ptr<const render::Image> texture;   ///< The atlas; null: none.
+  std::vector<int> of_file_vertices;              ///< Of each vertex of the file's head, in order, that of `head.mesh`.
+  std::vector<std::vector<int>> of_eye_vertices;  ///< Likewise of each eye, in the order of RiggedHead::eyes.
+  double pivot_height_cm = 0;                     ///< The node's: where other programs show the head.
+  bool has_normals = false;                       ///< Targets change normals.
 };
 
 /// Reads a plain .glb with the nodes of HeadNodeNames::kDaumier, of this program alone. Materials of triangles and the cap

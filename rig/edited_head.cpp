@@ -12,17 +12,17 @@
 namespace daumier::rig {
 namespace {
 
-constexpr double kLidReach = 1.3;  // In radii of an eyeball.
-constexpr double kMmPerCm = 10;
+constexpr double kReachOfLids = 1.3;  // In radii of an eyeball.
+constexpr double kMillimetres = 10;   // In a cm.
 constexpr Eigen::Index kPivotShare = 20, kLeastOfPivot = 3;
 
 /// The matched vertices of the head's mesh, before and after.
-struct Moved {
+struct MovedVertices {
   std::vector<int> vertices;
   geometry::Points from, to;
   geometry::VertexTree tree;
 
-  Moved(const RiggedHead& head, const EditedMatch& match)
+  MovedVertices(const RiggedHead& head, const EditedMatch& match)
       : vertices(MatchedVertices(head, match)),
         from(head.mesh.vertices(vertices, Eigen::all)),
         to(match.places(vertices, Eigen::all)),
@@ -45,7 +45,7 @@ struct Moved {
   }
 };
 
-MeanMotion MotionAround(const Moved& moved, const geometry::Points& points) {
+MeanMotion MotionAround(const MovedVertices& moved, const geometry::Points& points) {
   std::vector<int> rows;
   for (const auto& point : points.rowwise()) rows.push_back(moved.tree.Nearest(point.transpose()).vertex);
   std::ranges::sort(rows);
@@ -54,7 +54,7 @@ MeanMotion MotionAround(const Moved& moved, const geometry::Points& points) {
 }
 
 /// All vertices of the mesh, those without a match moved with the others.
-geometry::Points EditedVertices(const RiggedHead& head, const EditedMatch& match, const Moved& moved) {
+geometry::Points EditedVertices(const RiggedHead& head, const EditedMatch& match, const MovedVertices& moved) {
   const int num_vertices = int(head.mesh.vertices.rows());
   geometry::Points vertices = match.places.topRows(num_vertices);
   const std::vector<int> labels =
@@ -78,7 +78,7 @@ geometry::Points EditedVertices(const RiggedHead& head, const EditedMatch& match
   return vertices;
 }
 
-void MoveEye(const EditedMatch& match, const Moved& moved, Eigen::Index first, RiggedEye& eye) {
+void MoveEye(const EditedMatch& match, const MovedVertices& moved, Eigen::Index first, RiggedEye& eye) {
   const Eigen::Index count = eye.mesh.vertices.rows();
   Eigen::Index num_matched = 0;
   for (Eigen::Index i = 0; i < count; ++i) num_matched += match.is_matched[size_t(first + i)] ? 1 : 0;
@@ -90,7 +90,7 @@ void MoveEye(const EditedMatch& match, const Moved& moved, Eigen::Index first, R
     eye.mesh.vertices = after.rowwise() - eye.centre.transpose();
     return;
   }
-  const double reach = kLidReach * eye.mesh.vertices.rowwise().norm().maxCoeff();
+  const double reach = kReachOfLids * eye.mesh.vertices.rowwise().norm().maxCoeff();
   std::vector<int> lids;
   for (Eigen::Index i = 0; i < moved.from.rows(); ++i)
     if ((moved.from.row(i).transpose() - eye.centre).norm() < reach) lids.push_back(int(i));
@@ -99,7 +99,7 @@ void MoveEye(const EditedMatch& match, const Moved& moved, Eigen::Index first, R
   eye.mesh.vertices *= motion.scale;
 }
 
-geometry::Vector3 MovedPivot(const Moved& moved, const geometry::Vector3& pivot) {
+geometry::Vector3 MovedPivot(const MovedVertices& moved, const geometry::Vector3& pivot) {
   std::vector<int> rows(size_t(moved.from.rows()));
   for (size_t i = 0; i < rows.size(); ++i) rows[i] = int(i);
   const Eigen::VectorXd distances = (moved.from.rowwise() - pivot.transpose()).rowwise().squaredNorm();
@@ -111,14 +111,14 @@ geometry::Vector3 MovedPivot(const Moved& moved, const geometry::Vector3& pivot)
   return moved.Motion(rows).Apply(pivot);
 }
 
-void StateChanges(const RiggedHead& before, const Moved& moved, EditedHead& result) {
+void StateChanges(const RiggedHead& before, const MovedVertices& moved, EditedHead& result) {
   const Eigen::VectorXd moves = (moved.to - moved.from).rowwise().norm();
-  result.mean_edit_mm = kMmPerCm * moves.mean();
-  result.most_edit_mm = kMmPerCm * moves.maxCoeff();
+  result.mean_edit_mm = kMillimetres * moves.mean();
+  result.most_edit_mm = kMillimetres * moves.maxCoeff();
   for (Eigen::Index t = 0; t < before.targets.offsets.cols(); ++t) {
     for (Eigen::Index v = 0; v < before.mesh.vertices.rows(); ++v) {
       const auto of_vertex = [&](const RiggedHead& head) { return head.targets.offsets.col(t).segment<3>(3 * v); };
-      const double change = kMmPerCm * double((of_vertex(result.head) - of_vertex(before)).norm());
+      const double change = kMillimetres * double((of_vertex(result.head) - of_vertex(before)).norm());
       if (change <= result.most_target_change_mm) continue;
       result.most_target_change_mm = change;
       result.most_changed_target = before.targets.names[size_t(t)];
@@ -129,7 +129,7 @@ void StateChanges(const RiggedHead& before, const Moved& moved, EditedHead& resu
 }  // namespace
 
 EditedHead ApplyEdit(const RiggedHead& head, const EditedMatch& match) {
-  const Moved moved(head, match);
+  const MovedVertices moved(head, match);
   EditedHead result{.head = head};
   result.num_matched = int(std::ranges::count(match.is_matched, true));
   result.head.mesh.vertices = EditedVertices(head, match, moved);

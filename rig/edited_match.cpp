@@ -188,44 +188,34 @@ UvCandidates CandidatesOf(const RiggedHead& head, const geometry::PolygonMesh& e
 }
 
 /// The places of the vertices of a mesh without UV, if their number and triangles are the head's.
-std::optional<std::vector<int>> OrderOf(const RiggedHead& head, const HeadNumbering& numbering,
-                                        const geometry::PolygonMesh& edited) {
-  const auto continued = [&](std::vector<int> order) {
-    int place = int(head.mesh.vertices.rows());
-    for (const RiggedEye& eye : head.eyes)
-      for (Eigen::Index v = 0; v < eye.mesh.vertices.rows(); ++v) order.push_back(place++);
-    return order;
-  };
+std::optional<std::vector<int>> OrderInFile(const RiggedHead& head, const HeadNumbering& numbering,
+                                            const geometry::PolygonMesh& edited) {
+  std::vector<int> with_eyes = numbering.of_file_vertices;
+  std::vector<int> first_places = {int(head.mesh.vertices.rows())};
+  for (const RiggedEye& eye : head.eyes) first_places.push_back(first_places.back() + int(eye.mesh.vertices.rows()));
+  for (size_t e = numbering.of_eye_vertices.size(); e-- > 0;)  // The left one is first in files.
+    for (const int v : numbering.of_eye_vertices[e]) with_eyes.push_back(first_places[e] + v);
   std::vector<int> welded(size_t(head.mesh.vertices.rows()));
   for (size_t v = 0; v < welded.size(); ++v) welded[v] = int(v);
-  std::set<std::array<int, 3>> triangles;
-  const auto add = [&](const geometry::Triangles& rows, int first) {
-    for (Eigen::Index f = 0; f < rows.rows(); ++f) {
-      std::array<int, 3> corners = {first + rows(f, 0), first + rows(f, 1), first + rows(f, 2)};
-      std::ranges::sort(corners);
-      triangles.insert(corners);
-    }
+  std::set<std::pair<int, int>> edges;
+  const auto add = [&](const geometry::Triangles& triangles, int first) {
+    for (const auto& corners : triangles.rowwise())
+      for (int k = 0; k < 3; ++k) edges.insert(std::minmax(first + corners[k], first + corners[(k + 1) % 3]));
   };
   add(head.mesh.triangles, 0);
-  int first = int(head.mesh.vertices.rows());
-  for (const RiggedEye& eye : head.eyes) {
-    add(eye.mesh.triangles, first);
-    first += int(eye.mesh.vertices.rows());
-  }
-  for (const std::vector<int>& order :
-       {numbering.of_file_vertices, welded, continued(numbering.of_file_vertices), continued(welded)}) {
+  for (size_t e = 0; e < head.eyes.size(); ++e) add(head.eyes[e].mesh.triangles, first_places[e]);
+  for (const std::vector<int>& order : {numbering.of_file_vertices, with_eyes, welded}) {
     if (std::ssize(order) != edited.vertices.rows()) continue;
-    int num_found = 0, num_triangles = 0;
+    size_t num_found = 0;
     for (int p = 0; p < edited.num_polygons(); ++p) {
-      const int begin = edited.offsets[size_t(p)];
-      if (edited.offsets[size_t(p) + 1] - begin != 3) continue;
-      std::array<int, 3> corners;
-      for (int k = 0; k < 3; ++k) corners[size_t(k)] = order[size_t(edited.corners[size_t(begin + k)])];
-      std::ranges::sort(corners);
-      num_found += triangles.contains(corners) ? 1 : 0;
-      ++num_triangles;
+      const int begin = edited.offsets[size_t(p)], end = edited.offsets[size_t(p) + 1];
+      for (int c = begin; c < end; ++c) {
+        const int next = c + 1 < end ? c + 1 : begin;
+        const int from = order[size_t(edited.corners[size_t(c)])], to = order[size_t(edited.corners[size_t(next)])];
+        num_found += edges.contains({std::min(from, to), std::max(from, to)}) ? 1 : 0;
+      }
     }
-    if (num_triangles > 0 && 10 * num_found >= 9 * num_triangles) return order;
+    if (10 * num_found >= 9 * edited.corners.size()) return order;
   }
   return std::nullopt;
 }
@@ -258,8 +248,8 @@ void CheckShare(const RiggedHead& head, const EditedMatch& match) {
 }
 
 /// The mean of the vertices at each place; where that is unchanged, or has none, as it was.
-void Place(const geometry::Points& places, const geometry::PolygonMesh& edited, const EditedFrame& frame,
-           const std::vector<Pair>& pairs, EditedMatch& match) {
+void PlaceVertices(const geometry::Points& places, const geometry::PolygonMesh& edited, const EditedFrame& frame,
+                   const std::vector<Pair>& pairs, EditedMatch& match) {
   geometry::Points sums = geometry::Points::Zero(places.rows(), 3);
   std::vector<int> counts(size_t(places.rows()), 0);
   for (const auto& [vertex, place] : pairs) {
@@ -314,9 +304,9 @@ EditedMatch MatchEdited(const RiggedHead& head, const HeadNumbering& numbering, 
       const auto distance = [&](int place) { return (places.row(place) - point).squaredNorm(); };
       pairs.push_back({vertex, *std::ranges::min_element(of_vertex, {}, distance)});
     }
-    Place(places, edited, frame, pairs, match);
+    PlaceVertices(places, edited, frame, pairs, match);
   } else {
-    const auto order = OrderOf(head, numbering, edited);
+    const auto order = OrderInFile(head, numbering, edited);
     DAUMIER_CHECK(
         order,
         "none of its {} vertices has a match in the head ({} vertices in its file): {}. Export the object Face "
@@ -326,7 +316,7 @@ EditedMatch MatchEdited(const RiggedHead& head, const HeadNumbering& numbering, 
     match.by = MatchedBy::kOrder;
     const std::set<int> used(edited.corners.begin(), edited.corners.end());
     for (const int vertex : used) pairs.push_back({vertex, (*order)[size_t(vertex)]});
-    Place(places, edited, FrameOf(edited.vertices, places, pairs, numbering.height_cm), pairs, match);
+    PlaceVertices(places, edited, FrameOf(edited.vertices, places, pairs, numbering.height_cm), pairs, match);
   }
   CheckShare(head, match);
   return match;

@@ -22,15 +22,16 @@ struct EditedMatch {
 
 /// What the file of a head says beyond the head.
 struct HeadNumbering {
-  std::vector<int> of_file_vertices;  ///< Of each vertex of the file, that of RiggedHead::mesh.
-  double height_cm = 0;               ///< At which other programs show the head's origin.
+  std::vector<int> of_file_vertices;                   ///< Of each vertex of the file's head, that of RiggedHead::mesh.
+  std::vector<std::vector<int>> of_eye_vertices = {};  ///< Likewise of each eye, in the order of RiggedHead::eyes.
+  double height_cm = 0;                                ///< At which other programs show the head's origin.
 };
 
 /// Matches a mesh that another program wrote of a head after an edit: vertices may be split, welded and reordered, axes be
 /// turned by whole axes, units be mm, cm or m, and it may be moved.
 /// By UV where it has any: a corner is the vertex of the head whose UV is nearest, within 1e-4; of several with the same UV
 /// the one nearest in space, once the others have placed the mesh. Else by the order of vertices, if their number is that
-/// of the file or of the head, and 9 of 10 triangles are the head's.
+/// of the file's head, alone or with its left and right eye, or of RiggedHead::mesh, and 9 of 10 edges are the head's.
 /// Vertices within 5 um of where they were are unchanged. Parts that the mesh lacks are not matched.
 /// @throws Error without the file: vertices without a match, another topology, a turn that is not by whole axes, another
 /// unit, or less than half of the vertices that targets move.
