@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct RigArguments {
   fs::path face, texture, landmarks;
-  bool keep_expression = false;
+  bool keep_expression = false, cut = false;
   HairArguments hair;
   HeadArguments head;
   MapArguments map;
@@ -75,12 +75,14 @@ void Rig(const RigArguments& arguments) {
   Json facts = Json::object();
   if (const auto face = arguments.landmarks.empty() ? ReadFaceToRig(given, source, shown) : std::nullopt) {
     for (const std::string& remark : face->remarks) log::Info("{}: {}", face->name, remark);
+    if (arguments.cut) log::Warn("--cut: the lips and lids of {} are not sealed: nothing was cut", face->name);
     content.head = HeadOf(*face);
     if (hair) AddHair(face->model.face_template, face->neutral, *hair, content.head);
   } else {
     const faces::FaceModel model = ModelForForeignHeads(source);
     RiggedForeignHead foreign =
-        RigForeignHead(given, arguments.landmarks, model, content.texture ? TakenLook::kNone : TakenLook::kOwn);
+        RigForeignHead(given, arguments.landmarks, model, content.texture ? TakenLook::kNone : TakenLook::kOwn,
+                       arguments.cut ? SealedSlits::kCut : SealedSlits::kKept);
     content.head = std::move(foreign.head);
     if (hair) AddHair(model.face_template, foreign.registered, *hair, content.head);
     content.stages = std::move(foreign.stages);
@@ -152,6 +154,9 @@ Verb RigVerb() {
                          "Rig a predicted portrait with the expression that it shows; without it the expression is "
                          "removed");
         AddFromArguments(command, arguments->from);
+        command.add_flag("--cut", arguments->cut,
+                         "Open the sealed lips of a mesh of another topology (a scan, a sculpture) along their line, and "
+                         "the sealed lids of closed eyes. The mesh's vertices keep their numbers, new ones follow");
         AddMapArguments(command, arguments->map);
         command.footer("Options:\n" + HelpText<RigOptions>());
         return [arguments] { RigOrMap(*arguments); };

@@ -1,5 +1,6 @@
 #include "cli/rig_foreign.h"
 
+#include "cli/head_cut.h"
 #include "cli/own_look.h"
 #include "cli/shipped_landmarks.h"
 #include "core/error.h"
@@ -157,14 +158,14 @@ Json SlitsJson(const rig::HeadSlits& slits) {
 }  // namespace
 
 RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmark_file, const faces::FaceModel& model,
-                                 TakenLook look) {
+                                 TakenLook look, SealedSlits sealed) {
   const std::string file = given.file.string();
   geometry::TriangleMesh mesh = geometry::TriangulateMesh(given.mesh);
   DAUMIER_CHECK(mesh.triangles.rows() > 0, "{} has no triangles: export its polygons, not its points alone", file);
   for (auto vertex : mesh.vertices.rowwise())  // Those that are not finite are in no triangle, and keep their numbers.
     if (!vertex.allFinite()) vertex = mesh.vertices.row(mesh.triangles(0, 0));
   const rig::HeadSurface surface = NamingFile(given.file, [&] { return rig::MakeHeadSurface(mesh); });
-  const OwnLook own_look = look == TakenLook::kOwn ? ReadOwnLook(given) : OwnLook();
+  OwnLook own_look = look == TakenLook::kOwn ? ReadOwnLook(given) : OwnLook();
   const auto check_stop = [&] { TaskOfProcess().ThrowIfCancelled("{}: stopped; nothing was written", file); };
   HeadLandmarks landmarks = landmark_file.empty() ? FindHeadLandmarks(given.file, mesh, model.face_template)
                                                   : ReadHeadLandmarks(landmark_file, given.mesh.vertices);
@@ -191,10 +192,17 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
 
   const rig::ForeignRig foreign_rig(model);
   for (const std::string& warning : foreign_rig.warnings()) log::Warn("{}", warning);
-  rig::ForeignHead head = foreign_rig.On(mesh, {registered.vertices, template_from_head});
+  const rig::RegisteredTemplate on_head{registered.vertices, template_from_head};
+  std::optional<CutHead> cut;
+  if (sealed == SealedSlits::kCut) {
+    cut = CutOpen(foreign_rig, on_head, file, mesh, own_look);
+    mesh = cut->mesh;
+  }
+  rig::ForeignHead head = foreign_rig.On(mesh, on_head);
   for (const std::string& warning : head.warnings) log::Warn("{}: {}", file, warning);
   check_stop();
   TakeOwnLook(own_look, head);
+  if (cut) ColourPocket(cut->pocket, head);
   landmarks.facts["mm"] = registered.row.at("landmarks_mm");
   Json facts = {{"axes", frame.axes},
                 {"unit", frame.unit},
@@ -202,6 +210,7 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
                 {"registration", registered.row},
                 {"slits", SlitsJson(head.slits)}};
   facts["registration"].erase("name");
+  if (cut) facts["cut"] = std::move(cut->facts);
   return {std::move(head.head), geometry::Inverse(template_from_head).Apply(registered.vertices),
           std::move(landmarks.stages), std::move(facts)};
 }

@@ -46,12 +46,13 @@ void WarnOfSlits(const HeadSlits& slits, std::vector<std::string>& warnings) {
     } else if (slit.is_sealed && s == int(FaceSlit::kMouth)) {
       warnings.push_back(
           fmt::format("the lips are sealed (the surface continues from lip to lip in {:.1f} mm): expressions that open "
-                      "the mouth stretch the skin between them. Cut the mesh along the line of the lips",
+                      "the mouth stretch the skin between them. Open them with --cut, or cut the mesh along the line of the lips",
                       10 * slit.way));
     } else if (slit.is_sealed) {
       warnings.push_back(
           fmt::format("the {} is sealed (the surface continues from lid to lid in {:.1f} mm): a blink squashes what is "
-                      "between the lids, and the eye cannot turn. Model the eye as a ball of its own behind open lids",
+                      "between the lids, and the eye cannot turn. Model the eye as a ball of its own behind open lids; "
+                      "--cut opens lids that are closed",
                       name, 10 * slit.way));
     }
   }
@@ -165,6 +166,20 @@ Eigen::MatrixXf ForeignRig::OffsetsOfPlaces(const HeadSurface& surface, const He
     if (parts.eyes[i])
       KeepOutsideBall(*parts.eyes[i], i == 0 ? FaceSlit::kRightEye : FaceSlit::kLeftEye, surface, slits.sides, offsets);
   return offsets;
+}
+
+OpenedHead ForeignRig::Open(const geometry::TriangleMesh& head, const RegisteredTemplate& registered) const {
+  geometry::TriangleMesh in_template = head;
+  in_template.vertices = registered.template_from_head.Apply(head.vertices);
+  const HeadSurface surface = MakeHeadSurface(in_template);
+  const TemplateMatch match({registered.vertices, triangles_}, slits_, sides_);
+  const HeadParts parts = FindHeadParts(match, surface, BallsOf(head_rig_, registered.vertices));
+  OpenedHead opened = OpenSealedSlits(match, surface, parts, FindHeadSlits(match, surface), in_template);
+  const geometry::Similarity back = geometry::Inverse(registered.template_from_head);
+  opened.mesh.vertices = back.Apply(opened.mesh.vertices);
+  opened.mesh.vertices.topRows(head.vertices.rows()) = head.vertices;
+  for (double& length : opened.lengths) length *= back.scale;
+  return opened;
 }
 
 ForeignHead ForeignRig::On(const geometry::TriangleMesh& head, const RegisteredTemplate& registered) const {

@@ -5,6 +5,7 @@
 #include "rig/head_parts.h"
 #include "rig/head_rig.h"
 #include "rig/head_slits.h"
+#include "rig/seam_cut.h"
 
 #include <string>
 #include <vector>
@@ -38,6 +39,10 @@ class ForeignRig {
   /// head: cm, y up, the face to +z. Warnings name what is sealed or not found.
   /// @throws Error if nothing of the head lies on the template, or as MakeHeadSurface and CarryTargets.
   ForeignHead On(const geometry::TriangleMesh& head, const RegisteredTemplate& registered) const;
+
+  /// The head with its sealed slits open (OpenSealedSlits), in its own frame: `On` carries expressions to it that open them.
+  /// The sources of its triangles are rows of `head`. @throws Error as On.
+  OpenedHead Open(const geometry::TriangleMesh& head, const RegisteredTemplate& registered) const;
 
   const std::vector<std::string>& warnings() const { return targets_.warnings(); }
 

@@ -147,6 +147,7 @@ HeadSlit Tested(const TemplateMatch& match, const HeadSurface& head, const SlitP
     result.gap += (head.mesh.vertices.row(upper) - head.mesh.vertices.row(lower)).norm() / double(kMiddle.size());
   }
   result.is_found = true;
+  result.component = component;
   result.is_sealed = result.way <= kWayPerGap * result.gap + kWayPerWidth * slit.width;
   return result;
 }

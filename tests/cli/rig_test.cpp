@@ -6,10 +6,12 @@
 #include "geometry/obj.h"
 #include "render/image.h"
 #include "reports/head_file.h"
+#include "rig/expression_targets.h"
 #include "tests/cli/pipeline.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/glb_reader.h"
 #include "tests/support/other_topology.h"
+#include "tests/support/sealed_slit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -221,6 +223,40 @@ TEST_F(RigOfForeignHeads, KeepsMaterialsAndUv) {
   EXPECT_EQ(head.json()["images"].size(), 1u);
   for (const Json& mesh : head.json()["meshes"])
     EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains("TEXCOORD_0"));
+}
+
+TEST_F(RigOfForeignHeads, OpensSealedLipsWithCut) {
+  const faces::FaceTemplate& face = Model().face_template;
+  geometry::TriangleMesh sealed{InMetresWithZUp(face.neutral), face.triangles};
+  Seal(rig::SlitsOf(rig::ExpressionTargets(Model()).contact())[0], sealed);
+  geometry::WriteObj(folder_ / "sealed.obj", sealed, {{"a", "skin", sealed.triangles.rows()}},
+                     {{"skin", {1, 0.5f, 0.25f}, 0}});
+  WriteFileAtomically(folder_ / "sealed.mtl", "newmtl skin\nKd 1 0.5 0.25\n");
+  const ProcessResult kept = Rig("sealed.obj", "kept.glb", {"--landmarks", In("landmarks.txt"), "--json"});
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_THAT(kept.err, AllOf(HasSubstr("the lips are sealed"), HasSubstr("--cut")));
+  const ProcessResult result = Rig("sealed.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json", "--cut"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("the lips were sealed and are cut open"));
+  const Json summary = Json::parse(result.out);
+  EXPECT_EQ(summary["slits"]["mouth"], "open");
+  const Json& cut = summary["cut"];
+  EXPECT_GT(cut["mouth"]["length_mm"].get<double>(), 40);
+  EXPECT_EQ(cut["left_eye"], "not sealed");
+  EXPECT_EQ(summary["vertices"],
+            sealed.vertices.rows() + cut["vertices"].get<int>() + cut["pocket_vertices"].get<int>());
+  const GlbReader head(ReadFile(folder_ / "head.glb"));
+  std::set<std::string> names;
+  for (const Json& material : head.json()["materials"]) names.insert(material["name"].get<std::string>());
+  EXPECT_EQ(names, (std::set<std::string>{"mouth", "skin"}));
+}
+
+TEST_F(RigOfForeignHeads, StatesThatNothingWasCut) {
+  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json", "--cut"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("nothing was cut"));
+  EXPECT_EQ(Json::parse(result.out)["cut"]["vertices"], 0);
+  EXPECT_EQ(Json::parse(result.out)["vertices"], mesh_.vertices.rows());
 }
 
 TEST_F(RigCommand, WritesAReadyPlayerMeHeadOfAtMost14MegabytesAndAVrm) {

@@ -7,6 +7,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/other_topology.h"
 #include "tests/support/paths.h"
+#include "tests/support/sealed_slit.h"
 #include "tests/support/sides_apart.h"
 
 #include <gmock/gmock.h>
@@ -40,6 +41,13 @@ class ForeignHeads : public ::testing::Test {
       return testing::SidesApart(surface, slits, SidesOfTemplate(surface, slits));
     }();
     return sides;
+  }
+
+  /// With a strip from edge to edge of each slit.
+  static geometry::TriangleMesh Sealed() {
+    geometry::TriangleMesh mesh{Face().neutral, Face().triangles};
+    for (const SeamEdges& edges : SlitsOf(ExpressionTargets(Model()).contact())) testing::Seal(edges, mesh);
+    return mesh;
   }
 
   static ForeignHead On(const geometry::TriangleMesh& mesh) { return Rig().On(mesh, {Face().neutral, {}}); }
@@ -129,22 +137,39 @@ TEST_F(ForeignHeads, AreRiggedInTheirOwnFrame) {
 }
 
 TEST_F(ForeignHeads, ThatAreSealedAreSaidToBe) {
-  geometry::TriangleMesh mesh{Face().neutral, Face().triangles};
-  for (const SeamEdges& edges : SlitsOf(ExpressionTargets(Model()).contact())) {  // A strip from edge to edge.
-    size_t u = 0, l = 0;
-    while (u + 1 < edges.upper.size() || l + 1 < edges.lower.size()) {
-      const bool along_upper = u * edges.lower.size() <= l * edges.upper.size() && u + 1 < edges.upper.size();
-      const int next = along_upper ? edges.upper[++u] : edges.lower[++l];
-      const int before = along_upper ? edges.upper[u - 1] : edges.lower[l - 1];
-      const int across = along_upper ? edges.lower[l] : edges.upper[u];
-      mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, Eigen::NoChange);
-      mesh.triangles.bottomRows(1) << before, next, across;
-    }
-  }
+  const geometry::TriangleMesh mesh = Sealed();
   const ForeignHead head = On(mesh);
   for (const HeadSlit& slit : head.slits.slits) EXPECT_TRUE(slit.is_sealed) << slit.way << " cm, gap " << slit.gap;
   EXPECT_THAT(head.warnings, ::testing::Contains(HasSubstr("the lips are sealed")));
   EXPECT_THAT(head.warnings, ::testing::Contains(HasSubstr("the left eye is sealed")));
+}
+
+TEST_F(ForeignHeads, ThatAreSealedAreCutAndOpen) {
+  const geometry::TriangleMesh mesh = Sealed();
+  const OpenedHead opened = Rig().Open(mesh, {Face().neutral, {}});
+  EXPECT_EQ(opened.slits, (std::array{SlitCut::kCut, SlitCut::kOpenEye, SlitCut::kOpenEye}));
+  const Eigen::Index num_own = mesh.vertices.rows();
+  EXPECT_EQ(opened.mesh.vertices.topRows(num_own), mesh.vertices) << "vertices keep their numbers and places";
+  EXPECT_GT(opened.lengths[0], 4.0);
+  EXPECT_LT(opened.lengths[0], 7.0);
+  const ForeignHead head = On(opened.mesh), sealed = On(mesh);
+  EXPECT_FALSE(head.slits.slits[0].is_sealed) << head.slits.slits[0].way;
+  const Eigen::Index jaw = *FindArkitName("jawOpen");
+  const auto moves = head.head.targets.offsets.col(jaw);
+  int num_upper = 0, num_lower = 0;
+  const double half = 0.25 * opened.lengths[0];  // Of the middle of the mouth.
+  for (Eigen::Index v = num_own; v < num_own + opened.num_cut_vertices; ++v) {
+    if (std::abs(opened.mesh.vertices(v, 0)) > half) continue;
+    const bool is_upper = head.sides[size_t(v)] == FaceSide::kUpperLip;
+    EXPECT_TRUE(is_upper || head.sides[size_t(v)] == FaceSide::kLowerLip);
+    if (is_upper) EXPECT_GT(moves[3 * v + 1], -0.3f);
+    if (!is_upper) EXPECT_LT(moves[3 * v + 1], -0.8f);
+    ++(is_upper ? num_upper : num_lower);
+  }
+  EXPECT_GT(num_upper, 5);
+  EXPECT_GT(num_lower, 5);
+  const Eigen::Index brow = 3 * Face().annotation.landmarks[19];
+  EXPECT_LT((moves.segment<3>(brow) - sealed.head.targets.offsets.col(jaw).segment<3>(brow)).norm(), 1e-3f);
 }
 
 /// Adds a part that no edge connects with the rest.
