@@ -5,8 +5,9 @@
 // its landmarks; targets are carried by rig::ForeignRig, and plainly from the nearest vertex of the registered template.
 // The truth is rig::ExpressionTargets of the person. A row a head: median over the targets of the mean error (of vertices
 // that move by more than 0.1 mm) and of the greatest one, and vertices that were taken for the other side of their slit,
-// without those around its corners, where sides meet (testing::SidesApart). Then a row a target. With another source: the
-// sides on its mean head.
+// without those around its corners, where sides meet (testing::SidesApart). Two more heads of each person have sealed lips, a
+// strip of triangles from lip to lip, and are subdivided: as they are, and cut (ForeignRig::Open). Then a row a target, over
+// the heads with open lips. With another source: the sides on its mean head.
 #include "bench/expression_subject.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
@@ -15,6 +16,7 @@
 #include "rig/arkit_names.h"
 #include "rig/foreign_head.h"
 #include "tests/support/other_topology.h"
+#include "tests/support/sealed_slit.h"
 #include "tests/support/sides_apart.h"
 
 #include <fmt/format.h>
@@ -30,6 +32,8 @@
 namespace daumier {
 namespace {
 
+enum class Lips { kOpen, kSealed, kCut };
+
 /// How far carried targets are from the truth, mm.
 struct TransferError {
   std::vector<double> mean, greatest;  ///< Over vertices that move by more than 0.1 mm; one a target that has any.
@@ -43,8 +47,9 @@ double MedianOf(std::vector<double> values) {
   return values.empty() ? 0 : values[values.size() / 2];
 }
 
+/// sides: of the vertices; places halfway between two sides of a slit have no truth.
 TransferError ErrorsOf(const rig::MorphTargets& truth, const testing::OtherTopology& other,
-                       const Eigen::MatrixXf& carried, double mm) {
+                       const std::vector<rig::FaceSide>& sides, const Eigen::MatrixXf& carried, double mm) {
   constexpr double kMoves = 0.01;  // cm
   TransferError error;
   double worst = 0;
@@ -53,6 +58,7 @@ TransferError ErrorsOf(const rig::MorphTargets& truth, const testing::OtherTopol
     int count = 0;
     for (size_t v = 0; v < other.sources.size(); ++v) {
       const auto [a, b] = other.sources[v];
+      if (sides[size_t(a)] != rig::FaceSide::kNone && sides[size_t(a)] == rig::OppositeSide(sides[size_t(b)])) continue;
       const Eigen::Vector3f expected =
           0.5f * (truth.offsets.col(t).segment<3>(3 * a) + truth.offsets.col(t).segment<3>(3 * b));
       const double off = (carried.col(t).segment<3>(3 * Eigen::Index(v)) - expected).norm();
@@ -82,7 +88,7 @@ class TransferBench {
         sides_(rig::SidesOfTemplate({face().neutral, face().triangles}, slits_)),
         true_sides_(testing::SidesApart({face().neutral, face().triangles}, slits_, sides_)) {}
 
-  void Measure(const std::string& name, int person, const testing::OtherTopology& other) {
+  void Measure(const std::string& name, int person, const testing::OtherTopology& other, Lips lips = Lips::kOpen) {
     const geometry::Points neutral = subject_.Person(person);
     const rig::MorphTargets truth = subject_.expressions().On(neutral);
     const geometry::TriangleMesh head{other.Vertices(neutral), other.triangles};
@@ -92,15 +98,18 @@ class TransferBench {
     const Stopwatch watch;
     const datasets::RegisteredMesh registered = datasets::RegisterMesh(face(), mesh);
     const double seconds_registering = watch.seconds();
-    const rig::ForeignHead rigged = rig_.On(head, {registered.vertices, registered.template_from_target});
+    const rig::RegisteredTemplate on_head{registered.vertices, registered.template_from_target};
+    const rig::ForeignHead rigged = rig_.On(lips == Lips::kCut ? rig_.Open(head, on_head).mesh : head, on_head);
     const double seconds = watch.seconds();
 
     const double mm = faces::MillimetresPerCm(face());
-    TransferError own = ErrorsOf(truth, other, rigged.head.targets.offsets, mm);
+    TransferError own = ErrorsOf(truth, other, sides_, rigged.head.targets.offsets, mm);
     for (size_t v = 0; v < other.sources.size(); ++v) own.num_wrong += IsWrong(other.sources[v], rigged.sides[v]);
     TransferError plain = PlainErrors(registered, truth, other, head, mm);
-    AddByTarget(own, &ByTarget::own);
-    AddByTarget(plain, &ByTarget::plain);
+    if (lips == Lips::kOpen) {
+      AddByTarget(own, &ByTarget::own);
+      AddByTarget(plain, &ByTarget::plain);
+    }
     fmt::print("{:<28} {:>7} {:>8.3f} {:>8.3f} {:>6} {:<18} {:>8.3f} {:>8.3f} {:>6}  {:5.1f} {:5.1f}\n", name,
                head.vertices.rows(), MedianOf(own.mean), MedianOf(own.greatest), own.num_wrong, own.worst,
                MedianOf(plain.mean), MedianOf(plain.greatest), plain.num_wrong, seconds_registering,
@@ -147,6 +156,13 @@ class TransferBench {
                num_sided, num_plain);
   }
 
+  /// The template's triangles and a strip from lip to lip.
+  geometry::Triangles SealedTriangles() const {
+    geometry::TriangleMesh mesh{face().neutral, face().triangles};
+    testing::Seal(slits_[size_t(rig::FaceSlit::kMouth)], mesh);
+    return mesh.triangles;
+  }
+
   const faces::FaceTemplate& face() const { return subject_.model().face_template; }
 
  private:
@@ -186,7 +202,7 @@ class TransferBench {
       num_wrong += IsWrong(other.sources[size_t(v)], sides_[size_t(nearest)]);
       carried.middleRows(3 * v, 3) = back * targets.offsets.middleRows(3 * Eigen::Index(nearest), 3);
     }
-    TransferError error = ErrorsOf(truth, other, carried, mm);
+    TransferError error = ErrorsOf(truth, other, sides_, carried, mm);
     error.num_wrong = num_wrong;
     return error;
   }
@@ -214,6 +230,9 @@ int Run(const std::vector<std::string>& words) {
     bench.Measure(name("subdivided"), person, testing::SubdividedTopology(triangles, num_vertices));
     bench.Measure(name("decimated 1/2"), person, testing::DecimatedTopology(neutral, 0.5, rng));
     bench.Measure(name("decimated 1/5"), person, testing::DecimatedTopology(neutral, 0.2, rng));
+    const auto sealed = testing::SubdividedTopology(bench.SealedTriangles(), num_vertices);
+    bench.Measure(name("sealed, subdivided"), person, sealed, Lips::kSealed);
+    bench.Measure(name("sealed, subdivided, cut"), person, sealed, Lips::kCut);
   }
   bench.PrintTargets();
   if (words.size() > 4) bench.MeasureSides({.name = words[3], .path = words[4]});

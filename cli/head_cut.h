@@ -12,7 +12,7 @@ namespace daumier::cli {
 struct CutHead {
   geometry::TriangleMesh mesh;
   Eigen::Index pocket = 0;  ///< The first triangle of the pocket behind the lips; all that follow are of it.
-  Json facts;               ///< Numbers of vertices, and of each slit the length of its cut in mm, or why there is none.
+  Json facts;  ///< Numbers of vertices, and of each slit the length of its cut in mm, or why there is none.
 };
 
 /// Opens the slits (ForeignRig::Open), logs what was cut, and gives the triangles their materials: the pocket has one of its

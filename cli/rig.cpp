@@ -154,9 +154,10 @@ Verb RigVerb() {
                          "Rig a predicted portrait with the expression that it shows; without it the expression is "
                          "removed");
         AddFromArguments(command, arguments->from);
-        command.add_flag("--cut", arguments->cut,
-                         "Open the sealed lips of a mesh of another topology (a scan, a sculpture) along their line, and "
-                         "the sealed lids of closed eyes. The mesh's vertices keep their numbers, new ones follow");
+        command.add_flag(
+            "--cut", arguments->cut,
+            "Open the sealed lips of a mesh of another topology (a scan, a sculpture) along their line, and "
+            "the sealed lids of closed eyes. The mesh's vertices keep their numbers, new ones follow");
         AddMapArguments(command, arguments->map);
         command.footer("Options:\n" + HelpText<RigOptions>());
         return [arguments] { RigOrMap(*arguments); };

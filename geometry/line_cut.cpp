@@ -157,7 +157,8 @@ class LineCutter {
       return Add(t, false, {point, b, c});
     }
     const Corner &a = corners[size_t(whole)], &b = corners[size_t(whole + 1) % 3], &c = corners[size_t(whole + 2) % 3];
-    const Corner on_bc = CornerOn(rows[size_t(whole + 1) % 3], b, c), on_ca = CornerOn(rows[size_t(whole + 2) % 3], c, a);
+    const Corner on_bc = CornerOn(rows[size_t(whole + 1) % 3], b, c),
+                 on_ca = CornerOn(rows[size_t(whole + 2) % 3], c, a);
     Add(t, true, {c, on_ca, on_bc});
     Add(t, false, {a, b, on_bc});
     Add(t, false, {a, on_bc, on_ca});
@@ -213,7 +214,8 @@ class LineCutter {
         if (corner.vertex == place.below) corner.vertex = place.above;
     }
     cut_.mesh.vertices.conservativeResize(num_vertices, 3);
-    for (const RimVertex& place : cut_.rim) cut_.mesh.vertices.row(place.above) = cut_.mesh.vertices.row(place.below).eval();
+    for (const RimVertex& place : cut_.rim)
+      cut_.mesh.vertices.row(place.above) = cut_.mesh.vertices.row(place.below).eval();
   }
 
   bool AreJoined(int vertex, const Piece& a, const Piece& b) const {

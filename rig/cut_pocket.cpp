@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace daumier::rig {
 namespace {
@@ -18,8 +20,8 @@ Eigen::RowVector3d PlaceInRing(const SeamLine& line, const PocketRing& ring, con
   const double along = line.Coordinates(place).x();
   const double from_middle = std::min(1.0, std::abs(2 * along / line.width - 1));
   const double open = ring.open * std::sqrt(1 - from_middle * from_middle);
-  return (place - ring.narrower * (along - 0.5 * line.width) * line.frame.along + side * open * line.width * line.frame.up -
-          ring.back * line.width * line.frame.out)
+  return (place - ring.narrower * (along - 0.5 * line.width) * line.frame.along +
+          side * open * line.width * line.frame.up - ring.back * line.width * line.frame.out)
       .transpose();
 }
 
@@ -29,15 +31,17 @@ class PocketMaker {
 
   void Make() {
     for (const geometry::RimVertex& place : cut_.rim) {
-      below_.push_back(Column(place.below, -1));
-      above_.push_back(place.above == place.below ? below_.back() : Column(place.above, 1));
-      above_.back().back() = below_.back().back();
+      below_.push_back(Column(place.below, -1, {}));
+      above_.push_back(place.above == place.below ? below_.back() : Column(place.above, 1, below_.back().back()));
     }
     const size_t num_edges = cut_.edges.size();
     for (size_t e = 0; e < num_edges; ++e) {
       const geometry::RimEdge& edge = cut_.edges[e];
-      AddStrip(below_[size_t(edge.from)], below_[size_t(edge.to)], edge.triangle_below);
-      AddStrip(above_[size_t(edge.to)], above_[size_t(edge.from)], edge.triangle_above);
+      const geometry::RimVertex &from = cut_.rim[size_t(edge.from)], &to = cut_.rim[size_t(edge.to)];
+      AddStrip(below_[size_t(edge.from)], below_[size_t(edge.to)], UvOf(edge.triangle_below, from.below),
+               UvOf(edge.triangle_below, to.below));
+      AddStrip(above_[size_t(edge.to)], above_[size_t(edge.from)], UvOf(edge.triangle_above, to.above),
+               UvOf(edge.triangle_above, from.above));
     }
     Append();
   }
@@ -45,11 +49,17 @@ class PocketMaker {
  private:
   using ColumnOfRings = std::array<int, kRings.size() + 1>;  ///< A place of the cut, then those of the rings behind it.
 
-  ColumnOfRings Column(int vertex, int side) {
-    ColumnOfRings column{vertex};
-    for (size_t r = 0; r < kRings.size(); ++r) {
-      column[r + 1] = int(cut_.mesh.vertices.rows()) + int(points_.size());
-      points_.push_back(PlaceInRing(line_, kRings[r], cut_.mesh.vertices.row(vertex), side));
+  /// last: its place in the last ring, where that of the other side is there.
+  ColumnOfRings Column(int vertex, int side, std::optional<int> last) {
+    ColumnOfRings column{};
+    for (size_t r = 0; r < column.size(); ++r) {
+      if (last && r + 1 == column.size()) {
+        column[r] = *last;
+        break;
+      }
+      column[r] = int(cut_.mesh.vertices.rows()) + int(points_.size());
+      const Eigen::RowVector3d place = cut_.mesh.vertices.row(vertex);
+      points_.push_back(r == 0 ? place : PlaceInRing(line_, kRings[r - 1], place.transpose(), side));
     }
     return column;
   }
@@ -61,8 +71,7 @@ class PocketMaker {
   }
 
   /// Behind an edge that its triangle of the skin runs along from a to b.
-  void AddStrip(const ColumnOfRings& a, const ColumnOfRings& b, int triangle) {
-    const int uv_a = UvOf(triangle, a[0]), uv_b = UvOf(triangle, b[0]);
+  void AddStrip(const ColumnOfRings& a, const ColumnOfRings& b, int uv_a, int uv_b) {
     for (size_t r = 0; r + 1 < a.size(); ++r) {
       Add({b[r], a[r], a[r + 1]}, {uv_b, uv_a, uv_a});
       Add({b[r], a[r + 1], b[r + 1]}, {uv_b, uv_a, uv_b});

@@ -44,10 +44,10 @@ void WarnOfSlits(const HeadSlits& slits, std::vector<std::string>& warnings) {
       warnings.push_back(fmt::format(
           "no two sides of the {} were found: it cannot open or close. Compare the landmarks with the mesh", name));
     } else if (slit.is_sealed && s == int(FaceSlit::kMouth)) {
-      warnings.push_back(
-          fmt::format("the lips are sealed (the surface continues from lip to lip in {:.1f} mm): expressions that open "
-                      "the mouth stretch the skin between them. Open them with --cut, or cut the mesh along the line of the lips",
-                      10 * slit.way));
+      warnings.push_back(fmt::format(
+          "the lips are sealed (the surface continues from lip to lip in {:.1f} mm): expressions that open "
+          "the mouth stretch the skin between them. Open them with --cut, or cut the mesh along the line of the lips",
+          10 * slit.way));
     } else if (slit.is_sealed) {
       warnings.push_back(
           fmt::format("the {} is sealed (the surface continues from lid to lid in {:.1f} mm): a blink squashes what is "

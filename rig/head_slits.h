@@ -11,10 +11,10 @@ namespace daumier::rig {
 struct HeadSlit {
   bool is_found = false;  ///< Places of both of its sides were found.
   bool is_sealed =
-      false;       ///< The surface continues from one side to the other: lips without a mouth, an eye in the skin.
-  double gap = 0;  ///< Mean distance between its sides in its middle, cm.
+      false;           ///< The surface continues from one side to the other: lips without a mouth, an eye in the skin.
+  double gap = 0;      ///< Mean distance between its sides in its middle, cm.
   int component = -1;  ///< The connected part that has it, where it is found.
-  double way = 0;  ///< Mean way between them along the surface, cm; infinite where there is none within reach.
+  double way = 0;      ///< Mean way between them along the surface, cm; infinite where there is none within reach.
 };
 
 struct HeadSlits {

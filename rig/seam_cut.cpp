@@ -6,15 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace daumier::rig {
 namespace {
 
-constexpr double kAroundLine = 0.5;     // Beyond the corners and on both sides of a line, in widths.
-constexpr double kDepthOfLine = 0.25;   // In front of a line and behind it, in widths.
-constexpr double kTurnedAway = -0.2;    // Cosine between a normal and the direction out of the skin.
-constexpr double kOnLine = 1e-6;        // In widths.
+constexpr double kAroundLine = 0.5;    // Beyond the corners and on both sides of a line, in widths.
+constexpr double kDepthOfLine = 0.25;  // In front of a line and behind it, in widths.
+constexpr double kTurnedAway = -0.2;   // Cosine between a normal and the direction out of the skin.
+constexpr double kOnLine = 1e-6;       // In widths.
 
 bool IsClosed(const SeamEdges& edges, const geometry::Points& registered, double width) {
   const auto middle = [&](const std::vector<int>& path) { return registered.row(path[path.size() / 2]); };
@@ -58,13 +59,51 @@ HeightsOverLine HeightsOver(const SeamLine& line, int component, const HeadSurfa
   return over;
 }
 
+/// Lips that bulge over their seam cross its height again, in front of it: the deepest crossing is the seam.
+class DeepestCrossing {
+ public:
+  DeepestCrossing(const SeamLine& line, const HeightsOverLine& over, const geometry::TriangleMesh& mesh)
+      : line_(line), deepest_(kNumBins, std::numeric_limits<double>::infinity()) {
+    for (const auto& t : mesh.triangles.rowwise()) {
+      for (int k = 0; k < 3; ++k) {
+        const int a = t[k], b = t[(k + 1) % 3];
+        if (!over.is_around[size_t(a)] || !over.is_around[size_t(b)] || over.heights[a] * over.heights[b] > 0) continue;
+        const double sum = std::abs(over.heights[a]) + std::abs(over.heights[b]);
+        const double share = sum > 0 ? std::abs(over.heights[a]) / sum : 0;
+        const geometry::Vector3 at =
+            line.Coordinates((1 - share) * mesh.vertices.row(a) + share * mesh.vertices.row(b));
+        double& deepest = deepest_[BinOf(at)];
+        deepest = std::min(deepest, at.z() - line.DepthAt(at.x()));
+      }
+    }
+  }
+
+  /// at: coordinates of a crossing.
+  bool Has(const geometry::Vector3& at) const {
+    const size_t bin = BinOf(at);
+    const auto first = deepest_.begin() + std::ptrdiff_t(bin > 0 ? bin - 1 : 0),
+               last = deepest_.begin() + std::ptrdiff_t(std::min(bin + 2, kNumBins));
+    return at.z() - line_.DepthAt(at.x()) <= *std::min_element(first, last) + kOneDepth * line_.width;
+  }
+
+ private:
+  static constexpr size_t kNumBins = 32;     // Along the line.
+  static constexpr double kOneDepth = 0.03;  // In widths.
+  size_t BinOf(const geometry::Vector3& at) const {
+    return size_t(std::clamp(at.x() / line_.width, 0.0, 1.0) * double(kNumBins - 1) + 0.5);
+  }
+
+  const SeamLine& line_;
+  std::vector<double> deepest_;  ///< In front of the line.
+};
+
 geometry::LineCut CutAlong(const SeamLine& line, const HeightsOverLine& over, const geometry::TriangleMesh& mesh) {
+  const DeepestCrossing deepest(line, over, mesh);
   return geometry::CutAlongLine(mesh, over.heights, [&](const geometry::EdgePoint& point) {
     if (!over.is_around[size_t(point.kept)] || !over.is_around[size_t(point.removed)]) return false;
-    const double along = line.Coordinates((1 - point.share) * mesh.vertices.row(point.kept) +
-                                          point.share * mesh.vertices.row(point.removed))
-                             .x();
-    return along >= -kOnLine * line.width && along <= (1 + kOnLine) * line.width;
+    const geometry::Vector3 at = line.Coordinates((1 - point.share) * mesh.vertices.row(point.kept) +
+                                                  point.share * mesh.vertices.row(point.removed));
+    return at.x() >= -kOnLine * line.width && at.x() <= (1 + kOnLine) * line.width && deepest.Has(at);
   });
 }
 

@@ -19,7 +19,8 @@ enum class SlitCut : char {
 struct OpenedHead {
   /// Vertices of before keep their numbers and places; those of the cuts follow, then those of the pocket.
   geometry::TriangleMesh mesh;
-  std::vector<int> sources;  ///< One a triangle: the row of the head's triangle that it is a piece of; -1 of the pocket.
+  std::vector<int>
+      sources;  ///< One a triangle: the row of the head's triangle that it is a piece of; -1 of the pocket.
   std::array<SlitCut, kNumFaceSlits> slits{};
   std::array<double, kNumFaceSlits> lengths{};  ///< Of the cuts, cm.
   int num_cut_vertices = 0;                     ///< Between those of before and those of the pocket.
@@ -32,7 +33,8 @@ inline constexpr double kCutGap = 1e-3;
 inline constexpr double kClosedEye = 0.12;
 
 /// Opens the slits of a head that are sealed, from corner to corner: lips along the line between those of the registered
-/// template, drawn to the groove of the head within kGrooveReach of the width; lids of closed eyes likewise. Behind
+/// template, drawn to the groove of the head within kGrooveReach of the width; lids of closed eyes likewise. Where lips bulge over
+/// their seam, the deepest place at its height is cut. Behind
 /// lips without teeth or tongue comes a pocket, 0.45 widths deep, whose upper half begins at the upper lip.
 /// head: the mesh of `surface`, in the frame of the template.
 OpenedHead OpenSealedSlits(const TemplateMatch& match, const HeadSurface& surface, const HeadParts& parts,

@@ -8,12 +8,12 @@
 namespace daumier::rig {
 namespace {
 
-constexpr int kNumSteps = 48;           // Along a seam.
-constexpr int kNumOffsets = 15;         // Of a groove, on both sides and on the line.
-constexpr double kDeepest = 0.2;        // Of places in front of or behind a line, in widths.
-constexpr double kSpread = 0.012;       // Of a place's concavity, in widths.
-constexpr double kLeavingCost = 0.15;   // At the farthest offset.
-constexpr double kTurningCost = 0.02;   // Of one offset a step, squared.
+constexpr int kNumSteps = 48;          // Along a seam.
+constexpr int kNumOffsets = 15;        // Of a groove, on both sides and on the line.
+constexpr double kDeepest = 0.2;       // Of places in front of or behind a line, in widths.
+constexpr double kSpread = 0.012;      // Of a place's concavity, in widths.
+constexpr double kLeavingCost = 0.15;  // At the farthest offset.
+constexpr double kTurningCost = 0.02;  // Of one offset a step, squared.
 
 /// Where the seam of one edge is at each step of the other's way: points at equal shares of its length.
 geometry::Points PointsAlong(const std::vector<int>& path, const geometry::Points& points, int num_points) {
@@ -66,8 +66,7 @@ Eigen::MatrixXd ConcavityAround(const HeadSurface& head, const SeamLine& line) {
       if (std::abs(away) > 3 * spread) continue;
       for (int o = 0; o < kNumOffsets; ++o) {
         const double offset = kGrooveReach * line.width * (2.0 * o / (kNumOffsets - 1) - 1);
-        const double weight =
-            std::exp(-0.5 * (away * away + (over - offset) * (over - offset)) / (spread * spread));
+        const double weight = std::exp(-0.5 * (away * away + (over - offset) * (over - offset)) / (spread * spread));
         sums(s, o) += weight * concavity;
         weights(s, o) += weight;
       }
@@ -96,8 +95,8 @@ SeamLine MiddleOfSlit(const SeamEdges& edges, const geometry::Points& registered
   line.frame = FrameOfSeam(edges, registered, geometry::Vector3::UnitZ());
   line.origin = registered.row(edges.upper.front()).transpose();
   line.width = (registered.row(edges.upper.back()) - registered.row(edges.upper.front())).norm();
-  const geometry::Points middle = 0.5 * (PointsAlong(edges.upper, registered, 4 * kNumSteps) +
-                                         PointsAlong(edges.lower, registered, 4 * kNumSteps));
+  const geometry::Points middle =
+      0.5 * (PointsAlong(edges.upper, registered, 4 * kNumSteps) + PointsAlong(edges.lower, registered, 4 * kNumSteps));
   line.heights.resize(kNumSteps);
   line.depths.resize(kNumSteps);
   Eigen::Index i = 0;

@@ -7,6 +7,7 @@
 #include "render/image.h"
 #include "reports/head_file.h"
 #include "rig/expression_targets.h"
+#include "rig/face_sides.h"
 #include "tests/cli/pipeline.h"
 #include "tests/geometry/shapes.h"
 #include "tests/support/glb_reader.h"

@@ -20,8 +20,7 @@ TriangleMesh SheetToOpen(int n) {
 /// The part of a line between these x.
 auto Between(const TriangleMesh& mesh, double low, double high) {
   return [&mesh, low, high](const EdgePoint& point) {
-    const double x =
-        (1 - point.share) * mesh.vertices(point.kept, 0) + point.share * mesh.vertices(point.removed, 0);
+    const double x = (1 - point.share) * mesh.vertices(point.kept, 0) + point.share * mesh.vertices(point.removed, 0);
     return x >= low && x <= high;
   };
 }
@@ -66,9 +65,10 @@ TEST(LineCut, OpensASheetBetweenTheEndsOfTheLine) {
   EXPECT_EQ(num_ends, 2);
   for (Eigen::Index t = 0; t < cut.mesh.triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k)
-      EXPECT_LT((cut.mesh.uv.row(cut.mesh.uv_triangles(t, k)) - cut.mesh.vertices.row(cut.mesh.triangles(t, k)).leftCols(2))
-                    .norm(),
-                1e-12);
+      EXPECT_LT(
+          (cut.mesh.uv.row(cut.mesh.uv_triangles(t, k)) - cut.mesh.vertices.row(cut.mesh.triangles(t, k)).leftCols(2))
+              .norm(),
+          1e-12);
 }
 
 TEST(LineCut, GivesWhatIsAboveVerticesOfItsOwn) {
@@ -102,8 +102,9 @@ TEST(LineCut, GoesThroughVerticesOnItAndNearIt) {
 
 TEST(LineCut, MayCrossASheetFromBorderToBorder) {
   const TriangleMesh sheet = SheetToOpen(8);
-  const LineCut cut = CutAlongLine(sheet, sheet.vertices * Eigen::Vector3d(0.3, 1, 0) - Eigen::VectorXd::Constant(81, 0.6),
-                                   [](const EdgePoint&) { return true; });
+  const LineCut cut =
+      CutAlongLine(sheet, sheet.vertices * Eigen::Vector3d(0.3, 1, 0) - Eigen::VectorXd::Constant(81, 0.6),
+                   [](const EdgePoint&) { return true; });
   ExpectSameSurface(sheet, cut);
   EXPECT_EQ(NumLoops(cut.mesh), 2u) << "two sheets";
   EXPECT_NEAR(cut.length, std::hypot(1, 0.3), 0.01) << "through vertices that are near";
@@ -124,8 +125,7 @@ TEST(LineCut, OpensASphereAlongACurve) {
 
 TEST(LineCut, ChangesNothingWithoutALine) {
   const TriangleMesh sheet = SheetToOpen(4);
-  const LineCut cut =
-      CutAlongLine(sheet, sheet.vertices.col(1).array() - 0.3, [](const EdgePoint&) { return false; });
+  const LineCut cut = CutAlongLine(sheet, sheet.vertices.col(1).array() - 0.3, [](const EdgePoint&) { return false; });
   EXPECT_EQ(cut.mesh.triangles, sheet.triangles);
   EXPECT_EQ(cut.mesh.vertices, sheet.vertices);
   EXPECT_EQ(cut.mesh.uv, sheet.uv);

@@ -162,8 +162,11 @@ TEST_F(ForeignHeads, ThatAreSealedAreCutAndOpen) {
     if (std::abs(opened.mesh.vertices(v, 0)) > half) continue;
     const bool is_upper = head.sides[size_t(v)] == FaceSide::kUpperLip;
     EXPECT_TRUE(is_upper || head.sides[size_t(v)] == FaceSide::kLowerLip);
-    if (is_upper) EXPECT_GT(moves[3 * v + 1], -0.3f);
-    if (!is_upper) EXPECT_LT(moves[3 * v + 1], -0.8f);
+    if (is_upper) {
+      EXPECT_GT(moves[3 * v + 1], -0.3f) << opened.mesh.vertices.row(v);
+    } else {
+      EXPECT_LT(moves[3 * v + 1], -0.8f) << opened.mesh.vertices.row(v);
+    }
     ++(is_upper ? num_upper : num_lower);
   }
   EXPECT_GT(num_upper, 5);
