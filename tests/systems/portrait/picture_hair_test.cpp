@@ -15,7 +15,7 @@ std::vector<float> Landmarks() {
   return landmarks;
 }
 
-struct Box {
+struct HairBox {
   int left, top, right, bottom;
 };
 
@@ -23,8 +23,8 @@ struct Box {
 struct Shown {
   render::Image picture{300, 200, 3}, mask{300, 200, 1, uint8_t(PictureClass::kSkin)};
 
-  explicit Shown(const std::vector<Box>& boxes) {
-    for (const Box& box : boxes) {
+  explicit Shown(const std::vector<HairBox>& boxes) {
+    for (const HairBox& box : boxes) {
       for (int row = box.top; row < box.bottom; ++row) {
         for (int column = box.left; column < box.right; ++column) {
           mask.at(row, column) = uint8_t(PictureClass::kHair);
@@ -37,7 +37,7 @@ struct Shown {
   }
 };
 
-faces::HairStyle StyleOf(const std::vector<Box>& boxes) {
+faces::HairStyle StyleOf(const std::vector<HairBox>& boxes) {
   const Shown shown(boxes);
   return LooksOf(FindShownHair(shown.picture, shown.mask, Landmarks())).hair;
 }
