@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kReachOfLids = 1.3;  // In radii of an eyeball.
 constexpr double kMillimetres = 10;   // In a cm.
-constexpr Eigen::Index kPivotShare = 20, kLeastOfPivot = 3;
+constexpr Eigen::Index kNearShare = 20, kLeastRows = 6;
 
 /// The matched vertices of the head's mesh, before and after.
 struct MovedVertices {
@@ -45,11 +46,25 @@ struct MovedVertices {
   }
 };
 
+/// The twentieth of the matched vertices that is nearest, ascending; at least kLeastRows, or all of fewer.
+std::vector<int> RowsAround(const MovedVertices& moved, const geometry::Vector3& point) {
+  std::vector<int> rows(size_t(moved.from.rows()));
+  std::iota(rows.begin(), rows.end(), 0);
+  const Eigen::VectorXd distances = (moved.from.rowwise() - point.transpose()).rowwise().squaredNorm();
+  const auto count = std::min(std::max(moved.from.rows() / kNearShare, kLeastRows), moved.from.rows());
+  std::ranges::nth_element(rows, rows.begin() + count - 1, {}, [&](int i) { return distances[i]; });
+  rows.resize(size_t(count));
+  std::ranges::sort(rows);
+  return rows;
+}
+
+/// Of the matched vertices that are nearest to points; if these are few, of those around them.
 MeanMotion MotionAround(const MovedVertices& moved, const geometry::Points& points) {
   std::vector<int> rows;
   for (const auto& point : points.rowwise()) rows.push_back(moved.tree.Nearest(point.transpose()).vertex);
   std::ranges::sort(rows);
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  if (std::ssize(rows) < kLeastRows) rows = RowsAround(moved, points.colwise().mean().transpose());
   return moved.Motion(rows);
 }
 
@@ -94,21 +109,9 @@ void MoveEye(const EditedMatch& match, const MovedVertices& moved, Eigen::Index 
   std::vector<int> lids;
   for (Eigen::Index i = 0; i < moved.from.rows(); ++i)
     if ((moved.from.row(i).transpose() - eye.centre).norm() < reach) lids.push_back(int(i));
-  const MeanMotion motion = lids.empty() ? MotionAround(moved, before) : moved.Motion(lids);
+  const MeanMotion motion = moved.Motion(std::ssize(lids) < kLeastRows ? RowsAround(moved, eye.centre) : lids);
   eye.centre = motion.Apply(eye.centre);
   eye.mesh.vertices *= motion.scale;
-}
-
-geometry::Vector3 MovedPivot(const MovedVertices& moved, const geometry::Vector3& pivot) {
-  std::vector<int> rows(size_t(moved.from.rows()));
-  for (size_t i = 0; i < rows.size(); ++i) rows[i] = int(i);
-  const Eigen::VectorXd distances = (moved.from.rowwise() - pivot.transpose()).rowwise().squaredNorm();
-  const auto count =
-      std::clamp(moved.from.rows() / kPivotShare, std::min(kLeastOfPivot, moved.from.rows()), moved.from.rows());
-  std::ranges::nth_element(rows, rows.begin() + count - 1, {}, [&](int i) { return distances[i]; });
-  rows.resize(size_t(count));
-  std::ranges::sort(rows);
-  return moved.Motion(rows).Apply(pivot);
 }
 
 void StateChanges(const RiggedHead& before, const MovedVertices& moved, EditedHead& result) {
@@ -139,8 +142,8 @@ EditedHead ApplyEdit(const RiggedHead& head, const EditedMatch& match) {
     MoveEye(match, moved, first, eye);
     first += count;
   }
-  result.head.head_pivot = MovedPivot(moved, head.head_pivot);
-  result.head.jaw_pivot = MovedPivot(moved, head.jaw_pivot);
+  result.head.head_pivot = moved.Motion(RowsAround(moved, head.head_pivot)).Apply(head.head_pivot);
+  result.head.jaw_pivot = moved.Motion(RowsAround(moved, head.jaw_pivot)).Apply(head.jaw_pivot);
   for (HeadAttachment& attachment : result.head.attachments)
     for (auto vertex : attachment.mesh.vertices.rowwise()) vertex += moved.NearestMove(vertex.transpose()).transpose();
   if (head.targets.num_targets() > 0)
