@@ -9,7 +9,7 @@ namespace {
 
 using testing::BallHead;
 
-EditedMatch MatchOf(const RiggedHead& head, bool with_eyes) {
+EditedMatch WholeMatch(const RiggedHead& head, bool with_eyes) {
   EditedMatch match;
   match.places = PlacesOf(head);
   match.is_matched.assign(size_t(match.places.rows()), with_eyes);
@@ -20,7 +20,7 @@ EditedMatch MatchOf(const RiggedHead& head, bool with_eyes) {
 TEST(ApplyEdit, OfAnUneditedMeshGivesTheHead) {
   const RiggedHead head = BallHead();
   for (const bool with_eyes : {false, true}) {
-    const EditedHead same = ApplyEdit(head, MatchOf(head, with_eyes));
+    const EditedHead same = ApplyEdit(head, WholeMatch(head, with_eyes));
     EXPECT_EQ(same.head.mesh.vertices, head.mesh.vertices);
     EXPECT_EQ(same.head.targets.offsets, head.targets.offsets);
     EXPECT_LT((same.head.jaw_pivot - head.jaw_pivot).norm(), 1e-12);
@@ -37,7 +37,7 @@ TEST(ApplyEdit, ScalesAllOfAScaledHead) {
   tuft.mesh.vertices << -1, 11.1, 0, 1, 11.1, 0, 0, 11.2, 0;
   tuft.mesh.triangles << 0, 1, 2;
   head.attachments.push_back(tuft);
-  EditedMatch match = MatchOf(head, false);
+  EditedMatch match = WholeMatch(head, false);
   const Eigen::Index count = head.mesh.vertices.rows();
   match.places.topRows(count) *= 1.25;
   const EditedHead larger = ApplyEdit(head, match);
@@ -54,7 +54,7 @@ TEST(ApplyEdit, ScalesAllOfAScaledHead) {
 
 TEST(ApplyEdit, TakesEyesFromTheMeshWhereItHasThem) {
   const RiggedHead head = BallHead();
-  EditedMatch match = MatchOf(head, true);
+  EditedMatch match = WholeMatch(head, true);
   const Eigen::Index count = head.mesh.vertices.rows(), of_eye = head.eyes[0].mesh.vertices.rows();
   match.places.middleRows(count, of_eye).col(1).array() += 0.5;
   const EditedHead edited = ApplyEdit(head, match);
@@ -86,7 +86,7 @@ RiggedHead HeadWithChain() {
 TEST(ApplyEdit, MovesPartsThatTheMeshLacksAsWhatIsAroundThem) {
   const RiggedHead head = HeadWithChain();
   const Eigen::Index first = BallHead().mesh.vertices.rows();
-  EditedMatch match = MatchOf(head, false);
+  EditedMatch match = WholeMatch(head, false);
   for (Eigen::Index v = first; v < head.mesh.vertices.rows(); ++v) match.is_matched[size_t(v)] = false;
   match.is_matched[10] = false;  // A vertex that the mesh lost.
   for (Eigen::Index v = 0; v < first; ++v)
