@@ -6,15 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 namespace daumier::rig {
 namespace {
 
-constexpr double kAroundLine = 0.5;    // Beyond the corners and on both sides of a line, in widths.
+constexpr double kAroundLine = 0.3;    // Beyond the corners, on both sides of a line and from the template, in widths.
 constexpr double kDepthOfLine = 0.25;  // In front of a line and behind it, in widths.
-constexpr double kTurnedAway = -0.2;   // Cosine between a normal and the direction out of the skin.
 constexpr double kOnLine = 1e-6;       // In widths.
 
 bool IsClosed(const SeamEdges& edges, const geometry::Points& registered, double width) {
@@ -33,77 +32,65 @@ SlitCut WhatToDo(const TemplateMatch& match, const HeadSlits& slits, int s) {
   return IsClosed(edges, registered, width) ? SlitCut::kCut : SlitCut::kOpenEye;
 }
 
-/// The height over a line of the vertices around it.
-struct HeightsOverLine {
-  Eigen::VectorXd heights;      ///< V; 1 away from the line.
-  std::vector<bool> is_around;  ///< V
-};
-
-HeightsOverLine HeightsOver(const SeamLine& line, int component, const HeadSurface& surface,
-                            const geometry::Points& vertices) {
-  const Eigen::Index num_vertices = vertices.rows();
-  HeightsOverLine over{Eigen::VectorXd::Ones(num_vertices), std::vector<bool>(size_t(num_vertices), false)};
-  for (Eigen::Index v = 0; v < num_vertices; ++v) {
-    const int place = surface.places[size_t(v)];
-    if (place < 0 || surface.components[size_t(place)] != component ||
-        surface.normals.row(place).dot(line.frame.out.transpose()) < kTurnedAway)
-      continue;
-    const geometry::Vector3 at = line.Coordinates(vertices.row(v));
-    const double height = at.y() - line.HeightAt(at.x()), around = kAroundLine * line.width;
-    if (at.x() < -around || at.x() > line.width + around || std::abs(height) > around ||
-        std::abs(at.z() - line.DepthAt(at.x())) > kDepthOfLine * line.width)
-      continue;
-    over.heights[v] = height;
-    over.is_around[size_t(v)] = true;
-  }
-  return over;
-}
-
-/// Lips that bulge over their seam cross its height again, in front of it: the deepest crossing is the seam.
-class DeepestCrossing {
+/// How much nearer places are to the upper side of the template than to the lower one, cm: lips that bulge over their seam
+/// cross its height several times, and this once.
+class Nearness {
  public:
-  DeepestCrossing(const SeamLine& line, const HeightsOverLine& over, const geometry::TriangleMesh& mesh)
-      : line_(line), deepest_(kNumBins, std::numeric_limits<double>::infinity()) {
-    for (const auto& t : mesh.triangles.rowwise()) {
-      for (int k = 0; k < 3; ++k) {
-        const int a = t[k], b = t[(k + 1) % 3];
-        if (!over.is_around[size_t(a)] || !over.is_around[size_t(b)] || over.heights[a] * over.heights[b] > 0) continue;
-        const double sum = std::abs(over.heights[a]) + std::abs(over.heights[b]);
-        const double share = sum > 0 ? std::abs(over.heights[a]) / sum : 0;
-        const geometry::Vector3 at =
-            line.Coordinates((1 - share) * mesh.vertices.row(a) + share * mesh.vertices.row(b));
-        double& deepest = deepest_[BinOf(at)];
-        deepest = std::min(deepest, at.z() - line.DepthAt(at.x()));
-      }
-    }
-  }
+  Nearness(const TemplateMatch& match, FaceSlit slit, double reach)
+      : match_(match), upper_(UpperSide(slit)), lower_(LowerSide(slit)), reach_(reach) {}
 
-  /// at: coordinates of a crossing.
-  bool Has(const geometry::Vector3& at) const {
-    const size_t bin = BinOf(at);
-    const auto first = deepest_.begin() + std::ptrdiff_t(bin > 0 ? bin - 1 : 0),
-               last = deepest_.begin() + std::ptrdiff_t(std::min(bin + 2, kNumBins));
-    return at.z() - line_.DepthAt(at.x()) <= *std::min_element(first, last) + kOneDepth * line_.width;
+  /// Nothing where neither is within reach.
+  std::optional<double> Of(const geometry::Vector3& place, const geometry::Vector3& normal) const {
+    const double upper = Distance(place, normal, upper_), lower = Distance(place, normal, lower_);
+    if (std::min(upper, lower) >= reach_) return std::nullopt;
+    return lower - upper;
   }
 
  private:
-  static constexpr size_t kNumBins = 32;     // Along the line.
-  static constexpr double kOneDepth = 0.03;  // In widths.
-  size_t BinOf(const geometry::Vector3& at) const {
-    return size_t(std::clamp(at.x() / line_.width, 0.0, 1.0) * double(kNumBins - 1) + 0.5);
+  double Distance(const geometry::Vector3& place, const geometry::Vector3& normal, FaceSide side) const {
+    const auto point = match_.Nearest(place, normal, reach_, [&](FaceSide of_triangle) { return of_triangle == side; });
+    return point ? point->distance : reach_;
   }
 
-  const SeamLine& line_;
-  std::vector<double> deepest_;  ///< In front of the line.
+  const TemplateMatch& match_;
+  FaceSide upper_, lower_;
+  double reach_;
 };
 
-geometry::LineCut CutAlong(const SeamLine& line, const HeightsOverLine& over, const geometry::TriangleMesh& mesh) {
-  const DeepestCrossing deepest(line, over, mesh);
-  return geometry::CutAlongLine(mesh, over.heights, [&](const geometry::EdgePoint& point) {
-    if (!over.is_around[size_t(point.kept)] || !over.is_around[size_t(point.removed)]) return false;
+/// A function of the vertices whose zero line is the seam.
+struct SidesOfLine {
+  Eigen::VectorXd values;       ///< V, cm; 1 away from the line.
+  std::vector<bool> is_around;  ///< V
+};
+
+/// middle: between the sides of the template. drawn: to the groove.
+SidesOfLine SidesAround(const TemplateMatch& match, int s, const SeamLine& middle, const SeamLine& drawn, int component,
+                        const HeadSurface& surface, const geometry::TriangleMesh& head) {
+  const Eigen::Index num_vertices = head.vertices.rows();
+  SidesOfLine sides{Eigen::VectorXd::Ones(num_vertices), std::vector<bool>(size_t(num_vertices), false)};
+  const double around = kAroundLine * middle.width;
+  const Nearness nearness(match, FaceSlit(s), around);
+  for (Eigen::Index v = 0; v < num_vertices; ++v) {
+    const int place = surface.places[size_t(v)];
+    if (place < 0 || surface.components[size_t(place)] != component) continue;
+    const geometry::Vector3 at = middle.Coordinates(head.vertices.row(v));
+    if (at.x() < -around || at.x() > middle.width + around || std::abs(at.y() - middle.HeightAt(at.x())) > around ||
+        std::abs(at.z() - middle.DepthAt(at.x())) > kDepthOfLine * middle.width)
+      continue;
+    const auto nearer = nearness.Of(head.vertices.row(v), surface.normals.row(place));
+    if (!nearer) continue;
+    sides.values[v] = *nearer - (drawn.HeightAt(at.x()) - middle.HeightAt(at.x()));
+    sides.is_around[size_t(v)] = true;
+  }
+  return sides;
+}
+
+geometry::LineCut CutAlong(const SeamLine& line, const SidesOfLine& sides, const geometry::TriangleMesh& mesh) {
+  return geometry::CutAlongLine(mesh, sides.values, [&](const geometry::EdgePoint& point) {
+    if (!sides.is_around[size_t(point.kept)] || !sides.is_around[size_t(point.removed)]) return false;
     const geometry::Vector3 at = line.Coordinates((1 - point.share) * mesh.vertices.row(point.kept) +
                                                   point.share * mesh.vertices.row(point.removed));
-    return at.x() >= -kOnLine * line.width && at.x() <= (1 + kOnLine) * line.width && deepest.Has(at);
+    return at.x() >= -kOnLine * line.width && at.x() <= (1 + kOnLine) * line.width;
   });
 }
 
@@ -131,13 +118,15 @@ OpenedHead OpenSealedSlits(const TemplateMatch& match, const HeadSurface& surfac
   for (int s = kNumFaceSlits - 1; s >= 0; --s) {
     opened.slits[size_t(s)] = WhatToDo(match, slits, s);
     if (opened.slits[size_t(s)] != SlitCut::kCut) continue;
-    SeamLine line = MiddleOfSlit(match.slits()[size_t(s)], match.surface().vertices);
+    const SeamLine middle = MiddleOfSlit(match.slits()[size_t(s)], match.surface().vertices);
+    SeamLine line = middle;
     DrawToGroove(surface, line);
-    HeightsOverLine over = HeightsOver(line, slits.slits[size_t(s)].component, surface, head.vertices);
-    over.heights.conservativeResize(opened.mesh.vertices.rows());
-    over.heights.tail(opened.mesh.vertices.rows() - head.vertices.rows()).setOnes();
-    over.is_around.resize(size_t(opened.mesh.vertices.rows()), false);
-    geometry::LineCut cut = CutAlong(line, over, opened.mesh);
+    SidesOfLine sides = SidesAround(match, s, middle, line, slits.slits[size_t(s)].component, surface, head);
+    const Eigen::Index num_new = opened.mesh.vertices.rows() - head.vertices.rows();
+    sides.values.conservativeResize(opened.mesh.vertices.rows());
+    sides.values.tail(num_new).setOnes();
+    sides.is_around.resize(size_t(opened.mesh.vertices.rows()), false);
+    geometry::LineCut cut = CutAlong(line, sides, opened.mesh);
     if (cut.edges.empty()) {
       opened.slits[size_t(s)] = SlitCut::kNoLine;
       continue;

@@ -32,10 +32,10 @@ inline constexpr double kCutGap = 1e-3;
 /// Whether the lids of an eye, which are `open` of its width apart in the middle, are those of a closed one.
 inline constexpr double kClosedEye = 0.12;
 
-/// Opens the slits of a head that are sealed, from corner to corner: lips along the line between those of the registered
-/// template, drawn to the groove of the head within kGrooveReach of the width; lids of closed eyes likewise. Where lips bulge over
-/// their seam, the deepest place at its height is cut. Behind
-/// lips without teeth or tongue comes a pocket, 0.45 widths deep, whose upper half begins at the upper lip.
+/// Opens the slits of a head that are sealed, from corner to corner: lips where places are as near to the upper lip of the
+/// registered template as to the lower one, with a triangle that faces likewise; lids of closed eyes likewise. The line is
+/// drawn to a groove of the head by up to kGrooveReach of the width. Behind lips without teeth or tongue comes a pocket,
+/// 0.45 widths deep.
 /// head: the mesh of `surface`, in the frame of the template.
 OpenedHead OpenSealedSlits(const TemplateMatch& match, const HeadSurface& surface, const HeadParts& parts,
                            const HeadSlits& slits, const geometry::TriangleMesh& head);
