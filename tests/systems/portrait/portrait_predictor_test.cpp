@@ -89,7 +89,7 @@ TEST(PortraitPredictor, CropsByGivenLandmarks) {
   EXPECT_NEAR(face.record.at("crop").at("shift")[0].get<double>(), prediction.map.shift.x(), 0.01);
   EXPECT_EQ(problem.network->crop().shape, (std::vector<int64_t>{1, 3, 64, 64}));
   const std::vector<systems::Input> two = {problem.picture, problem.picture};
-  testing::ExpectError([&] { predictor.Predict(two); }, "landmarks are given for one picture, here are 2");
+  testing::ExpectError([&] { predictor.Predict(two); }, "landmarks and mask are given for one picture, here are 2");
 }
 
 TEST(PortraitPredictor, AlignsFacesWithLandmarks) {
