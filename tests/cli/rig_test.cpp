@@ -238,7 +238,6 @@ TEST_F(RigOfForeignHeads, OpensSealedLipsWithCut) {
   EXPECT_THAT(kept.err, AllOf(HasSubstr("the lips are sealed"), HasSubstr("--cut")));
   const ProcessResult result = Rig("sealed.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json", "--cut"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("the lips were sealed and are cut open"));
   const Json summary = Json::parse(result.out);
   EXPECT_EQ(summary["slits"]["mouth"], "open");
   const Json& cut = summary["cut"];

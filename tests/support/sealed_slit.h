@@ -12,6 +12,7 @@ inline void Seal(const rig::SeamEdges& edges, geometry::TriangleMesh& mesh) {
     const int next = along_upper ? edges.upper[++u] : edges.lower[++l];
     const int before = along_upper ? edges.upper[u - 1] : edges.lower[l - 1];
     const int across = along_upper ? edges.lower[l] : edges.upper[u];
+    if (before == across || next == across) continue;  // At the corners.
     mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, Eigen::NoChange);
     mesh.triangles.bottomRows(1) << before, next, across;
   }
