@@ -113,8 +113,8 @@ OpenedHead OpenSealedSlits(const TemplateMatch& match, const HeadSurface& surfac
   OpenedHead opened;
   opened.mesh = head;
   for (int t = 0; t < head.triangles.rows(); ++t) opened.sources.push_back(t);
-  // Cuts of eyes first: what the pocket adds is the last. Each cut has values of the vertices of the head alone; the others are at
-  // another slit.
+  // Cuts of eyes first: what the pocket adds is the last. Each cut has values of the vertices of the head alone; the others
+  // are at another slit.
   for (int s = kNumFaceSlits - 1; s >= 0; --s) {
     opened.slits[size_t(s)] = WhatToDo(match, slits, s);
     if (opened.slits[size_t(s)] != SlitCut::kCut) continue;
