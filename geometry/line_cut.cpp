@@ -181,9 +181,10 @@ class LineCutter {
       if (sides[0] < 0 || sides[1] < 0) continue;
       cut_edges_.insert(edge);
       const Piece& below = pieces_[size_t(sides[0])];
-      const bool is_forward = std::ranges::any_of(std::array<size_t, 3>{0, 1, 2}, [&](size_t k) {
-        return below.corners[k].vertex == edge.first && below.corners[(k + 1) % 3].vertex == edge.second;
-      });
+      const bool is_forward =
+          std::ranges::any_of(std::array<size_t, 3>{0, 1, 2}, [&, from = edge.first, to = edge.second](size_t k) {
+            return below.corners[k].vertex == from && below.corners[(k + 1) % 3].vertex == to;
+          });
       const int first = RimOf(edge.first), second = RimOf(edge.second);
       cut_.edges.push_back({is_forward ? first : second, is_forward ? second : first, sides[0], sides[1]});
       cut_.length += (cut_.mesh.vertices.row(edge.first) - cut_.mesh.vertices.row(edge.second)).norm();

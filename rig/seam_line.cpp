@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kNumSteps = 48;          // Along a seam.
 constexpr int kNumOffsets = 15;        // Of a groove, on both sides and on the line.
-constexpr double kDeepest = 0.2;       // Of places in front of or behind a line, in widths.
+constexpr double kDeepestPlace = 0.2;  // Of places in front of or behind a line, in widths.
 constexpr double kSpread = 0.012;      // Of a place's concavity, in widths.
 constexpr double kLeavingCost = 0.15;  // At the farthest offset.
 constexpr double kTurningCost = 0.02;  // Of one offset a step, squared.
@@ -57,7 +57,7 @@ Eigen::MatrixXd ConcavityAround(const HeadSurface& head, const SeamLine& line) {
     const geometry::Vector3 at = line.Coordinates(head.mesh.vertices.row(p));
     const double over = at.y() - line.HeightAt(at.x());
     if (at.x() < -3 * spread || at.x() > line.width + 3 * spread || std::abs(over) > reach ||
-        std::abs(at.z() - line.DepthAt(at.x())) > kDeepest * line.width ||
+        std::abs(at.z() - line.DepthAt(at.x())) > kDeepestPlace * line.width ||
         head.normals.row(p).dot(line.frame.out.transpose()) < 0)
       continue;
     const double concavity = Concavity(head, p);
