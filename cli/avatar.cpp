@@ -10,6 +10,7 @@
 #include "core/log.h"
 #include "core/output_place.h"
 #include "core/stopwatch.h"
+#include "core/task.h"
 #include "fitting/exaggerated_face.h"
 #include "render/draw.h"
 #include "render/sheet.h"
@@ -22,6 +23,7 @@
 #include "systems/sketch/run_folder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -58,6 +60,8 @@ AvatarVerbConfig ConfigOf(const AvatarArguments& arguments) {
       throw UsageError(fmt::format("both {} and {}.{} are given: leave one out", flag, table, key));
     config[table][key] = value;
   };
+  if (!std::isfinite(arguments.caricature))
+    throw UsageError(fmt::format("--caricature {}: expected a number from 0 to 2", arguments.caricature));
   set("face", "landmarks", "--landmarks", arguments.landmarks.string());
   set("face", "mask", "--mask", arguments.mask.string());
   set("avatar", "style", "--style", arguments.style);
@@ -122,6 +126,22 @@ MadeAvatar OfDrawing(const AvatarArguments& arguments, const AvatarVerbConfig& c
   return made;
 }
 
+/// The avatar; errors name the picture, and its style.
+portrait::Avatar MakeNamed(const AvatarArguments& arguments, const std::string& style,
+                           const portrait::AvatarMaker& maker, const render::Image& picture) {
+  try {
+    return maker.Make(picture, CaricatureOf(arguments.caricature));
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(fmt::format(
+        "{}: {}{}", arguments.input.string(), error.what(),
+        style == "none" ? "" : fmt::format(". This is the picture in the style {}; try it without --style", style)));
+  }
+}
+
 MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& config) {
   Stopwatch watch;
   const render::Image picture = render::ReadImage(arguments.input);
@@ -135,7 +155,7 @@ MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& 
   for (const std::string& warning : maker.warnings()) log::Warn("{}", warning);
   MadeAvatar made;
   made.milliseconds["open"] = 1e3 * watch.seconds();
-  portrait::Avatar avatar = maker.Make(picture, CaricatureOf(arguments.caricature));
+  portrait::Avatar avatar = MakeNamed(arguments, config.avatar.style, maker, picture);
   for (const std::string& warning : avatar.face.warnings) log::Warn("{}: {}", arguments.input.string(), warning);
   if (arguments.hair.style != "none") {
     const auto looks = HairLooks(arguments.hair, portrait::LooksOf(portrait::FindShownHair(
@@ -148,6 +168,10 @@ MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& 
                             {"targets", avatar.times.targets},
                             {"head", avatar.times.head},
                             {"texture", avatar.times.texture}});
+  if (avatar.painted.seen == 0)
+    log::Warn(
+        "{}: nothing of the face's skin is seen in the picture: are the landmarks and the mask those of this picture?",
+        arguments.input.string());
   made.facts["skin"] = {
       {"seen", avatar.painted.seen}, {"mirrored", avatar.painted.mirrored}, {"filled", avatar.painted.filled}};
   made.stages.push_back({"picture", render::ToRgb(picture)});
@@ -161,12 +185,26 @@ MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& 
   return made;
 }
 
+/// @throws UsageError if the folder of stages may not be written, or other files of this command would be in it.
+void CheckStages(const fs::path& stages, const RigFiles& files, const std::vector<fs::path>& inputs) {
+  CheckReplacedFolder(stages, kStagesKind, inputs);
+  const fs::path folder = fs::weakly_canonical(stages);
+  for (const auto& file :
+       {std::optional(files.head), std::optional(files.sheet), files.compressed, files.vrm, files.frames}) {
+    if (!file) continue;
+    const fs::path other = fs::weakly_canonical(*file);
+    if (other == folder || other.parent_path() == folder)
+      throw UsageError(fmt::format("--stages {}: {} is written there as well. Name a folder of its own",
+                                   stages.string(), file->string()));
+  }
+}
+
 void MakeAvatar(const AvatarArguments& arguments) {
   const Stopwatch watch;
   const AvatarVerbConfig config = ConfigOf(arguments);
   const std::vector<fs::path> inputs = {arguments.input, arguments.landmarks, arguments.mask};
   const RigFiles files = CheckedHeadFiles(arguments.head, inputs);
-  if (!arguments.stages.empty()) CheckReplacedFolder(arguments.stages, kStagesKind, inputs);
+  if (!arguments.stages.empty()) CheckStages(arguments.stages, files, inputs);
   HairLooks(arguments.hair);  // Refuses what is no colour.
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
   MadeAvatar made = IsDrawing(arguments) ? OfDrawing(arguments, config) : OfPortrait(arguments, config);

@@ -16,6 +16,7 @@
 #include "systems/predict_inputs.h"
 #include "systems/shipped_weights.h"
 #include "systems/sketch/drawing_colours.h"
+#include "systems/sketch/predictor.h"
 #include "systems/sketch/run_folder.h"
 
 #include <algorithm>
@@ -55,10 +56,21 @@ std::optional<render::Image> ColouredPicture(const fs::path& file) {
   return systems::IsInputFile(pictures, file) ? std::optional(render::ReadImage(file)) : std::nullopt;
 }
 
-/// The face's curves in pixels of the picture of its drawing.
-std::vector<render::Stroke> CurvesInPicture(const systems::FaceResult& face, const render::Drawing& drawing,
+/// All frontal curves of the face, on the canvas: a network may have learnt few of them.
+std::vector<render::Stroke> FrontalCurves(const systems::FaceResult& face, const render::Camera& camera) {
+  std::vector<std::string> names;
+  for (const faces::FeatureCurve& curve : face.face_template->annotation.curves)
+    if (curve.view == faces::View::kFrontal) names.push_back(curve.name);
+  const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> vertices = face.vertices.cast<float>();
+  return fitting::SeenStrokes(fitting::SeeCurves(*face.face_template, names, camera),
+                              {vertices.data(), size_t(vertices.size())});
+}
+
+/// Curves of the canvas in pixels of the picture of a drawing.
+std::vector<render::Stroke> CurvesInPicture(const std::vector<render::Stroke>& on_canvas,
+                                            const systems::FaceResult& face, const render::Drawing& drawing,
                                             const render::Image& picture) {
-  std::vector<render::Stroke> curves = render::MapToCanvas(face.curves, render::Inverse(*face.frame));
+  std::vector<render::Stroke> curves = render::MapToCanvas(on_canvas, render::Inverse(*face.frame));
   for (render::Stroke& curve : curves) {
     for (std::array<float, 2>& point : curve.points) {
       Eigen::Vector2d p(point[0], point[1]);
@@ -143,8 +155,11 @@ DrawnHead MakeDrawnHead(const fs::path& file, const PaletteOptions& options, int
   const std::optional<render::Image> picture = ColouredPicture(file);
   sketch::DrawnColours colours;
   const auto* const drawing = std::get_if<render::Drawing>(&input);
-  if (picture && drawing != nullptr && face.frame)
-    colours = sketch::FindDrawnColours(*picture, CurvesInPicture(face, *drawing, *picture));
+  if (picture && drawing != nullptr && face.frame) {
+    const auto& camera = dynamic_cast<const sketch::SketchPredictor&>(*predictor).curves().camera;
+    colours =
+        sketch::FindDrawnColours(*picture, CurvesInPicture(FrontalCurves(face, camera), face, *drawing, *picture));
+  }
   const fitting::HeadPalette palette = ChoosePalette(options, colours, drawn.facts["palette"]);
   drawn.texture = std::make_shared<const render::Image>(
       fitting::PaletteTexture(*head_rig, *face.face_template, palette, texture_size));

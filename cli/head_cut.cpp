@@ -9,6 +9,7 @@ namespace daumier::cli {
 namespace {
 
 constexpr std::array<float, 3> kPocketColour = {0.15f, 0.022f, 0.022f};  // Linear light.
+constexpr double kMostWidths = 1.5;
 struct SlitName {
   const char *key, *words;
 };
@@ -31,6 +32,12 @@ Json SlitFacts(const rig::OpenedHead& opened, size_t s, const std::string& file)
   }
   const double length_mm = 10 * opened.lengths[s];
   log::Info("{}: the {} were sealed and are cut open, {:.1f} mm", file, kSlitNames[s].words, length_mm);
+  if (opened.lengths[s] > kMostWidths * opened.widths[s])
+    log::Warn(
+        "{}: the cut of the {} is {:.1f} times as long as they are wide: it meanders, and rags may remain. Clean the "
+        "mesh "
+        "there in a modelling program, or cut it by hand",
+        file, kSlitNames[s].words, opened.lengths[s] / opened.widths[s]);
   return {{"length_mm", length_mm}};
 }
 

@@ -126,7 +126,15 @@ void WriteRigFiles(const RigFiles& files, const RigContent& content, const RigFi
     }
     head = gltf::HeadToGlb(named, texture, clip, of_file);
   };
-  OnAllCores(2, [&](int64_t part) { part == 0 ? render::WriteImage(files.sheet, SheetOf(content)) : write_copies(); });
+  std::string sheet;
+  OnAllCores(2, [&](int64_t part) {
+    if (part == 0) {
+      sheet = render::EncodeImage(SheetOf(content), render::ImageFormat::kPng);
+    } else {
+      write_copies();
+    }
+  });
+  WriteFileAtomically(files.sheet, sheet);
   WriteFileAtomically(files.head, head);
 }
 

@@ -17,7 +17,7 @@ void CheckCoordinates(const ProjectedCurves& curves, int64_t num_coordinates) {
 
 ProjectedCurves SeeCurves(const faces::FaceTemplate& face_template, const std::vector<std::string>& names,
                           const render::Camera& camera) {
-  ProjectedCurves result{.vertices = {}, .offsets = {0}, .camera = camera};
+  ProjectedCurves result{.vertices = {}, .offsets = {0}, .camera = camera, .kinds = {}};
   const auto& annotated = face_template.annotation.curves;
   for (const std::string& name : names) {
     const auto curve = std::find_if(annotated.begin(), annotated.end(), [&](const auto& c) { return c.name == name; });
@@ -25,6 +25,7 @@ ProjectedCurves SeeCurves(const faces::FaceTemplate& face_template, const std::v
     result.vertices.insert(result.vertices.end(), curve->vertices.begin(), curve->vertices.end());
     if (curve->closed) result.vertices.push_back(curve->vertices.front());
     result.offsets.push_back(result.num_points());
+    result.kinds.push_back(int(std::ranges::find(faces::CurveKinds(), curve->kind) - faces::CurveKinds().begin()));
   }
   return result;
 }
@@ -51,6 +52,12 @@ std::vector<render::Stroke> CurveStrokes(const CurveOffsets& offsets, std::span<
     for (auto k = size_t(offsets[curve]); k < size_t(offsets[curve + 1]); ++k)
       strokes[curve].points.push_back({points[2 * k], points[2 * k + 1]});
   }
+  return strokes;
+}
+
+std::vector<render::Stroke> SeenStrokes(const ProjectedCurves& curves, std::span<const float> face) {
+  std::vector<render::Stroke> strokes = CurveStrokes(curves.offsets, Project(curves, face));
+  for (size_t i = 0; i < curves.kinds.size(); ++i) strokes[i].kind = curves.kinds[i];
   return strokes;
 }
 

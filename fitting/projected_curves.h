@@ -20,6 +20,7 @@ struct ProjectedCurves {
   std::vector<int> vertices;  ///< Of each curve point, K.
   CurveOffsets offsets;
   render::Camera camera;
+  std::vector<int> kinds = {};  ///< One a curve: its place in faces::CurveKinds(). Of SeeCurves; else it may be empty.
 
   int num_points() const { return static_cast<int>(vertices.size()); }
 };
@@ -33,6 +34,8 @@ std::vector<float> Project(const ProjectedCurves& curves, std::span<const float>
 
 /// One stroke a curve. points: 2K. @throws Error if there are more or fewer.
 std::vector<render::Stroke> CurveStrokes(const CurveOffsets& offsets, std::span<const float> points);
+/// The curves of a face (3V, cm) in the camera, with their kinds. @throws Error as Project.
+std::vector<render::Stroke> SeenStrokes(const ProjectedCurves& curves, std::span<const float> face);
 
 /// What an orthographic camera makes of a bilinear face. It is affine in a vertex, and a vertex is linear in u (x) v,
 /// so that the projected curve points are those of a bilinear model of the same factors, moved by a constant:

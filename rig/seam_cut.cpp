@@ -132,6 +132,7 @@ OpenedHead OpenSealedSlits(const TemplateMatch& match, const HeadSurface& surfac
       continue;
     }
     opened.lengths[size_t(s)] = cut.length;
+    opened.widths[size_t(s)] = line.width;
     for (const geometry::RimVertex& place : cut.rim)
       if (place.above != place.below) cut.mesh.vertices.row(place.above) += kCutGap * line.frame.up.transpose();
     opened.num_cut_vertices = int(cut.mesh.vertices.rows() - head.vertices.rows());

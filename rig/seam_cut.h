@@ -23,6 +23,7 @@ struct OpenedHead {
       sources;  ///< One a triangle: the row of the head's triangle that it is a piece of; -1 of the pocket.
   std::array<SlitCut, kNumFaceSlits> slits{};
   std::array<double, kNumFaceSlits> lengths{};  ///< Of the cuts, cm.
+  std::array<double, kNumFaceSlits> widths{};   ///< Of their slits, from corner to corner, cm.
   int num_cut_vertices = 0;                     ///< Between those of before and those of the pocket.
 };
 

@@ -15,7 +15,8 @@ double Rounded(double value) {
   return std::round(1000 * value) / 1000;
 }
 
-constexpr uint8_t kWhite = 255;
+constexpr uint8_t kWhite = 255, kMostBlack = 24;
+constexpr double kMostBetween = 0.05;  // Share of pixels.
 constexpr double kMostStretch = 0.01;  // Between the shapes of a mask and of its picture.
 
 /// One channel of a picture whose channels are equal; the picture itself if they are not.
@@ -39,16 +40,19 @@ render::Image NearestPixels(const render::Image& mask, int height, int width) {
   return scaled;
 }
 
+/// But for few pixels at borders, as softened edges and JPEG have them.
 bool IsBlackAndWhite(const render::Image& mask) {
-  return std::ranges::all_of(mask.pixels, [](uint8_t value) { return value == 0 || value == kWhite; }) &&
-         std::ranges::count(mask.pixels, kWhite) > 0;
+  const auto is_between = [](uint8_t value) { return value > kMostBlack && value < kWhite - kMostBlack; };
+  const auto num_between = std::ranges::count_if(mask.pixels, is_between);
+  const auto num_white = std::ranges::count_if(mask.pixels, [](uint8_t value) { return value >= kWhite - kMostBlack; });
+  return num_white > 0 && double(num_between) < kMostBetween * double(mask.pixels.size());
 }
 
 /// What is parsed within the white, where background becomes skin.
 render::Image Within(const render::Image& white, const std::optional<render::Image>& parsed) {
   render::Image classes(white.height, white.width, 1, uint8_t(PictureClass::kBackground));
   for (size_t i = 0; i < classes.pixels.size(); ++i) {
-    if (white.pixels[i] == 0) continue;
+    if (white.pixels[i] <= kWhite / 2) continue;
     classes.pixels[i] = parsed ? parsed->pixels[i] : uint8_t(PictureClass::kBackground);
     if (classes.pixels[i] == uint8_t(PictureClass::kBackground)) classes.pixels[i] = uint8_t(PictureClass::kSkin);
   }
@@ -75,6 +79,32 @@ std::vector<float> ReadLandmarks(const std::filesystem::path& file) {
     DAUMIER_CHECK(std::isfinite(landmarks[2 * i]), "{}: landmark {} of {} is absent, expected all", file.string(),
                   i + 1, kNumLandmarks);
   return landmarks;
+}
+
+std::string CheckLandmarks(const std::filesystem::path& file, std::span<const float> landmarks, int height, int width) {
+  const double reach = std::max(height, width);
+  const auto point = [&](size_t n) { return Eigen::Vector2d(landmarks[2 * n], landmarks[2 * n + 1]); };
+  int num_outside = 0;
+  for (size_t n = 0; n < size_t(kNumLandmarks); ++n) {
+    const Eigen::Vector2d p = point(n), inside = p.cwiseMax(0).cwiseMin(Eigen::Vector2d(width, height));
+    const double outside = (p - inside).cwiseAbs().maxCoeff();
+    DAUMIER_CHECK(
+        outside <= reach,
+        "{}: landmark {} is at ({:.4g}, {:.4g}), outside of the picture of {} x {} pixels. Expected pixels of this "
+        "picture",
+        file.string(), n + 1, p.x(), p.y(), width, height);
+    num_outside += outside > 0 ? 1 : 0;
+  }
+  const Eigen::Vector2d right = (point(36) + point(39)) / 2, left = (point(42) + point(45)) / 2;
+  const Eigen::Vector2d across = left - right, down = point(8) - (right + left) / 2;
+  DAUMIER_CHECK(
+      across.x() * down.y() - across.y() * down.x() > 0,
+      "{}: the landmarks are those of a mirrored face: landmarks 37 to 42 are the face's own right eye, which is on "
+      "the left of an upright picture",
+      file.string());
+  return num_outside == 0 ? ""
+                          : fmt::format("{}: {} of {} landmarks are outside of the picture", file.string(), num_outside,
+                                        kNumLandmarks);
 }
 
 std::optional<std::vector<float>> LandmarksInFolder(const std::filesystem::path& folder, const std::string& name) {
@@ -115,8 +145,8 @@ render::Image ReadHeadMask(const std::filesystem::path& file, int height, int wi
   for (const uint8_t value : mask.pixels)
     DAUMIER_CHECK(
         value < kNumPictureClasses,
-        "{}: has a pixel of the value {}, expected classes 0 to {} (docs/formats.md), or black and white (0 and "
-        "255, without others)",
+        "{}: has a pixel of the value {}, expected classes 0 to {} (docs/formats.md), or black and white. Threshold "
+        "it (ImageMagick: convert IN -threshold 50% OUT)",
         file.string(), value, kNumPictureClasses - 1);
   return mask;
 }

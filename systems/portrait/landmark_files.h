@@ -16,6 +16,10 @@ namespace daumier::portrait {
 std::vector<float> ReadKnownLandmarks(const std::filesystem::path& file);
 /// The same of a file that has all of them. @throws Error naming the file and the first that is absent.
 std::vector<float> ReadLandmarks(const std::filesystem::path& file);
+/// Whether landmarks (68 x 2) may be those of a picture. Returns a warning if some are outside of it, else nothing.
+/// @throws Error naming the file, and the landmark if one is farther outside than the picture is large, or if the right eye
+/// is on the left of the left one as in a mirrored picture.
+std::string CheckLandmarks(const std::filesystem::path& file, std::span<const float> landmarks, int height, int width);
 /// ReadLandmarks of the file of a picture NAME in a folder (LandmarkFileIn); absent if there is no such file.
 std::optional<std::vector<float>> LandmarksInFolder(const std::filesystem::path& folder, const std::string& name);
 

@@ -78,7 +78,8 @@ render::Image WarpPicture(const render::Image& picture, const PictureMap& map, S
   DAUMIER_CHECK(!picture.pixels.empty(), "an empty picture is cropped");
   const double scale = map.scale();
   constexpr double kLeastScale = 0.67;
-  if (sampling == Sampling::kBilinear && scale < kLeastScale) {
+  const bool is_pixel = picture.height == 1 && picture.width == 1;
+  if (sampling == Sampling::kBilinear && scale < kLeastScale && !is_pixel) {
     const int height = std::max(1, int(std::lround(picture.height * scale))),
               width = std::max(1, int(std::lround(picture.width * scale)));
     PictureMap rest = map;

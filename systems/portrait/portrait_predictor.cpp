@@ -78,6 +78,10 @@ PortraitPrediction PortraitPredictor::FromLandmarks(const render::Image& picture
 FoundPortrait PortraitPredictor::Find(const render::Image& picture) const {
   FoundPortrait found;
   found.landmarks = given_landmarks_;
+  if (!given_landmarks_.empty()) {
+    std::string warning = CheckLandmarks(options_.landmarks, given_landmarks_, picture.height, picture.width);
+    if (!warning.empty()) found.warnings.push_back(std::move(warning));
+  }
   if (landmarks_ != nullptr) {
     const LandmarkDetector& detector = landmarks_->detector();
     const std::vector<DetectedFace> faces = given_landmarks_.empty()

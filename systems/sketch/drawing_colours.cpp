@@ -13,6 +13,7 @@ namespace {
 constexpr int kLeastChroma = 26;  // Of 255.
 constexpr double kLeastSkinShare = 0.2, kLeastPartShare = 0.1;
 constexpr size_t kLeastPixels = 6;
+constexpr float kLeastDifference = 0.08F;
 
 using RegionOutline = std::vector<Eigen::Vector2d>;
 
@@ -92,6 +93,11 @@ std::optional<Eigen::Vector3f> ColourWithin(const render::Image& picture, const 
   return colour;
 }
 
+/// A part that has the skin's colour is not coloured.
+void DropSkin(const std::optional<Eigen::Vector3f>& skin, std::optional<Eigen::Vector3f>& part) {
+  if (skin && part && (*part - *skin).cwiseAbs().maxCoeff() < kLeastDifference) part.reset();
+}
+
 }  // namespace
 
 DrawnColours FindDrawnColours(const render::Image& picture, const std::vector<render::Stroke>& curves) {
@@ -111,6 +117,7 @@ DrawnColours FindDrawnColours(const render::Image& picture, const std::vector<re
   found.lips = colour(Region(empty).With(lips).Without(mouth), kLeastPartShare);
   found.brows = colour(Region(empty).With(brows), kLeastPartShare);
   found.iris = colour(Region(empty).With(eyes), kLeastPartShare);
+  for (std::optional<Eigen::Vector3f>* part : {&found.lips, &found.brows, &found.iris}) DropSkin(found.skin, *part);
   return found;
 }
 

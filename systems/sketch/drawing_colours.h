@@ -16,6 +16,7 @@ struct DrawnColours {
 
 /// The colours of a drawing by regions of the face: the median of the coloured pixels (those whose largest channel is
 /// at least 0.1 above the smallest) of a region, if they are at least a fifth of it, of thin parts a tenth.
+/// A part whose colour is the skin's (no channel farther than 0.08) is absent: it is not coloured.
 ///   skin  within the silhouette and below the brows, without eyes, brows, lips and mouth
 ///   lips  within the lips' border, without the mouth between them
 ///   brows within each brow's border

@@ -79,7 +79,7 @@ std::vector<fitting::PredictedFace> StrokeNetwork::Forward(const NamedArrays& in
 }
 
 std::vector<render::Stroke> StrokeNetwork::CurvesOf(const fitting::PredictedFace& face) const {
-  return fitting::CurveStrokes(curves_.offsets, fitting::Project(curves_, face.vertices));
+  return fitting::SeenStrokes(curves_, face.vertices);
 }
 
 }  // namespace daumier::sketch

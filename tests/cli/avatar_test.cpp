@@ -64,6 +64,8 @@ TEST_F(AvatarCommand, RefusesWhatContradictsItselfOrIsUnknown) {
   expect_misuse({"--hair", "mohawk"}, "hair");
   expect_misuse({"--hair", "short", "--hair-colour", "hairy"}, "--hair-colour hairy: is no colour");
   expect_misuse({"--mask", In("nowhere.png")}, "nowhere.png");
+  expect_misuse({"--caricature", "nan"}, "--caricature nan");
+  expect_misuse({"--stages", In("head.glb")}, "is written there as well");
 }
 
 TEST_F(AvatarCommand, NamesAMaskThatIsNone) {

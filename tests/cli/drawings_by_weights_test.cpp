@@ -161,6 +161,26 @@ TEST_F(DrawingsByWeights, AnAvatarOfADrawingHasPlainColoursOrThoseOfItsPaper) {
     EXPECT_TRUE(fs::exists(folder_ / file)) << file;
   EXPECT_NE(ReadFile(folder_ / "girl.glb").find("\"Hair\""), std::string::npos);
 
+  // The same drawing with a filled face, lips and irises.
+  std::string coloured = ReadFile(SourceRoot() / "docs/examples/drawings/girl.svg");
+  const auto fill = [&](const std::string& begin, const std::string& colour) {
+    for (size_t at = coloured.find(begin); at != std::string::npos; at = coloured.find(begin, at + 10))
+      coloured.insert(coloured.find('<', at) + 5, " fill=\"" + colour + "\"");
+  };
+  fill("<path d=\"M132 216", "#e8b08a");
+  fill("<path d=\"M182 296", "#d04060");
+  for (size_t at = coloured.find("r=\"10\""); at != std::string::npos; at = coloured.find("r=\"10\"", at + 20))
+    coloured.insert(at, "fill=\"#3070e0\" ");
+  WriteFileAtomically(folder_ / "coloured.svg", coloured);
+  const ProcessResult drawn =
+      avatar({In("coloured.svg"), "--out", In("coloured.glb"), "avatar.texture.size=128", "--json"});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  const Json palette = Json::parse(drawn.out).at("palette");
+  EXPECT_EQ(palette.at("skin").at("colour"), "#e8b08a");
+  EXPECT_EQ(palette.at("lips").at("colour"), "#d04060");
+  EXPECT_EQ(palette.at("iris").at("colour"), "#3070e0");
+  EXPECT_EQ(palette.at("brows").at("from"), "plain");
+
   const ProcessResult styled = avatar({In("girl.svg"), "--style", "toon", "--out", In("styled.glb")});
   EXPECT_EQ(styled.exit_code, 2);
   EXPECT_THAT(styled.err, HasSubstr("are for portraits"));

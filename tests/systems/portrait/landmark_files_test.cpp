@@ -92,5 +92,35 @@ TEST(ReadHeadMask, RefusesOthers) {
   expect_refused(coloured, "is a picture in colours");
 }
 
+TEST(ReadHeadMask, TakesSoftenedEdgesOfBlackAndWhite) {
+  const daumier::testing::TempDir folder;
+  const auto file = folder.path() / "mask.png";
+  render::Image soft(20, 20, 1, 255);
+  for (int row = 0; row < 20; ++row) soft.at(row, 0) = 3;
+  soft.at(5, 1) = 90;
+  soft.at(6, 1) = 160;
+  render::WriteImage(file, soft);
+  const render::Image mask = ReadHeadMask(file, 20, 20, std::nullopt);
+  EXPECT_EQ(mask.at(5, 0), uint8_t(PictureClass::kBackground));
+  EXPECT_EQ(mask.at(5, 1), uint8_t(PictureClass::kBackground));
+  EXPECT_EQ(mask.at(6, 1), uint8_t(PictureClass::kSkin));
+}
+
+TEST(CheckLandmarks, RefusesThoseOfOtherPicturesAndMirroredOnes) {
+  std::vector<float> landmarks(136, 50);
+  for (size_t n = 36; n < 42; ++n) landmarks[2 * n] = 30;
+  for (size_t n = 42; n < 48; ++n) landmarks[2 * n] = 70;
+  landmarks[2 * 8 + 1] = 90;
+  EXPECT_EQ(CheckLandmarks("a.pts", landmarks, 100, 100), "");
+  EXPECT_NE(CheckLandmarks("a.pts", landmarks, 80, 100).find("1 of 68 landmarks are outside"), std::string::npos);
+  std::vector<float> far = landmarks;
+  far[2 * 30] = 1e6F;
+  daumier::testing::ExpectError([&] { CheckLandmarks("a.pts", far, 100, 100); },
+                                "a.pts: landmark 31 is at (1e+06, 50)");
+  std::vector<float> mirrored = landmarks;
+  for (size_t n = 0; n < 68; ++n) mirrored[2 * n] = 100 - landmarks[2 * n];
+  daumier::testing::ExpectError([&] { CheckLandmarks("a.pts", mirrored, 100, 100); }, "mirrored face");
+}
+
 }  // namespace
 }  // namespace daumier::portrait

@@ -98,5 +98,13 @@ TEST(PortraitCrop, RefusesLandmarksThatAreNone) {
   testing::ExpectError([] { WarpPicture({}, {}); }, "an empty picture");
 }
 
+TEST(WarpPicture, ShowsAPictureThatIsLessThanAPixel) {
+  PictureMap map;
+  map.linear *= 1e-6;
+  const render::Image crop = WarpPicture(render::Image(300, 200, 3, 70), map);
+  EXPECT_EQ(crop.width, kPortraitSide);
+  EXPECT_EQ(crop.at(100, 100), 70);
+}
+
 }  // namespace
 }  // namespace daumier::portrait
