@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace daumier::cli {
@@ -68,22 +69,22 @@ AvatarVerbConfig ConfigOf(const AvatarArguments& arguments) {
   return ParseOptions<AvatarVerbConfig>(config, arguments.config.Where());
 }
 
-/// Whether a file is a drawing by lines: by --as, its format, or what the picture shows.
-bool IsDrawing(const AvatarArguments& arguments) {
+/// The picture of a portrait; nothing of a drawing by lines: by --as, its format, or what the picture shows.
+std::optional<render::Image> ReadPortrait(const AvatarArguments& arguments) {
   const auto reads = [&](std::string_view task) { return systems::IsInputFile(SystemNamed(task), arguments.input); };
   const bool is_picture = reads(portrait::kPortraitSystem);
   if (arguments.kind == "drawing" || !is_picture) {
-    if (arguments.kind != "portrait" && reads(sketch::kSystem)) return true;
-    if (is_picture) return false;
+    if (arguments.kind != "portrait" && reads(sketch::kSystem)) return std::nullopt;
+    if (is_picture) return render::ReadImage(arguments.input);
     throw UsageError(fmt::format(
         "{} is no picture{}", arguments.input.string(),
         reads(sketch::kSystem) ? ", but a drawing: leave out --as portrait" : " and no drawing that is read here"));
   }
-  if (arguments.kind == "portrait" || systems::LineDrawings().suits(render::ReadImage(arguments.input)) <= 0)
-    return false;
+  render::Image picture = render::ReadImage(arguments.input);
+  if (arguments.kind == "portrait" || systems::LineDrawings().suits(picture) <= 0) return picture;
   log::Info("{} is read as a line drawing, by its content (--as portrait reads it as a portrait)",
             arguments.input.string());
-  return true;
+  return std::nullopt;
 }
 
 /// --caricature as a change of faces; none without it.
@@ -142,9 +143,8 @@ portrait::Avatar MakeNamed(const AvatarArguments& arguments, const std::string& 
   }
 }
 
-MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& config) {
-  Stopwatch watch;
-  const render::Image picture = render::ReadImage(arguments.input);
+MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& config, const render::Image& picture) {
+  const Stopwatch watch;
   const std::vector<fs::path> places = systems::WeightsPlaces();
   const fs::path weights = systems::WeightsNamed(arguments.weights, systems::ListWeights(places), places);
   const faces::FaceModel model = FaceModelOfWeights(weights);
@@ -207,7 +207,8 @@ void MakeAvatar(const AvatarArguments& arguments) {
   if (!arguments.stages.empty()) CheckStages(arguments.stages, files, inputs);
   HairLooks(arguments.hair);  // Refuses what is no colour.
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
-  MadeAvatar made = IsDrawing(arguments) ? OfDrawing(arguments, config) : OfPortrait(arguments, config);
+  const std::optional<render::Image> portrait = ReadPortrait(arguments);
+  MadeAvatar made = portrait ? OfPortrait(arguments, config, *portrait) : OfDrawing(arguments, config);
   const Stopwatch of_files;
   Json result = WriteHeadFiles(arguments.head, files, clip, std::move(made.content));
   made.milliseconds["files"] = 1e3 * of_files.seconds();
