@@ -31,6 +31,7 @@ Verb DrawVerb();
 Verb RigVerb();
 Verb AvatarVerb();
 Verb ExportVerb();
+Verb StudioVerb();
 Verb InfoVerb();
 
 /// What follows a verb: at most one TOML file and any number of key=value.

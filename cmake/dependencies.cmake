@@ -111,6 +111,14 @@ if(DAUMIER_TRAINING)
   endif()
 endif()
 
+# A library of its own in Debian: what the package compiled in has to be said again.
+find_path(HTTPLIB_INCLUDE_DIR httplib.h REQUIRED)
+find_library(HTTPLIB_LIBRARY cpp-httplib REQUIRED)
+add_library(server_libraries INTERFACE)
+target_link_libraries(server_libraries INTERFACE ${HTTPLIB_LIBRARY})
+target_include_directories(server_libraries SYSTEM INTERFACE ${HTTPLIB_INCLUDE_DIR})
+target_compile_definitions(server_libraries INTERFACE CPPHTTPLIB_OPENSSL_SUPPORT CPPHTTPLIB_ZLIB_SUPPORT CPPHTTPLIB_BROTLI_SUPPORT)
+
 find_package(CLI11 REQUIRED)
 add_library(cli_libraries INTERFACE)
 target_link_libraries(cli_libraries INTERFACE CLI11::CLI11)

@@ -4,7 +4,7 @@
 #include "core/files.h"
 #include "core/json.h"
 #include "core/program_folder.h"
-#include "export/child_process.h"
+#include "core/child_process.h"
 #include "export/onnx_runtime_native.h"
 
 #include <cstdlib>
@@ -73,7 +73,7 @@ std::optional<OnnxOutputs> RunInNode(const fs::path& model, const std::vector<te
   const Json request = MakeRequest(model, runs, output_names, scratch, timed_runs);
   WriteFileAtomically(scratch / "request.json", request.dump());
   const auto child = RunChild({"node", (*npm / "run_onnx.mjs").string(), (scratch / "request.json").string()}, scratch,
-                              kTimeoutSeconds);
+                              {.timeout_seconds = kTimeoutSeconds});
   if (!child.has_value()) return std::nullopt;
   DAUMIER_CHECK(child->exit_code == 0, "ONNX Runtime cannot run {}: {}", model.string(), child->err);
 

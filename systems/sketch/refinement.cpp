@@ -71,8 +71,9 @@ std::shared_ptr<const RefinementRegion> Refinement::MakeRegion(std::vector<int> 
   for (const int v : vertices)
     is_inner[size_t(v)] = std::ranges::none_of(
         border, [&](int fixed) { return (neutral_.row(v) - neutral_.row(fixed)).norm() <= margin; });
+  const bool is_whole = whole_ == nullptr;  // That region is made first.
   return std::make_shared<const RefinementRegion>(
-      RefinementRegion{{stiffness_, std::move(vertices), reach}, std::move(is_inner)});
+      RefinementRegion{{stiffness_, std::move(vertices), reach}, is_whole, std::move(is_inner)});
 }
 
 VisibleSurface Refinement::SurfaceIn(const RefinementState& state, const render::Camera& camera) const {

@@ -13,13 +13,13 @@
 namespace daumier::sketch {
 namespace {
 
-using What = SessionEvent::What;
+using Kind = SessionEvent::What;
 using Operation = RefinementOperation::What;
 
 /// An event of the file, and what it may have besides 'do'.
 struct EventKind {
   std::string_view name;
-  What what;
+  Kind what;
   Operation operation;
   std::vector<std::string_view> keys, optional = {};
 
@@ -28,26 +28,26 @@ struct EventKind {
 
 const std::vector<EventKind>& EventKinds() {
   static const std::vector<EventKind> kinds = {
-      {"draw", What::kDraw, {}, {"points"}, {"mirror", "stabiliser", "weight", "pressure"}},
-      {"erase", What::kErase, {}, {"points"}, {"mirror"}},
-      {"follow_up", What::kFollowUp, {}, {}},
-      {"refine", What::kRefine, {}, {}},
-      {"region", What::kOperation, Operation::kRegion, {"points"}, {"view"}},
-      {"brush", What::kOperation, Operation::kBrush, {"points", "radius"}, {"view"}},
-      {"unbrush", What::kOperation, Operation::kUnbrush, {"points", "radius"}, {"view"}},
-      {"translate", What::kOperation, Operation::kTranslate, {"points"}, {"view"}},
-      {"roll", What::kOperation, Operation::kRoll, {"level"}, {"view"}},
-      {"pull", What::kOperation, Operation::kPull, {"points"}, {"view"}},
-      {"gesture", What::kGesture, {}, {"points"}, {"view"}},
-      {"undo", What::kUndo, {}, {}},
-      {"redo", What::kRedo, {}, {}},
+      {"draw", Kind::kDraw, {}, {"points"}, {"mirror", "stabiliser", "weight", "pressure"}},
+      {"erase", Kind::kErase, {}, {"points"}, {"mirror"}},
+      {"follow_up", Kind::kFollowUp, {}, {}},
+      {"refine", Kind::kRefine, {}, {}},
+      {"region", Kind::kOperation, Operation::kRegion, {"points"}, {"view"}},
+      {"brush", Kind::kOperation, Operation::kBrush, {"points", "radius"}, {"view"}},
+      {"unbrush", Kind::kOperation, Operation::kUnbrush, {"points", "radius"}, {"view"}},
+      {"translate", Kind::kOperation, Operation::kTranslate, {"points"}, {"view"}},
+      {"roll", Kind::kOperation, Operation::kRoll, {"level"}, {"view"}},
+      {"pull", Kind::kOperation, Operation::kPull, {"points"}, {"view"}},
+      {"gesture", Kind::kGesture, {}, {"points"}, {"view"}},
+      {"undo", Kind::kUndo, {}, {}},
+      {"redo", Kind::kRedo, {}, {}},
   };
   return kinds;
 }
 
 const EventKind& KindOf(const SessionEvent& event) {
   return *std::ranges::find_if(EventKinds(), [&](const EventKind& kind) {
-    return kind.what == event.what && (event.what != What::kOperation || kind.operation == event.operation.what);
+    return kind.what == event.what && (event.what != Kind::kOperation || kind.operation == event.operation.what);
   });
 }
 
@@ -105,7 +105,9 @@ void CheckKeys(const EventKind& kind, const Json& json) {
     DAUMIER_CHECK(key == "do" || kind.has(key), "'{}' takes no '{}'", kind.name, key.substr(0, kMostShown));
 }
 
-SessionEvent EventFrom(const Json& json) {
+}  // namespace
+
+SessionEvent EventFromJson(const Json& json) {
   DAUMIER_CHECK(json.is_object() && json.contains("do") && json.at("do").is_string(), "it has no text 'do'");
   const auto name = json.at("do").get<std::string>();
   const auto known = std::ranges::find(EventKinds(), name, &EventKind::name);
@@ -118,7 +120,7 @@ SessionEvent EventFrom(const Json& json) {
   SessionEvent event{.what = known->what};
   event.operation.what = known->operation;
   CanvasPoints points = json.contains("points") ? PointsFrom(json.at("points")) : CanvasPoints();
-  (event.what == What::kOperation ? event.operation.points : event.points) = std::move(points);
+  (event.what == Kind::kOperation ? event.operation.points : event.points) = std::move(points);
   if (json.contains("mirror")) {
     DAUMIER_CHECK(json.at("mirror").is_boolean(), "'mirror' is {} (expected true or false)", Shown(json.at("mirror")));
     event.pen.mirror = json.at("mirror").get<bool>();
@@ -142,7 +144,7 @@ Json EventToJson(const SessionEvent& event) {
   const EventKind& kind = KindOf(event);
   const RefinementOperation& operation = event.operation;
   Json json = {{"do", kind.name}};
-  for (const Eigen::Vector2d& point : event.what == What::kOperation ? operation.points : event.points)
+  for (const Eigen::Vector2d& point : event.what == Kind::kOperation ? operation.points : event.points)
     json["points"].push_back({point.x(), point.y()});
   if (event.pen.mirror) json["mirror"] = true;
   if (event.pen.stabiliser != 0) json["stabiliser"] = event.pen.stabiliser;
@@ -154,6 +156,8 @@ Json EventToJson(const SessionEvent& event) {
   if (view.yaw_degrees != 0 || view.pitch_degrees != 0) json["view"] = {view.yaw_degrees, view.pitch_degrees};
   return json;
 }
+
+namespace {
 
 SessionScript ScriptFrom(const Json& json) {
   DAUMIER_CHECK(json.is_object() && json.contains("version"), "it has no 'version'");
@@ -178,7 +182,7 @@ SessionScript ScriptFrom(const Json& json) {
   size_t num_points = 0;
   for (size_t i = 0; i < events.size(); ++i) {
     try {
-      script.events.push_back(EventFrom(events[i]));
+      script.events.push_back(EventFromJson(events[i]));
       num_points += script.events.back().points.size() + script.events.back().operation.points.size();
       DAUMIER_CHECK(num_points <= kMostSessionPoints, "there are more than {} points up to it", kMostSessionPoints);
     } catch (const Error& error) {
@@ -188,37 +192,36 @@ SessionScript ScriptFrom(const Json& json) {
   return script;
 }
 
-/// Returns what a stroke was recognised as, if the event is a gesture.
+}  // namespace
+
 std::optional<datasets::Gesture> Do(const SessionEvent& event, SketchSession& session, const Task& task) {
   switch (event.what) {
-    case What::kDraw:
+    case Kind::kDraw:
       session.Draw(event.points, event.pen, task);
       break;
-    case What::kErase:
+    case Kind::kErase:
       session.Erase(event.points, event.pen.mirror, task);
       break;
-    case What::kFollowUp:
+    case Kind::kFollowUp:
       session.FollowUp();
       break;
-    case What::kRefine:
+    case Kind::kRefine:
       session.Refine();
       break;
-    case What::kOperation:
+    case Kind::kOperation:
       session.Apply(event.operation);
       break;
-    case What::kGesture:
+    case Kind::kGesture:
       return session.DoGesture(event.points, event.operation.view);
-    case What::kUndo:
+    case Kind::kUndo:
       session.Undo();
       break;
-    case What::kRedo:
+    case Kind::kRedo:
       session.Redo();
       break;
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 SessionScript ReadSession(const std::filesystem::path& file) {
   DAUMIER_CHECK(std::filesystem::is_regular_file(file), "{}: no regular file. Name a recorded session", file.string());

@@ -42,6 +42,10 @@ struct SessionScript {
 /// What to do about a session that cannot be replayed.
 inline constexpr const char* kRepairSession = "Repair the file (docs/sketching.md), or record the session again";
 
+/// An event as the file has it. @throws Error saying what is wrong with it.
+SessionEvent EventFromJson(const Json& json);
+Json EventToJson(const SessionEvent& event);
+
 /// At most kMostEvents events and kMostSessionPoints points in all are read.
 inline constexpr size_t kMostEvents = 2'000, kMostSessionPoints = 1'000'000;
 
@@ -55,6 +59,9 @@ struct ReplayedEvent {
   std::shared_ptr<const SketchState> state;
   std::optional<datasets::Gesture> gesture = {};  ///< What a stroke was recognised as, of kGesture.
 };
+
+/// Does one event. Returns what a stroke was recognised as, of kGesture. @throws Error as the function of SketchSession.
+std::optional<datasets::Gesture> Do(const SessionEvent& event, SketchSession& session, const Task& task = {});
 
 /// Does the events one after the other, those that have no effect (nothing under the eraser) as well, and calls
 /// `report` after each. @throws Error naming the event that failed; Cancelled if the task is.

@@ -105,6 +105,9 @@ void SketchSession::Add(SketchState state) {
   history_.resize(current_ + 1);
   history_.push_back(std::make_shared<const SketchState>(std::move(state)));
   ++current_;
+  if (current_ <= kMostUndo) return;
+  history_.erase(history_.begin());
+  --current_;
 }
 
 bool SketchSession::Step(int by) {
@@ -112,6 +115,16 @@ bool SketchSession::Step(int by) {
   if (by < 0 ? current_ == 0 : current_ + 1 == history_.size()) return false;
   current_ = by < 0 ? current_ - 1 : current_ + 1;
   return true;
+}
+
+bool SketchSession::can_undo() const {
+  const std::scoped_lock lock(states_);
+  return current_ > 0;
+}
+
+bool SketchSession::can_redo() const {
+  const std::scoped_lock lock(states_);
+  return current_ + 1 < history_.size();
 }
 
 bool SketchSession::Undo() {

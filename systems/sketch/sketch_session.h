@@ -38,6 +38,7 @@ class SketchSession {
   static constexpr double kMostSheet = 100'000;  ///< Pixels a side.
   static constexpr double kFarthest = 10;        ///< Sheets' longer sides that a point may be away from the origin.
   static constexpr double kHeaviest = 0.1;       ///< Share of the longer side that a line may be wide.
+  static constexpr size_t kMostUndo = 200;         ///< Steps that can be undone; earlier states are dropped.
 
   /// gestures: null where none are recognised. sheet: width x height, pixels. @throws Error if a size is not from 1 to kMostSheet, or the predictor has no parser.
   SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height,
@@ -67,9 +68,11 @@ class SketchSession {
   /// Recognises a stroke and does what it means (OperationOf); arrows undo and redo. In refinement mode alone. Any
   /// other stroke than the ten gestures makes an equal state. Returns what it was. @throws Error without gestures, in another mode, or as Apply.
   datasets::Gesture DoGesture(const CanvasPoints& stroke, const View& view);
-  /// False where there is nothing to undo or redo.
+  /// False where there is nothing to undo or redo. The last kMostUndo steps can be undone.
   bool Undo();
   bool Redo();
+  bool can_undo() const;
+  bool can_redo() const;
 
   /// While the pen is down: the face of the network alone, for the strokes of initial mode and this one. V x 3, cm.
   geometry::Points Preview(const CanvasPoints& stroke) const;

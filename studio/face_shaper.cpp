@@ -1,0 +1,169 @@
+#include "studio/face_shaper.h"
+
+#include "core/error.h"
+#include "core/options.h"
+#include "core/random.h"
+#include "faces/exaggeration.h"
+#include "faces/face_model_file.h"
+#include "fitting/code_handles.h"
+#include "fitting/exaggerated_face.h"
+#include "fitting/mesh_code.h"
+#include "rig/arkit_names.h"
+#include "systems/deform/edit_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace daumier::studio {
+namespace {
+
+/// The place of a name. @throws UsageError suggesting the nearest.
+template <class Names>
+int PlaceOf(std::string_view name, const Names& names, std::string_view what) {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return int(found - names.begin());
+  const std::string nearest = NearestWord(name, {names.begin(), names.end()});
+  throw UsageError(fmt::format("there is no {} '{}'{}", what, name.substr(0, 40),
+                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+}
+
+std::string TitleOf(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+/// Expressions by the part of the face that their names begin with.
+Json ExpressionGroups() {
+  constexpr std::array<std::pair<const char*, const char*>, 8> kGroups = {{{"brow", "brows"},
+                                                                            {"eye", "eyes"},
+                                                                            {"nose", "nose and cheeks"},
+                                                                            {"cheek", "nose and cheeks"},
+                                                                            {"jaw", "jaw"},
+                                                                            {"mouth", "mouth"},
+                                                                            {"tongue", "mouth"},
+                                                                            {"", "others"}}};
+  Json groups = Json::object();
+  for (const std::string_view name : rig::ArkitNames())
+    for (const auto& [prefix, group] : kGroups)
+      if (name.starts_with(prefix)) {
+        groups[group].push_back(name);
+        break;
+      }
+  return groups;
+}
+
+}  // namespace
+
+FaceShaper::FaceShaper(const std::filesystem::path& face_model)
+    : model_(faces::ReadFaceModelWeights(face_model)),
+      opened_(deform::OpenCodeModel(face_model)),
+      controls_(model_.face_template),
+      expressions_(model_) {}
+
+Json FaceShaper::Description() const {
+  Json controls = Json::array();
+  for (const faces::FaceControls::Entry& entry : controls_.entries())
+    controls.push_back({{"name", entry.control.name},
+                        {"title", TitleOf(entry.control.name)},
+                        {"group", entry.control.group},
+                        {"sides", entry.num_values()},
+                        {"least", -faces::kGreatestControlValue},
+                        {"greatest", faces::kGreatestControlValue}});
+  Json names = Json::array();
+  for (const std::string_view name : rig::ArkitNames()) names.push_back(name);
+  return {{"controls", std::move(controls)},
+          {"expressions", std::move(names)},
+          {"expression_groups", ExpressionGroups()},
+          {"caricature", {0, kMostCaricature}},
+          {"exaggeration", {0, kMostExaggeration}}};
+}
+
+Eigen::VectorXd FaceShaper::ValuesOf(const ShapeDocument& shape) const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(controls_.num_values());
+  for (const auto& [name, value] : shape.controls) values[PlaceOf(name, controls_.value_names(), "control")] = value;
+  return values;
+}
+
+Eigen::VectorXf FaceShaper::WeightsOf(const ShapeDocument& shape) const {
+  Eigen::VectorXf weights = Eigen::VectorXf::Zero(rig::kNumArkitNames);
+  for (const auto& [name, weight] : shape.expressions)
+    weights[PlaceOf(name, rig::ArkitNames(), "expression")] = float(weight);
+  for (const auto& [name, gain] : shape.gains) weights[PlaceOf(name, rig::ArkitNames(), "expression")] *= float(gain);
+  return weights;
+}
+
+geometry::Points FaceShaper::WithHandles(const geometry::Points& face,
+                                         const std::vector<ShapeHandle>& handles) const {
+  deform::EditHandles moved;
+  moved.displacements.resize(std::ssize(handles), 3);
+  for (const ShapeHandle& handle : handles) {
+    if (handle.vertex < 0 || handle.vertex >= face.rows() ||
+        std::ranges::count(moved.points, handle.vertex) > 0)
+      throw UsageError(fmt::format("the handle {} is no vertex of the face, or comes twice", handle.vertex));
+    moved.displacements.row(std::ssize(moved.points)) = handle.move.transpose();
+    moved.points.push_back(handle.vertex);
+  }
+  const fitting::CodeModel& model = *opened_.model;
+  const fitting::MeshCode found = fitting::CodeOfMesh(model, face);
+  fitting::HandleOptions options{.fixed = opened_.expression};
+  options.outside = deform::OutsideOfPart(model_.face_template, moved);
+  const fitting::HandleEdit edit =
+      fitting::EditByHandles(model, found.code, moved.points, moved.displacements, options);
+  return face + model.Vertices(edit.code) - found.vertices;
+}
+
+geometry::Points FaceShaper::NeutralOf(const ShapeDocument& shape, const geometry::Points& base,
+                                       const geometry::Points& toward) const {
+  geometry::Points face = base;
+  if (shape.toward) face += shape.toward->share * (toward - base);
+  face = controls_.Apply(face, ValuesOf(shape));
+  if (shape.exaggeration > 0)
+    face = faces::Exaggerate(model_.face_template, face, {.gammas = {shape.exaggeration}}).front();
+  if (shape.caricature > 0)
+    face = fitting::Exaggerate(*opened_.model, face, shape.caricature, opened_.expression).vertices;
+  if (!shape.handles.empty()) face = WithHandles(face, shape.handles);
+  return face;
+}
+
+geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& named) {
+  const auto face_of = [&](const std::string& name) {
+    geometry::Points face = name == "mean" ? model_.face_template.neutral : named(name);
+    DAUMIER_CHECK(face.rows() == model_.face_template.num_vertices(), "'{}' is a face of another topology", name);
+    return face;
+  };
+  const Eigen::VectorXf weights = WeightsOf(shape);
+  const std::scoped_lock lock(mutex_);
+  Made made{.shape = shape.Neutral(), .base = face_of(shape.base), .toward = {}, .face = {}};
+  if (shape.toward) made.toward = face_of(shape.toward->face);
+  const bool is_kept = last_ && last_->shape == made.shape && last_->base == made.base && last_->toward == made.toward;
+  if (!is_kept) {
+    made.face = NeutralOf(made.shape, made.base, made.toward);
+    last_ = std::move(made);
+    targets_.reset();
+  }
+  if ((weights.array() == 0).all()) return last_->face;
+  if (!targets_) targets_ = expressions_.On(last_->face);
+  const Eigen::VectorXf offsets = targets_->offsets * weights;
+  return last_->face + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+                           offsets.data(), last_->face.rows(), 3)
+                           .cast<double>();
+}
+
+std::map<std::string, double> FaceShaper::RandomControls(uint64_t seed, double spread) const {
+  Rng rng = Stream(seed, "studio controls");
+  std::map<std::string, double> values;
+  for (const faces::FaceControls::Entry& entry : controls_.entries()) {
+    const double limit = faces::kGreatestControlValue;
+    const double value = std::clamp(spread * rng.Normal(), -limit, limit);
+    if (entry.control.sides == faces::FaceControl::Sides::kSideways) continue;
+    for (int i = 0; i < entry.num_values(); ++i)
+      values[controls_.value_names()[size_t(entry.first_value + i)]] = value;
+  }
+  return values;
+}
+
+}  // namespace daumier::studio

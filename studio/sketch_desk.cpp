@@ -1,0 +1,212 @@
+#include "studio/sketch_desk.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/stopwatch.h"
+#include "geometry/obj.h"
+#include "studio/api.h"
+#include "studio/sketch_state_json.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace daumier::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kSession[] = "session.json", kAbout[] = "about.json", kBegin[] = "begin.obj", kUntitled[] = "Untitled";
+
+Json AboutOf(const std::string& name, const sketch::SessionScript& script) {
+  return {{"name", name}, {"sheet", {script.width, script.height}}, {"begin", script.begin}};
+}
+
+int64_t SecondsOf(const fs::path& file) {
+  const auto changed = std::chrono::file_clock::to_sys(fs::last_write_time(file));
+  return std::chrono::duration_cast<std::chrono::seconds>(changed.time_since_epoch()).count();
+}
+
+void WriteJson(const fs::path& file, const Json& json) {
+  WriteFileAtomically(file, json.dump(1) + "\n");
+}
+
+}  // namespace
+
+SketchDesk::SketchDesk(const fs::path& folder, std::shared_ptr<const sketch::SketchPredictor> predictor,
+                       std::shared_ptr<const sketch::GestureRecogniser> gestures)
+    : predictor_(std::move(predictor)), gestures_(std::move(gestures)), folders_(folder, 's') {}
+
+Json SketchDesk::List() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<std::pair<int64_t, Json>> sessions;
+  for (const std::string& id : folders_.Names()) {
+    const fs::path about = folders_.Of(id) / kAbout, session = folders_.Of(id) / kSession;
+    if (!fs::is_regular_file(about)) continue;
+    const Json json = TryParseJson(ReadFile(about)).value_or(Json());
+    if (!json.is_object() || !json.value("name", Json()).is_string()) continue;
+    const bool has_events = fs::is_regular_file(session);
+    const int64_t changed = SecondsOf(has_events ? session : about);
+    const Json recorded = has_events ? TryParseJson(ReadFile(session)).value_or(Json()) : Json();
+    const size_t events = recorded.is_object() ? recorded.value("events", Json::array()).size() : 0;
+    sessions.emplace_back(changed,
+                          Json{{"id", id}, {"name", json.at("name")}, {"events", events}, {"changed", changed}});
+  }
+  std::ranges::stable_sort(sessions, std::ranges::greater(), &std::pair<int64_t, Json>::first);
+  Json list = Json::array();
+  for (auto& [changed, session] : sessions) list.push_back(std::move(session));
+  return list;
+}
+
+std::unique_ptr<sketch::SketchSession> SketchDesk::Begin(const sketch::SessionScript& script,
+                                                         const geometry::Points& begin) const {
+  auto session = std::make_unique<sketch::SketchSession>(predictor_, script.width, script.height, gestures_);
+  if (begin.rows() > 0)
+    session->FollowUpFrom(begin);
+  else if (!script.begin.empty())
+    session->FollowUp();
+  return session;
+}
+
+std::string SketchDesk::Add(const NewSession& begin) {
+  auto open = std::make_shared<OpenSession>();
+  open->name = KeptName(begin.name, kUntitled);
+  open->script = begin.recorded;
+  if (open->script.width == 0) open->script.width = open->script.height = kSheet;
+  open->script.begin = begin.begin.rows() > 0 ? kBegin : begin.begins_with_mean ? "mean" : begin.recorded.begin;
+  open->session = Begin(open->script, begin.begin);
+  sketch::Replay(open->script, *open->session, [](const sketch::ReplayedEvent&) {});
+
+  const std::scoped_lock lock(mutex_);
+  const std::string id = folders_.Add();
+  const fs::path folder = folders_.Of(id);
+  if (begin.begin.rows() > 0)
+    geometry::WriteObj(folder / kBegin, faces::SurfaceMesh(predictor_->run().face_template, begin.begin));
+  if (!open->script.events.empty()) WriteJson(folder / kSession, sketch::SessionToJson(open->script));
+  WriteJson(folder / kAbout, AboutOf(open->name, open->script));
+  open_.emplace_front(id, std::move(open));
+  return id;
+}
+
+std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Read(const fs::path& folder) const {
+  auto open = std::make_shared<OpenSession>();
+  const Json about = ReadJson(folder / kAbout);
+  open->name = about.value("name", kUntitled);
+  if (fs::is_regular_file(folder / kSession)) {
+    open->script = sketch::ReadSession(folder / kSession);
+  } else {
+    const auto sheet = about.at("sheet").get<std::array<double, 2>>();
+    open->script = {.width = sheet[0], .height = sheet[1], .begin = about.value("begin", ""), .events = {}};
+  }
+  geometry::Points begin;
+  if (open->script.begin == kBegin)
+    begin = geometry::ParseObjVertices(ReadFile(folder / kBegin), (folder / kBegin).string(),
+                                       predictor_->run().face_template.num_vertices());
+  open->session = Begin(open->script, begin);
+  sketch::Replay(open->script, *open->session, [](const sketch::ReplayedEvent&) {});
+  open->revision = int64_t(open->script.events.size());
+  return open;
+}
+
+std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Open(std::string_view id) {
+  const std::scoped_lock lock(mutex_);
+  const fs::path folder = folders_.Of(id);
+  const auto found = std::ranges::find(open_, id, &std::pair<std::string, std::shared_ptr<OpenSession>>::first);
+  if (found != open_.end())
+    open_.splice(open_.begin(), open_, found);
+  else
+    open_.emplace_front(id, Read(folder));
+  if (open_.size() > kMostOpen) open_.pop_back();
+  return open_.front().second;
+}
+
+bool SketchDesk::Has(std::string_view id) const {
+  const std::scoped_lock lock(mutex_);
+  return folders_.Has(id);
+}
+
+void SketchDesk::Remove(std::string_view id) {
+  const std::scoped_lock lock(mutex_);
+  folders_.Remove(id);
+  std::erase_if(open_, [&](const auto& open) { return open.first == id; });
+}
+
+void SketchDesk::Rename(std::string_view id, std::string_view name) {
+  const std::shared_ptr<OpenSession> open = Open(id);
+  const std::scoped_lock session_lock(open->mutex);
+  open->name = KeptName(name, kUntitled);
+  const std::scoped_lock lock(mutex_);
+  WriteJson(folders_.Of(id) / kAbout, AboutOf(open->name, open->script));
+}
+
+fs::path SketchDesk::FileOf(std::string_view id) const {
+  const std::scoped_lock lock(mutex_);
+  fs::path file = folders_.Of(id) / kSession;
+  if (!fs::is_regular_file(file)) throw NotFound("nothing has been drawn in this session yet");
+  return file;
+}
+
+Json SketchDesk::StateOf(std::string_view id, const OpenSession& open) const {
+  Json json = {{"id", id}, {"name", open.name}, {"revision", open.revision}, {"sheet", {open.script.width, open.script.height}}};
+  json.update(SketchStateJson(*open.session->state()));
+  json["can_undo"] = open.session->can_undo();
+  json["can_redo"] = open.session->can_redo();
+  return json;
+}
+
+Json SketchDesk::State(std::string_view id) {
+  const std::shared_ptr<OpenSession> open = Open(id);
+  const std::scoped_lock lock(open->mutex);
+  return StateOf(id, *open);
+}
+
+Json SketchDesk::Do(std::string_view id, const Json& json) {
+  const Stopwatch watch;
+  const std::shared_ptr<OpenSession> open = Open(id);
+  sketch::SessionEvent event = sketch::EventFromJson(json);
+  const std::scoped_lock lock(open->mutex);
+  DAUMIER_CHECK(open->script.events.size() < sketch::kMostEvents,
+                "the session has {} events, which is the most. Begin another one with this face", sketch::kMostEvents);
+  const auto before = open->session->state();
+  const auto gesture = sketch::Do(event, *open->session);
+  const bool is_changed = open->session->state() != before;
+  if (is_changed) {
+    open->script.events.push_back(std::move(event));
+    ++open->revision;
+    const fs::path folder = [&] {
+      const std::scoped_lock desk(mutex_);
+      return folders_.Of(id);
+    }();
+    WriteJson(folder / kSession, sketch::SessionToJson(open->script));
+  }
+  Json state = StateOf(id, *open);
+  state["changed"] = is_changed;
+  if (gesture) state["gesture"] = datasets::NameOf(*gesture);
+  state["milliseconds"] = 1e3 * watch.seconds();
+  return state;
+}
+
+geometry::Points SketchDesk::Face(std::string_view id) {
+  return Open(id)->session->state()->vertices;
+}
+
+std::vector<render::WeightedStroke> SketchDesk::DrawnStrokes(std::string_view id) {
+  return Open(id)->session->state()->strokes;
+}
+
+geometry::Points SketchDesk::Preview(std::string_view id, const sketch::CanvasPoints& stroke) {
+  sketch::CheckStroke(stroke);
+  return Open(id)->session->Preview(stroke);
+}
+
+Eigen::Matrix<double, 3, 4> SketchDesk::PixelFromCm(std::string_view id, const sketch::View& view) {
+  const std::shared_ptr<OpenSession> open = Open(id);
+  const render::Camera camera = open->session->CameraOf(*open->session->state(), view);
+  Eigen::Matrix<double, 3, 4> matrix;
+  matrix << camera.camera_from_world, camera.translation;
+  matrix.topRows(2) *= camera.scale;
+  matrix.col(3).head<2>() += camera.principal_point;
+  return matrix;
+}
+
+}  // namespace daumier::studio
