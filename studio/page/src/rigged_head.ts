@@ -7,8 +7,10 @@ export class RiggedHead {
   private readonly mixer: AnimationMixer;
   /** Names of the morph targets that any mesh has. */
   readonly names: string[];
+  /** Centre and half height at rest, in the units of the file. */
+  readonly frame: { centre: Vector3; halfHeight: number };
 
-  constructor(readonly object: Object3D, readonly clips: readonly AnimationClip[]) {
+  constructor(readonly object: Object3D, readonly clips: readonly AnimationClip[], private readonly changed: () => void) {
     const names = new Set<string>();
     object.traverse((node) => {
       const mesh = node as Mesh;
@@ -20,6 +22,9 @@ export class RiggedHead {
     });
     this.names = [...names];
     this.mixer = new AnimationMixer(object);
+    object.updateMatrixWorld(true);
+    const box = new Box3().setFromObject(object, true);
+    this.frame = { centre: box.getCenter(new Vector3()), halfHeight: Math.max(1e-3, box.getSize(new Vector3()).y / 2) };
   }
 
   /** Weights by name; a name that is absent is 0. */
@@ -29,6 +34,7 @@ export class RiggedHead {
         if (mesh.morphTargetInfluences) mesh.morphTargetInfluences[index] = weights[name] ?? 0;
       }
     }
+    this.changed();
   }
 
   /** The pose of a clip at a time in seconds. */
@@ -36,20 +42,15 @@ export class RiggedHead {
     this.mixer.stopAllAction();
     this.mixer.clipAction(clip).play();
     this.mixer.setTime(seconds);
+    this.changed();
   }
   rest(): void {
     this.mixer.stopAllAction();
     this.setWeights({});
   }
-
-  /** Centre and half height in the units of the file. */
-  frame(): { centre: Vector3; halfHeight: number } {
-    const box = new Box3().setFromObject(this.object);
-    return { centre: box.getCenter(new Vector3()), halfHeight: Math.max(1e-3, box.getSize(new Vector3()).y / 2) };
-  }
 }
 
-export async function readRiggedHead(bytes: ArrayBuffer): Promise<RiggedHead> {
+export async function readRiggedHead(bytes: ArrayBuffer, changed: () => void): Promise<RiggedHead> {
   const file = await new GLTFLoader().parseAsync(bytes, "");
-  return new RiggedHead(file.scene, file.animations);
+  return new RiggedHead(file.scene, file.animations, changed);
 }

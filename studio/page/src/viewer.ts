@@ -194,7 +194,7 @@ export class Viewer {
 
   /** Shows a head of a .glb file in place of the display head, until setVertices, clear or showDisplayHead. */
   async loadGlb(bytes: ArrayBuffer): Promise<RiggedHead> {
-    const rig = await readRiggedHead(bytes);
+    const rig = await readRiggedHead(bytes, () => this.invalidate());
     this.showDisplayHead();
     this.rig = rig;
     this.scene.setRigged(rig.object);
@@ -212,7 +212,7 @@ export class Viewer {
 
   private placeCamera(): void {
     const { yaw, pitch, zoom, pan } = this.orbit.pose;
-    const frame = this.rig?.frame() ?? { centre: new Vector3(...this.scene.head.centre), halfHeight: this.scene.head.half_height };
+    const frame = this.rig?.frame ?? { centre: new Vector3(...this.scene.head.centre), halfHeight: this.scene.head.half_height };
     const width = this.stage.clientWidth || 1;
     const height = this.stage.clientHeight || 1;
     this.camera.aspect = width / height;
