@@ -1,5 +1,6 @@
 // A slider by name with a typed number, and a pair of them for the two sides of a face.
-import { button, make, newId } from "./widgets";
+import { el } from "./dom";
+import { button, newId } from "./widgets";
 
 export interface SliderOptions {
   /** The whole name, as a screen reader reads it. */
@@ -29,12 +30,12 @@ export function slider(options: SliderOptions): Slider {
   const digits = Math.max(0, Math.ceil(-Math.log10(step)));
   const id = newId("slider");
   const shared = { min: least, max: greatest, step };
-  const range = make("input", { type: "range", id, class: "p-range", ...shared, title: "Double click: back to " + neutral });
+  const range = el("input", { type: "range", id, class: "p-range", ...shared, title: "Double click: back to " + neutral });
   range.setAttribute("aria-label", options.name);
-  const number = make("input", { type: "number", class: "p-number", ...shared, "aria-label": `${options.name}, typed` });
-  const label = make("label", { for: id, class: "p-slider-label", title: options.name }, options.label ?? options.name);
-  const element = make("div", { class: "p-slider" }, label, range, number);
-  if (options.unit) element.append(make("span", { class: "p-unit" }, options.unit));
+  const number = el("input", { type: "number", class: "p-number", ...shared, "aria-label": `${options.name}, typed` });
+  const label = el("label", { for: id, class: "p-slider-label", title: options.name }, options.label ?? options.name);
+  const element = el("div", { class: "p-slider" }, label, range, number);
+  if (options.unit) element.append(el("span", { class: "p-unit" }, options.unit));
 
   let value = neutral;
   const share = (at: number) => (100 * (at - least)) / (greatest - least);
@@ -119,8 +120,8 @@ export function sidesSlider(options: SidesOptions): SidesSlider {
     kind: "quiet",
     name: `${name}: both sides together`,
   });
-  const rows = make("div", { class: "p-sides-rows" }, both.element, left.element, right.element);
-  const element = make("div", { class: "p-sides" }, rows, link);
+  const rows = el("div", { class: "p-sides-rows" }, both.element, left.element, right.element);
+  const element = el("div", { class: "p-sides" }, rows, link);
 
   const setLinked = (linked: boolean, byHand: boolean) => {
     link.setAttribute("aria-pressed", String(linked));

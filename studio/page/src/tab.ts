@@ -56,28 +56,3 @@ export interface FaceTray {
   refresh(): Promise<void>;
   onChange(listener: () => void): void;
 }
-
-/** What Shape and Avatar use of the 3-D view; class Viewer has these members. Points are centimetres in the frame of the head. */
-export interface HeadView {
-  /** Pointer events of the view; a listener in the capture phase that stops an event keeps the camera still. */
-  readonly canvas: HTMLCanvasElement;
-  /** The frame of the display head with these vertices (N x 3); a .glb that is shown goes away. */
-  setVertices(vertices: Float32Array): void;
-  /** The vertex of the face below a place of the window, hidden ones excluded. */
-  pick(clientX: number, clientY: number): { vertex: number } | null;
-  /** The place in the window of a vertex of the display head; `hidden` where the head covers it. */
-  place(vertex: number): { x: number; y: number; hidden: boolean };
-  /** The move in the plane of the view, in cm, of a drag by so many pixels of the window. */
-  moveOf(dx: number, dy: number): [number, number, number];
-  /** Called after each frame (camera, size or vertices changed); returns what removes the listener. */
-  onFrame(listener: () => void): () => void;
-  /** Shows a head of a .glb file in place of the display head. */
-  loadGlb(file: Blob): Promise<GlbHead>;
-}
-
-export interface GlbHead {
-  /** Names of the morph targets as the file spells them. */
-  readonly targets: readonly string[];
-  /** Weights by the file's names; those that are absent are 0. Eyes turn by the eyeLook targets. Draws one frame. */
-  setWeights(weights: Record<string, number>): void;
-}

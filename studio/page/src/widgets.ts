@@ -1,23 +1,6 @@
 // Elements of the panels: buttons, sections, sliders with a typed number, switches, choices.
 
-export type Child = Node | string | null | undefined | false;
-type Attribute = string | number | boolean | null | undefined | ((event: never) => void);
-
-/** An element with attributes; a function under `onNAME` listens to the event NAME, true is an attribute without value. */
-export function make<K extends keyof HTMLElementTagNameMap>(
-  tag: K,
-  attributes: Record<string, Attribute> = {},
-  ...children: Child[]
-): HTMLElementTagNameMap[K] {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
-    else if (value === true) element.setAttribute(name, "");
-    else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, String(value));
-  }
-  for (const child of children) if (child) element.append(child);
-  return element;
-}
+import { el } from "./dom";
 
 let lastId = 0;
 /** An id that no other element of the page has. */
@@ -35,7 +18,7 @@ export interface ButtonOptions {
 }
 
 export function button(label: string, act: () => void, options: ButtonOptions = {}): HTMLButtonElement {
-  return make(
+  return el(
     "button",
     {
       type: "button",
@@ -45,7 +28,7 @@ export function button(label: string, act: () => void, options: ButtonOptions = 
       onclick: act,
     },
     options.icon && icon(options.icon),
-    label && make("span", {}, label),
+    label && el("span", {}, label),
   );
 }
 
@@ -61,8 +44,8 @@ export function toggle(label: string, on: boolean, change: (on: boolean) => void
 }
 
 export function checkbox(label: string, on: boolean, change: (on: boolean) => void): HTMLLabelElement {
-  const input = make("input", { type: "checkbox", checked: on, onchange: () => change(input.checked) });
-  return make("label", { class: "p-check" }, input, make("span", {}, label));
+  const input = el("input", { type: "checkbox", checked: on, onchange: () => change(input.checked) });
+  return el("label", { class: "p-check" }, input, el("span", {}, label));
 }
 
 export interface Section {
@@ -74,12 +57,12 @@ export interface Section {
 
 /** A part of a panel that folds. `onFold` receives whether it is open. */
 export function section(title: string, open: boolean, onFold?: (open: boolean) => void): Section {
-  const note = make("span", { class: "p-note" });
-  const body = make("div", { class: "p-section-body" });
-  const element = make(
+  const note = el("span", { class: "p-note" });
+  const body = el("div", { class: "p-section-body" });
+  const element = el(
     "details",
     { class: "p-section", open },
-    make("summary", {}, icon("chevron"), make("span", { class: "p-section-title" }, title), note),
+    el("summary", {}, icon("chevron"), el("span", { class: "p-section-title" }, title), note),
     body,
   );
   element.addEventListener("toggle", () => onFold?.(element.open));
@@ -89,18 +72,18 @@ export function section(title: string, open: boolean, onFold?: (open: boolean) =
 /** A list of choices with a label. `set` replaces the choices and keeps the chosen one where it still exists. */
 export function choice(label: string, change: (value: string) => void) {
   const id = newId("choice");
-  const select = make("select", { id, class: "p-select", onchange: () => change(select.value) });
-  const element = make("div", { class: "p-field" }, make("label", { for: id }, label), select);
+  const select = el("select", { id, class: "p-select", onchange: () => change(select.value) });
+  const element = el("div", { class: "p-field" }, el("label", { for: id }, label), select);
   const set = (choices: { value: string; label: string; group?: string }[], value: string) => {
     const groups = new Map<string, HTMLOptGroupElement>();
     select.replaceChildren();
     for (const each of choices) {
-      const option = make("option", { value: each.value }, each.label);
+      const option = el("option", { value: each.value }, each.label);
       if (!each.group) {
         select.append(option);
         continue;
       }
-      const group = groups.get(each.group) ?? make("optgroup", { label: each.group });
+      const group = groups.get(each.group) ?? el("optgroup", { label: each.group });
       if (!groups.has(each.group)) select.append(group);
       groups.set(each.group, group);
       group.append(option);
@@ -119,15 +102,15 @@ export function segments<T extends string>(
 ) {
   const name = newId("segments");
   const inputs = values.map((each) => {
-    const input = make("input", { type: "radio", name, value: each.value, checked: each.value === value });
+    const input = el("input", { type: "radio", name, value: each.value, checked: each.value === value });
     input.addEventListener("change", () => input.checked && change(each.value));
-    return { input, element: make("label", {}, input, make("span", {}, each.label)) };
+    return { input, element: el("label", {}, input, el("span", {}, each.label)) };
   });
-  const element = make(
+  const element = el(
     "fieldset",
     { class: "p-segments" },
-    make("legend", {}, label),
-    make("div", { class: "p-segments-row" }, ...inputs.map((each) => each.element)),
+    el("legend", {}, label),
+    el("div", { class: "p-segments-row" }, ...inputs.map((each) => each.element)),
   );
   const set = (chosen: T) => {
     for (const each of inputs) each.input.checked = each.input.value === chosen;

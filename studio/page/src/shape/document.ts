@@ -1,44 +1,12 @@
 // The document of a shape: a face is a pure function of it, so an earlier document is an undo.
+import type { Shape } from "../api_types";
 import type { Weights } from "../expressions";
 
-export interface Handle {
-  vertex: number;
-  /** Centimetres: x to the head's own left, y up, z to the front. */
-  move: [number, number, number];
-}
-
-export interface ShapeDocument {
-  /** "mean", or the id of a pinned face or of a drawing. */
-  base: string;
-  toward?: { face: string; share: number };
-  controls?: Weights;
-  exaggeration?: number;
-  caricature?: number;
-  handles?: Handle[];
-  expressions?: Weights;
-  gains?: Weights;
-}
-
-export interface ShapeControl {
-  name: string;
-  title: string;
-  group: string;
-  sides: 1 | 2;
-  least: number;
-  greatest: number;
-}
-
-export interface ShapeRanges {
-  controls: ShapeControl[];
-  expressions: string[];
-  expression_groups: Record<string, string[]>;
-  caricature: [number, number];
-  exaggeration: [number, number];
-}
+export type Handle = NonNullable<Shape["handles"]>[number];
 
 /** The document without what changes nothing: zeros, gains of 1, empty lists. */
-export function tidy(document: ShapeDocument): ShapeDocument {
-  const result: ShapeDocument = { base: document.base };
+export function tidy(document: Shape): Shape {
+  const result: Shape = { base: document.base };
   const controls = without(document.controls, 0);
   const expressions = without(document.expressions, 0);
   const gains = without(document.gains, 1);
@@ -58,6 +26,6 @@ function without(weights: Weights | undefined, neutral: number): Weights | undef
 }
 
 /** Whether a document is its base alone. */
-export function isPlain(document: ShapeDocument): boolean {
+export function isPlain(document: Shape): boolean {
   return Object.keys(tidy(document)).length === 1;
 }
