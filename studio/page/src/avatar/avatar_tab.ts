@@ -11,7 +11,7 @@ import { button, section, segments } from "../widgets";
 import { PicturePart } from "./picture_part";
 import { PlayPart } from "./play_part";
 import { StagesStrip } from "./stages_strip";
-import { avatarBody, kAvatarKey, kFirstOptions, type AvatarSource, type AvatarState } from "./state";
+import { avatarBody, kAvatarKey, kAvatarSubjectKey, kFirstOptions, type AvatarSource, type AvatarState } from "./state";
 
 const kPictures = ".png,.jpg,.jpeg,.bmp,.webp,.svg,.gif,.tif,.tiff";
 
@@ -265,6 +265,7 @@ class AvatarTab implements Tab {
       state.job = job.id;
       state.made = JSON.stringify(body);
       this.keep();
+      this.markLast();
       await this.takeJob(job);
       await this.showHead();
     }
@@ -286,7 +287,10 @@ class AvatarTab implements Tab {
     });
     this.stages.clear();
     stages.body.append(this.stages.element);
-    const take = button("Take this head away", () => this.studio.open("take-away"), { icon: "download" });
+    const take = button("Take this head away", () => {
+      this.markLast();
+      this.studio.open("take-away");
+    }, { icon: "download" });
     const warnings = warningList(job.warnings);
     this.result.hidden = false;
     this.result.replaceChildren(
@@ -295,6 +299,9 @@ class AvatarTab implements Tab {
       playing.element,
       stages.element,
     );
+  }
+  private markLast(): void {
+    this.studio.remember(kAvatarSubjectKey, JSON.stringify(this.studio.subject));
   }
   private async showHead(): Promise<void> {
     if (!this.shown) return;

@@ -21,6 +21,8 @@ export interface AvatarState {
 }
 
 export const kAvatarKey = "avatar.state";
+/** The subject of the page when the last avatar was made: while it stays, the avatar is the last thing a person worked on. */
+export const kAvatarSubjectKey = "avatar.subject";
 export const kFirstOptions: AvatarOptions = { style: "none", caricature: 0, hair: "auto" };
 
 export interface AvatarBody {
