@@ -111,6 +111,7 @@ const kIcons = {
   gesture: "M3 15c3-8 6-8 6-3s-3 7-3 3 6-9 9-6 1 8-1 7 0-5 7-6",
   turn: "M20 12c0 2.200-3.600 4-8 4s-8-1.800-8-4 3.600-4 8-4c2 0 3.800.4 5.200 1M17.500 5l.5 4-4 .5",
   unbrush: "M5 12h14M22 12a10 10 0 1 1-20 0 10 10 0 0 1 20 0",
+  settings: "M4 8h9M17 8h3M4 16h3M11 16h9M15 6v4a2 2 0 0 0 0-4M9 14a2 2 0 1 0 0 4 2 2 0 1 0 0-4M15 6a2 2 0 1 0 0 4",
   download: "M12 4v11M7.500 11 12 15.500 16.500 11M4 20h16",
 } as const;
 export type IconName = keyof typeof kIcons;
