@@ -1,7 +1,8 @@
 // The 3-D view beside the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
 import {
-  BufferAttribute, BufferGeometry, DynamicDrawUsage, PerspectiveCamera, Points, PointsMaterial, Raycaster, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute, BufferGeometry, CanvasTexture, DynamicDrawUsage, PerspectiveCamera, Points, PointsMaterial, Raycaster, Vector2, Vector3, WebGLRenderer,
 } from "three";
+import { AdaptiveResolution } from "./adaptive_resolution";
 import type { Head } from "./api_types";
 import { button, el } from "./dom";
 import { HeadScene } from "./head_scene";
@@ -22,6 +23,7 @@ export class Viewer {
   private readonly stage: HTMLElement;
   private readonly note: HTMLElement;
   private readonly renderer: WebGLRenderer;
+  private readonly resolution: AdaptiveResolution;
   private readonly camera = new PerspectiveCamera(kFieldOfView, 1, 1, 1000);
   private readonly handlePoints: Points;
   private readonly chosenPoint: Points;
@@ -34,7 +36,7 @@ export class Viewer {
 
   constructor() {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.resolution = new AdaptiveResolution(this.renderer, () => this.invalidate());
     this.renderer.setClearColor(0, 0);
     const canvas = this.renderer.domElement;
     canvas.setAttribute("aria-hidden", "true");
@@ -50,8 +52,9 @@ export class Viewer {
       this.invalidate();
       for (const listener of this.listeners) listener();
     });
+    const disc = discTexture();
     const points = (colour: number, size: number) => {
-      const made = new Points(new BufferGeometry(), new PointsMaterial({ color: colour, size, sizeAttenuation: false, depthTest: true }));
+      const made = new Points(new BufferGeometry(), new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }));
       made.frustumCulled = false;
       made.renderOrder = 1;
       return made;
@@ -248,7 +251,9 @@ export class Viewer {
     const shown = this.rig === null && this.head.hasFace;
     this.handlePoints.visible = shown && this.handles.length > 0;
     this.chosenPoint.visible = shown && this.chosen !== null;
+    this.resolution.begin();
     this.renderer.render(this.head.scene, this.camera);
+    this.resolution.end();
   }
   private resize(): void {
     this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
@@ -262,4 +267,16 @@ export class Viewer {
       this.renderer.domElement.toBlob((blob) => (blob ? done(blob) : fail(new Error("The picture could not be made."))));
     });
   }
+}
+
+/** A white disc: points are round. */
+function discTexture(): CanvasTexture {
+  const canvas = el("canvas", { width: 32, height: 32 });
+  const context = canvas.getContext("2d");
+  if (context) {
+    context.fillStyle = "#fff";
+    context.arc(16, 16, 15, 0, 7);
+    context.fill();
+  }
+  return new CanvasTexture(canvas);
 }

@@ -364,7 +364,7 @@ class DrawTab implements Tab {
       if (control.signal.aborted || this.session.id !== state.id) return;
       if (state.mode === "refine") {
         if (!this.face) {
-          this.face = new SheetFace(this.studio.viewer);
+          this.face = new SheetFace(this.studio.viewer, () => this.paper.invalidate("all"));
           this.paper.addFace(this.face.canvas);
         }
         this.face.setCamera(camera);

@@ -1,5 +1,6 @@
 // The face on the paper, as a view of the sheet shows it: the scene of the 3-D view through the server's orthographic camera.
 import { Camera, Matrix4, Vector3, WebGLRenderer } from "three";
+import { AdaptiveResolution } from "../adaptive_resolution";
 import type { SheetCamera } from "../api_types";
 import type { Viewer } from "../viewer";
 import type { PaperView } from "./paper_view";
@@ -8,11 +9,13 @@ export class SheetFace {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly camera = Object.assign(new Camera(), { isOrthographicCamera: true });
+  private readonly resolution: AdaptiveResolution;
+  private size: [number, number] = [0, 0];
   private rows: SheetCamera["pixel_from_cm"] | null = null;
 
-  constructor(private readonly viewer: Viewer) {
+  constructor(private readonly viewer: Viewer, redraw: () => void) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.resolution = new AdaptiveResolution(this.renderer, redraw);
     this.renderer.setClearColor(0, 0);
     this.camera.matrixAutoUpdate = false;
     this.camera.matrixWorldAutoUpdate = false;
@@ -29,10 +32,13 @@ export class SheetFace {
   draw(view: PaperView): void {
     const [width, height] = view.size;
     if (!this.rows || width < 1 || height < 1) return;
-    this.renderer.setSize(width, height, false);
+    if (width !== this.size[0] || height !== this.size[1]) this.renderer.setSize(width, height, false);
+    this.size = [width, height];
     this.place(this.rows, view);
     this.viewer.scene.lightFrom(this.camera);
+    this.resolution.begin();
     this.renderer.render(this.viewer.scene.scene, this.camera);
+    this.resolution.end();
   }
 
   private place([x, y, depth]: SheetCamera["pixel_from_cm"], view: PaperView): void {

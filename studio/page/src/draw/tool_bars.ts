@@ -101,11 +101,15 @@ export class ToolBars {
     const word = (label: string, name: string, act: () => void) => button(label, act, { "aria-label": name, title: name });
     const group = (name: string, ...content: (HTMLElement | string)[]) => el("div", { class: "float-group", role: "group", "aria-label": name }, ...content);
     const groups = [group("Look from", word("Right", "Its right side", () => this.host.look(-90)), word("Front", "Front view", () => this.host.look(0)), word("Left", "Its left side", () => this.host.look(90)))];
-    if (tool === "brush" || tool === "unbrush") groups.push(group("Brush", el("span", {}, "Size"), this.brushSize()));
     if (state.handles.length > 0) {
       const roll = (label: string, name: string, level: number) => word(label, name, () => this.host.roll(level));
-      groups.push(group("Bulge or hollow the handles", el("span", {}, "Hollow"), roll("−−", "Hollow by 4 mm", -2), roll("−", "Hollow by 2 mm", -1),
-        roll("+", "Bulge by 2 mm", 1), roll("++", "Bulge by 4 mm", 2), el("span", {}, "Bulge")));
+      groups.push(group("Bulge or hollow the handles", el("span", {}, "Bulge"), roll("++", "Bulge by 4 mm", 2), roll("+", "Bulge by 2 mm", 1),
+        roll("−", "Hollow by 2 mm", -1), roll("−−", "Hollow by 4 mm", -2), el("span", {}, "Hollow")));
+    }
+    if (tool === "brush" || tool === "unbrush") {
+      const size = group("Brush", el("span", {}, "Brush"), this.brushSize());
+      size.classList.add("float-size");
+      groups.push(size);
     }
     this.float.replaceChildren(...groups);
     if (focused) this.float.querySelector<HTMLElement>(`[aria-label="${focused}"]`)?.focus();
