@@ -1,0 +1,69 @@
+// Modes and tools of the tab Draw, with their words.
+import type { IconName } from "../dom";
+import type { Mode, SessionState } from "../api_types";
+
+export type ToolName = "pen" | "eraser" | "turn" | "region" | "brush" | "unbrush" | "translate" | "pull" | "gesture";
+
+export interface Tool {
+  name: ToolName;
+  icon: IconName;
+  label: string;
+  key: string;
+}
+
+export const kModes: readonly { mode: Mode; label: string; key: string; about: string }[] = [
+  { mode: "draw", label: "Draw", key: "1", about: "Draw a face with a few lines" },
+  { mode: "follow_up", label: "Redraw", key: "2", about: "Erase a line of the face and draw it again" },
+  { mode: "refine", label: "Shape in 3-D", key: "3", about: "Turn the face and move its surface" },
+];
+
+const kPen: Tool = { name: "pen", icon: "pen", label: "Pen", key: "B" };
+const kEraser: Tool = { name: "eraser", icon: "eraser", label: "Eraser", key: "E" };
+
+export function toolsOf(mode: Mode, gestures: boolean): readonly Tool[] {
+  if (mode !== "refine") return [kPen, kEraser];
+  const tools: Tool[] = [
+    { name: "turn", icon: "turn", label: "Turn the face", key: "T" },
+    { name: "brush", icon: "brush", label: "Brush handles", key: "B" },
+    { name: "unbrush", icon: "unbrush", label: "Remove handles", key: "E" },
+    { name: "translate", icon: "move", label: "Move handles", key: "V" },
+    { name: "pull", icon: "pull", label: "Pull an outline", key: "P" },
+    { name: "region", icon: "lasso", label: "Enclose a region", key: "R" },
+  ];
+  if (gestures) tools.push({ name: "gesture", icon: "gesture", label: "Free gestures", key: "G" });
+  return tools;
+}
+
+/** What a person can do now, in one or two sentences. */
+export function hintOf(state: SessionState, tool: ToolName): string {
+  if (state.mode === "draw") {
+    if (tool === "eraser") return "Rub over lines to cut them.";
+    if (state.lines.length === 0) return "Draw the outline of a face, then eyes, nose and mouth. The face beside it follows every stroke.";
+    return state.has_face ? "Go on: brows, lips, ears. When the face is near, choose Redraw to correct single lines."
+      : "These lines are no face yet. Add the outline, eyes, nose or mouth.";
+  }
+  if (state.mode === "follow_up") {
+    const gaps = state.open_ends.length;
+    if (tool === "eraser") return gaps > 0 ? "A gap is open. Take the pen (B) and draw its new path, or erase more."
+      : "Rub over the part of a line that you want to change. Then draw its new path.";
+    return gaps > 0 ? "Draw from one orange end to the other: the line snaps to them and the face follows."
+      : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
+  }
+  const handles = state.handles.length;
+  switch (tool) {
+    case "turn": return "Drag to turn the face, or choose a side. The arrow keys turn it, too.";
+    case "brush": return "Paint over the skin that you want to move.";
+    case "unbrush": return "Paint over handles to release them.";
+    case "translate": return handles > 0 ? "Drag: the handles move as far as the pen does." : "There are no handles. Paint some with the brush (B) first.";
+    case "pull": return "Draw a new outline near the old one: chin, cheek, or the profile in a side view.";
+    case "region": return "Draw a closed line: only what lies inside moves. Enclose nothing but paper to free the whole head.";
+    default: return "Closed line: region. Straight line: move or pull. Arrow left or right: undo or redo. Loops that rise or fall: bulge or hollow.";
+  }
+}
+
+/** The cursor over the paper: a class of draw.css. */
+export function cursorOf(tool: ToolName): string {
+  if (tool === "turn") return "grab";
+  if (tool === "eraser" || tool === "brush" || tool === "unbrush") return "none";
+  return tool === "translate" ? "move" : "crosshair";
+}

@@ -1,0 +1,28 @@
+// Starts the page: the token, the head, the tabs.
+import { Api, takeToken } from "./api";
+import { createAvatarTab } from "./avatar/avatar_tab";
+import { el } from "./dom";
+import { createDrawTab } from "./draw/draw_tab";
+import { createShapeTab } from "./shape/shape_tab";
+import { StudioPage } from "./studio";
+import type { Tab } from "./tab";
+import { createTakeAwayTab } from "./take_away/take_away_tab";
+
+async function start(root: HTMLElement): Promise<void> {
+  const studio = new StudioPage(new Api(takeToken()));
+  const [head, triangles] = await Promise.all([studio.api.head(), studio.api.triangles()]);
+  studio.viewer.setHead(head, triangles);
+  for (const create of [createDrawTab, createShapeTab, createAvatarTab, createTakeAwayTab]) studio.add(create(studio));
+  root.replaceChildren(studio.element);
+  studio.faces.refresh().catch((error) => studio.fail(error));
+  studio.open(studio.recall<Tab["id"]>("tab", "draw"));
+}
+
+const root = document.getElementById("studio");
+if (root) {
+  start(root).catch((error: unknown) => {
+    console.error(error);
+    const message = error instanceof Error ? error.message : String(error);
+    root.replaceChildren(el("div", { class: "stopped", role: "alert" }, el("h1", {}, "The studio cannot start"), el("p", {}, message)));
+  });
+}

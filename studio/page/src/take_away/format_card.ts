@@ -1,0 +1,142 @@
+// A card of a format: what it is for, its choices, the job, and the files that came out.
+import type { Job } from "../api_types";
+import { download, el } from "../dom";
+import { commandField, JobCard, warningList } from "../job_card";
+import type { Studio } from "../tab";
+import { button, choice, fileSize, icon, newId } from "../widgets";
+import type { Format } from "./formats";
+import { targetKey, whyNot, type Target } from "./targets";
+
+/** Files above this number are in a list that folds. */
+const kFewFiles = 4;
+
+export class FormatCard {
+  readonly element: HTMLElement;
+  private readonly job: JobCard;
+  private readonly make: HTMLButtonElement;
+  private readonly no = el("p", { class: "p-hint" });
+  private readonly options: HTMLElement;
+  private readonly result = el("div", { class: "p-files", hidden: true });
+  private readonly chosen: Record<string, string>;
+  private target: Target | null = null;
+
+  constructor(private readonly studio: Studio, private readonly format: Format) {
+    this.job = new JobCard(studio.api);
+    this.chosen = studio.recall<Record<string, string>>(`take-away.${format.id}`, {});
+    this.make = button(format.make, () => void this.run().catch((error) => studio.fail(error)), { kind: "plain", icon: "download" });
+    this.options = el(
+      "div",
+      { class: "p-card-options" },
+      ...format.choices.map((each) => {
+        const field = choice(each.label, (value) => {
+          this.chosen[each.key] = value;
+          studio.remember(`take-away.${format.id}`, this.chosen);
+          this.stale();
+        });
+        field.set(each.values.map((value) => ({ ...value })), this.chosen[each.key] ?? each.values[0]?.value ?? "");
+        field.select.setAttribute("aria-label", `${each.label} of ${format.title}`);
+        return field.element;
+      }),
+    );
+    const id = newId("card");
+    this.element = el(
+      "article",
+      { class: "p-card", "aria-labelledby": id },
+      el("div", { class: "p-card-icon" }, icon(format.icon)),
+      el("div", { class: "p-card-words" }, el("h3", { id }, format.title), el("p", {}, format.what)),
+      this.options,
+      el("div", { class: "p-card-make" }, this.make, this.no),
+      this.job.element,
+      this.result,
+    );
+  }
+
+  setTarget(target: Target | null): void {
+    const before = this.target && targetKey(this.target);
+    this.target = target;
+    const no = target ? whyNot(target, this.format.id) : "There is nothing to take away yet.";
+    this.no.replaceChildren(no ?? "");
+    this.no.hidden = no === null;
+    this.make.hidden = no !== null;
+    this.options.hidden = no !== null;
+    this.element.classList.toggle("p-not", no !== null);
+    if (before !== null && before !== (target && targetKey(target))) this.stale();
+  }
+  cancel(): void {
+    this.job.cancel();
+  }
+
+  /** Files of another face or of other choices are not offered. */
+  private stale(): void {
+    this.result.hidden = true;
+    this.result.replaceChildren();
+    if (!this.job.isBusy) this.job.clear();
+  }
+
+  private async run(): Promise<void> {
+    const { target, format } = this;
+    if (!target || this.job.isBusy) return;
+    this.stale();
+    const body = format.body(target, this.chosen);
+    if (body === null) {
+      if (target.kind === "session") await this.takeSession(target);
+      return;
+    }
+    this.make.disabled = true;
+    try {
+      const job = await this.job.run(body, format.doing);
+      if (job) this.showFiles(job);
+    } finally {
+      this.make.disabled = false;
+    }
+  }
+
+  private async takeSession(target: { id: string; title: string }): Promise<void> {
+    const bytes = await this.studio.api.blob(`/api/sessions/${target.id}/session.json`);
+    const name = `${target.title.replace(/[^\p{L}\p{N}_-]+/gu, "_") || "drawing"}.json`;
+    download(bytes, name);
+    this.result.hidden = false;
+    this.result.replaceChildren(
+      el("p", { role: "status" }, `${name}, ${fileSize(bytes.size)}, is in your downloads.`),
+      commandField(`daumier predict --session ${name}`),
+    );
+  }
+
+  private showFiles(job: Job): void {
+    const files = job.files.filter((file) => !file.name.startsWith("stages/"));
+    const links = files.map((file) => this.link(job, file));
+    const list = el("ul", { class: "p-file-list" }, ...links.slice(0, kFewFiles).map((link) => el("li", {}, link)));
+    const rest = links.slice(kFewFiles);
+    const sum = files.reduce((total, file) => total + file.size, 0);
+    const warnings = warningList(job.warnings);
+    this.result.hidden = false;
+    this.result.replaceChildren(
+      el("p", { role: "status" }, `Ready: ${files.length === 1 ? "one file" : `${files.length} files`}, ${fileSize(sum)}, in ${job.seconds.toFixed(1)} s.`),
+      list,
+      ...(rest.length
+        ? [
+            el("details", { class: "p-how" }, el("summary", {}, `${rest.length} more`), el("ul", { class: "p-file-list" }, ...rest.map((link) => el("li", {}, link)))),
+            button(`Download all ${files.length}`, () => void this.downloadAll(job, files.map((file) => file.name)).catch((error) => this.studio.fail(error)), { icon: "download" }),
+          ]
+        : []),
+      ...(warnings ? [warnings] : []),
+      commandField(job.command),
+    );
+    this.result.scrollIntoView({ block: "nearest" });
+  }
+  private link(job: Job, file: { name: string; size: number }): HTMLButtonElement {
+    const made = button(file.name, () => void this.downloadOne(job, file.name).catch((error) => this.studio.fail(error)), {
+      kind: "quiet",
+      icon: "download",
+      name: `Download ${file.name}, ${fileSize(file.size)}`,
+    });
+    made.append(el("span", { class: "p-note" }, fileSize(file.size)));
+    return made;
+  }
+  private async downloadOne(job: Job, name: string): Promise<void> {
+    download(await this.studio.api.jobFile(job.id, name), name.split("/").at(-1) ?? name);
+  }
+  private async downloadAll(job: Job, names: string[]): Promise<void> {
+    for (const name of names) await this.downloadOne(job, name);
+  }
+}

@@ -1,0 +1,127 @@
+// The tab Take away: what is taken, and a card for each format that it can become.
+import type { SessionEntry, Shape } from "../api_types";
+import { kAvatarKey, kAvatarSubjectKey, type AvatarState } from "../avatar/state";
+import { el } from "../dom";
+import type { HistoryState } from "../shape/history";
+import type { Studio, Tab } from "../tab";
+import { button, choice } from "../widgets";
+import { FormatCard } from "./format_card";
+import { kFormats } from "./formats";
+import { targetKey, type Target } from "./targets";
+
+export function createTakeAwayTab(studio: Studio): Tab {
+  return new TakeAwayTab(studio);
+}
+
+class TakeAwayTab implements Tab {
+  readonly id = "take-away";
+  readonly title = "Take away";
+  readonly useFaceLabel = "Take away";
+  readonly element: HTMLElement;
+  private readonly what = choice("What", (key) => this.choose(key));
+  private readonly cards: FormatCard[];
+  private readonly empty: HTMLElement;
+  private readonly grid: HTMLElement;
+  private targets: Target[] = [];
+  private chosen: Target | null = null;
+  private sessions: SessionEntry[] = [];
+  private shown = false;
+
+  constructor(private readonly studio: Studio) {
+    this.cards = kFormats.map((format) => new FormatCard(studio, format));
+    this.grid = el("div", { class: "p-cards" }, ...this.cards.map((card) => card.element));
+    this.empty = el(
+      "div",
+      { class: "p-state", hidden: true },
+      el("p", {}, "There is no face yet. Draw one, or make one from a portrait."),
+      el("div", { class: "p-row" }, button("Draw a face", () => studio.open("draw"), { kind: "primary" }), button("Use a portrait", () => studio.open("avatar"))),
+    );
+    this.element = el(
+      "div",
+      { class: "p-panel p-take-away" },
+      el("div", { class: "p-scroll" }, el("div", { class: "p-what" }, el("h2", {}, "Take away"), this.what.element), this.empty, this.grid),
+    );
+    studio.faces.onChange(() => this.shown && this.offer());
+  }
+
+  async show(): Promise<void> {
+    this.shown = true;
+    this.sessions = await this.studio.api.sessions();
+    if (!this.shown) return;
+    this.targets = this.allTargets();
+    this.chosen = this.firstTarget();
+    this.offer();
+    await this.preview();
+  }
+  hide(): void {
+    this.shown = false;
+  }
+  async useFace(face: { id: string }): Promise<void> {
+    this.choose(face.id);
+  }
+
+  private allTargets(): Target[] {
+    const shape = this.studio.recall<HistoryState<Shape> | null>("shape.history", null);
+    const avatar = this.studio.recall<AvatarState | null>(kAvatarKey, null);
+    return [
+      ...this.sessions.map((session): Target => ({ kind: "session", id: session.id, title: session.name })),
+      ...(shape ? [{ kind: "shape", shape: shape.present, title: "The shape" } as const] : []),
+      ...(avatar?.job ? [{ kind: "avatar", state: avatar, title: avatar.source.name } as const] : []),
+      ...this.studio.faces.faces.map((face): Target => ({ kind: "face", id: face.id, title: face.name })),
+    ];
+  }
+  /** What a person worked on last, where it is still there. */
+  private firstTarget(): Target | null {
+    const { subject } = this.studio;
+    const body = subject?.body;
+    const key = body ? ("session" in body ? body.session : "face" in body ? body.face : "shape") : this.studio.recall("take-away.target", "");
+    const isAvatar = this.studio.recall(kAvatarSubjectKey, "") === JSON.stringify(subject);
+    const wanted = isAvatar ? "avatar" : key;
+    return this.targets.find((target) => targetKey(target) === wanted) ?? this.targets[0] ?? null;
+  }
+
+  private offer(): void {
+    this.targets = this.allTargets();
+    const groups = { session: "Drawings", face: "Pinned faces", shape: "Shape", avatar: "Avatar" };
+    this.what.set(
+      this.targets.map((target) => ({ value: targetKey(target), label: target.title, group: groups[target.kind] })),
+      this.chosen ? targetKey(this.chosen) : "",
+    );
+    const nothing = this.targets.length === 0;
+    this.what.element.hidden = nothing;
+    this.grid.hidden = nothing;
+    this.empty.hidden = !nothing;
+    for (const card of this.cards) card.setTarget(this.chosen);
+  }
+  private choose(key: string): void {
+    this.chosen = this.targets.find((target) => targetKey(target) === key) ?? null;
+    this.studio.remember("take-away.target", key);
+    this.offer();
+    this.preview().catch((error) => this.studio.fail(error));
+  }
+
+  /** The 3-D view shows what is taken. */
+  private async preview(): Promise<void> {
+    const { api, viewer } = this.studio;
+    const target = this.chosen;
+    if (!target) {
+      viewer.clear("There is no face yet.");
+      return;
+    }
+    if (target.kind === "avatar") {
+      const job = target.state.job ?? "";
+      const bytes = await (await api.jobFile(job, "head.glb")).arrayBuffer();
+      if (this.shown && this.chosen === target) await viewer.loadGlb(bytes);
+      return;
+    }
+    const vertices =
+      target.kind === "shape"
+        ? await api.shapeVertices(target.shape)
+        : target.kind === "face"
+          ? await api.faceVertices(target.id)
+          : await api.session(target.id).then((state) => api.sessionVertices(target.id, state.revision));
+    if (!this.shown || this.chosen !== target) return;
+    if (vertices) viewer.setVertices(vertices);
+    else viewer.clear("This drawing has no face yet. Draw its outline and its eyes first.");
+  }
+}

@@ -1,0 +1,282 @@
+// The 3-D view beside the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
+import {
+  BufferAttribute, BufferGeometry, CanvasTexture, DynamicDrawUsage, PerspectiveCamera, Points, PointsMaterial, Raycaster, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import { AdaptiveResolution } from "./adaptive_resolution";
+import type { Head } from "./api_types";
+import { button, el } from "./dom";
+import { HeadScene } from "./head_scene";
+import { Orbit } from "./orbit";
+import { readRiggedHead, type RiggedHead } from "./rigged_head";
+
+const kFieldOfView = 22;
+/** Share of the height of the view that the head fills. */
+const kFill = 0.9;
+
+export type { RiggedHead } from "./rigged_head";
+export const kViews = { front: [0, 0], side: [-90, 0], "three-quarter": [-35, 5] } as const;
+
+export class Viewer {
+  /** The view with its buttons; main puts it beside the tab. */
+  readonly element: HTMLElement;
+  readonly orbit: Orbit;
+  private readonly stage: HTMLElement;
+  private readonly note: HTMLElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly resolution: AdaptiveResolution;
+  private readonly camera = new PerspectiveCamera(kFieldOfView, 1, 1, 1000);
+  private readonly handlePoints: Points;
+  private readonly chosenPoint: Points;
+  private readonly listeners: (() => void)[] = [];
+  private rig: RiggedHead | null = null;
+  private head: HeadScene | null = null;
+  private handles: number[] = [];
+  private chosen: number | null = null;
+  private frame = 0;
+
+  constructor() {
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    this.resolution = new AdaptiveResolution(this.renderer, () => this.invalidate());
+    this.renderer.setClearColor(0, 0);
+    const canvas = this.renderer.domElement;
+    canvas.setAttribute("aria-hidden", "true");
+    this.note = el("p", { class: "view-note", hidden: true });
+    this.stage = el("div", {
+      class: "view-stage", tabindex: 0, role: "application", "aria-label": "3-D view of the face. Arrow keys turn it, plus and minus zoom, 0 shows the front.",
+    }, canvas, this.note);
+    const look = (label: string, name: keyof typeof kViews) => button(label, () => this.lookFrom(name));
+    this.element = el("section", { class: "view", "aria-label": "3-D view" }, this.stage,
+      el("div", { class: "view-buttons", role: "group", "aria-label": "View from" }, look("Front", "front"), look("¾", "three-quarter"), look("Side", "side")));
+    this.element.querySelectorAll(".view-buttons button")[1]?.setAttribute("aria-label", "Three-quarter");
+    this.orbit = new Orbit(this.stage, () => {
+      this.invalidate();
+      for (const listener of this.listeners) listener();
+    });
+    const disc = discTexture();
+    const points = (colour: number, size: number) => {
+      const made = new Points(new BufferGeometry(), new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }));
+      made.frustumCulled = false;
+      made.renderOrder = 1;
+      return made;
+    };
+    this.handlePoints = points(0x1d6fd6, 7);
+    this.chosenPoint = points(0xe0572a, 11);
+    new ResizeObserver(() => this.resize()).observe(this.stage);
+    canvas.addEventListener("webglcontextrestored", () => this.invalidate());
+  }
+
+  /** The head's topology, once, before all else. */
+  setHead(head: Head, triangles: Uint32Array): void {
+    this.head = new HeadScene(head, triangles);
+    this.head.scene.add(this.handlePoints, this.chosenPoint);
+  }
+  /** The scene, for a second view of the same head. */
+  get scene(): HeadScene {
+    if (!this.head) throw new Error("The head has not arrived.");
+    return this.head;
+  }
+  get vertices(): Float32Array {
+    return this.scene.positions;
+  }
+  get hasFace(): boolean {
+    return this.scene.hasFace;
+  }
+
+  /** N x 3 vertices in cm; shows the display head. */
+  setVertices(vertices: Float32Array): void {
+    this.showDisplayHead();
+    this.scene.setVertices(vertices);
+    this.placeHandles();
+    this.say(null);
+    this.invalidate();
+  }
+  /** Nothing to see, and why. */
+  clear(why: string): void {
+    this.showDisplayHead();
+    this.scene.clear();
+    this.setHandles([]);
+    this.say(why);
+    this.invalidate();
+  }
+  /** A sentence over the view, such as "Working …"; null removes it. */
+  say(text: string | null): void {
+    this.note.hidden = text === null;
+    this.note.textContent = text ?? "";
+  }
+
+  get view(): { yaw: number; pitch: number } {
+    return { yaw: this.orbit.pose.yaw, pitch: this.orbit.pose.pitch };
+  }
+  lookFrom(name: keyof typeof kViews): void {
+    const [yaw, pitch] = kViews[name];
+    this.orbit.set(yaw, pitch);
+  }
+  onView(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+  /** Takes pointers before the view turns: returns true for a pointerdown that the tab handles itself. null: none. */
+  onPointerDown(take: ((event: PointerEvent) => boolean) | null): void {
+    this.orbit.take = take;
+  }
+  get stageElement(): HTMLElement {
+    return this.stage;
+  }
+
+  /** Vertices of the face that are shown as points; one of them may be chosen. */
+  setHandles(handles: readonly number[], chosen: number | null = null): void {
+    this.handles = [...handles];
+    this.chosen = chosen;
+    this.placeHandles();
+    this.invalidate();
+  }
+  private placeHandles(): void {
+    if (!this.head) return;
+    const place = (points: Points, vertices: readonly number[]) => {
+      const at = new Float32Array(3 * vertices.length);
+      vertices.forEach((vertex, i) => {
+        // Half a millimetre above the surface, so that the surface does not hide half of the point.
+        for (let k = 0; k < 3; ++k) {
+          at[3 * i + k] = (this.scene.positions[3 * vertex + k] ?? 0) + 0.05 * (this.scene.geometry.getAttribute("normal").array[3 * vertex + k] ?? 0);
+        }
+      });
+      points.geometry.dispose();
+      points.geometry = new BufferGeometry();
+      points.geometry.setAttribute("position", new BufferAttribute(at, 3).setUsage(DynamicDrawUsage));
+      points.visible = vertices.length > 0;
+    };
+    place(this.handlePoints, this.handles.filter((vertex) => vertex !== this.chosen));
+    place(this.chosenPoint, this.chosen === null ? [] : [this.chosen]);
+  }
+
+  /** The vertex of the face that is visible nearest to a place of the window, or null. */
+  pick(clientX: number, clientY: number): number | null {
+    const hit = this.cast(clientX, clientY);
+    if (!hit) return null;
+    const local = hit.point;
+    let best: number | null = null;
+    let least = Infinity;
+    for (const vertex of [hit.face.a, hit.face.b, hit.face.c]) {
+      if (vertex >= this.scene.head.num_face_vertices) continue;
+      const distance = this.vertexPosition(vertex).distanceTo(local);
+      if (distance < least) {
+        least = distance;
+        best = vertex;
+      }
+    }
+    return best;
+  }
+  private cast(clientX: number, clientY: number) {
+    if (!this.head || !this.head.hasFace) return null;
+    const box = this.stage.getBoundingClientRect();
+    const at = new Vector2((2 * (clientX - box.left)) / box.width - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    this.placeCamera();
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const hit = ray.intersectObject(this.scene.mesh, false)[0];
+    return hit && hit.face ? { point: hit.point, face: hit.face } : null;
+  }
+  private vertexPosition(vertex: number): Vector3 {
+    const p = this.scene.positions;
+    return new Vector3(p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]);
+  }
+  /** Where a vertex is in the window. */
+  locate(vertex: number): { x: number; y: number } {
+    this.placeCamera();
+    const box = this.stage.getBoundingClientRect();
+    const at = this.vertexPosition(vertex).project(this.camera);
+    return { x: box.left + (box.width * (at.x + 1)) / 2, y: box.top + (box.height * (1 - at.y)) / 2 };
+  }
+  /** The move in cm, in the plane of the view through a vertex, of a pointer that moves by pixels of the window. */
+  moveOf(vertex: number, pixelsX: number, pixelsY: number): [number, number, number] {
+    this.placeCamera();
+    const depth = this.vertexPosition(vertex).applyMatrix4(this.camera.matrixWorldInverse).z;
+    const scale = (2 * Math.abs(depth) * Math.tan((Math.PI * kFieldOfView) / 360)) / (this.stage.clientHeight || 1);
+    const move = new Vector3(pixelsX * scale, -pixelsY * scale, 0).applyQuaternion(this.camera.quaternion);
+    return [move.x, move.y, move.z];
+  }
+
+  /** Shows a head of a .glb file in place of the display head, until setVertices, clear or showDisplayHead. */
+  async loadGlb(bytes: ArrayBuffer): Promise<RiggedHead> {
+    const rig = await readRiggedHead(bytes, () => this.invalidate());
+    this.showDisplayHead();
+    this.rig = rig;
+    this.scene.setRigged(rig.object);
+    this.say(null);
+    this.invalidate();
+    return rig;
+  }
+  showDisplayHead(): void {
+    if (!this.rig) return;
+    this.rig = null;
+    this.scene.setRigged(null);
+    this.placeHandles();
+    this.invalidate();
+  }
+
+  private placeCamera(): void {
+    const { yaw, pitch, zoom, pan } = this.orbit.pose;
+    const frame = this.rig?.frame ?? { centre: new Vector3(...this.scene.head.centre), halfHeight: this.scene.head.half_height };
+    const width = this.stage.clientWidth || 1;
+    const height = this.stage.clientHeight || 1;
+    this.camera.aspect = width / height;
+    // A narrow view must hold the width of the head, which is about 0.85 of its height.
+    const half = frame.halfHeight / kFill / zoom / Math.min(1, this.camera.aspect / 0.85);
+    const distance = half / Math.tan((Math.PI * kFieldOfView) / 360) + frame.halfHeight * 0.5;
+    const y = (Math.PI * yaw) / 180;
+    const p = (Math.PI * pitch) / 180;
+    const direction = new Vector3(Math.sin(y) * Math.cos(p), Math.sin(p), Math.cos(y) * Math.cos(p));
+    this.camera.position.copy(frame.centre).addScaledVector(direction, distance);
+    this.camera.lookAt(frame.centre);
+    this.camera.updateMatrixWorld();
+    const shift = new Vector3(-pan[0] * half, pan[1] * half, 0).applyQuaternion(this.camera.quaternion);
+    this.camera.position.add(shift);
+    this.camera.near = Math.max(distance * 0.05, 1e-3);
+    this.camera.far = distance * 4;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+
+  /** Draws once, at the next frame of the browser. */
+  invalidate(): void {
+    if (this.frame !== 0 || !this.head) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+  private draw(): void {
+    if (!this.head || this.stage.clientWidth === 0) return;
+    this.placeCamera();
+    this.head.lightFrom(this.camera);
+    const shown = this.rig === null && this.head.hasFace;
+    this.handlePoints.visible = shown && this.handles.length > 0;
+    this.chosenPoint.visible = shown && this.chosen !== null;
+    this.resolution.begin();
+    this.renderer.render(this.head.scene, this.camera);
+    this.resolution.end();
+  }
+  private resize(): void {
+    this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
+    // A resized canvas is empty until it is drawn: drawing at once avoids a flash.
+    this.draw();
+  }
+
+  async screenshot(): Promise<Blob> {
+    this.draw();
+    return new Promise((done, fail) => {
+      this.renderer.domElement.toBlob((blob) => (blob ? done(blob) : fail(new Error("The picture could not be made."))));
+    });
+  }
+}
+
+/** A white disc: points are round. */
+function discTexture(): CanvasTexture {
+  const canvas = el("canvas", { width: 32, height: 32 });
+  const context = canvas.getContext("2d");
+  if (context) {
+    context.fillStyle = "#fff";
+    context.arc(16, 16, 15, 0, 7);
+    context.fill();
+  }
+  return new CanvasTexture(canvas);
+}
