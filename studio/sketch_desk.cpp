@@ -75,7 +75,7 @@ std::string SketchDesk::Add(const NewSession& begin) {
   if (open->script.width == 0) open->script.width = open->script.height = kSheet;
   open->script.begin = begin.begin.rows() > 0 ? kBegin : begin.begins_with_mean ? "mean" : begin.recorded.begin;
   open->session = Begin(open->script, begin.begin);
-  sketch::Replay(open->script, *open->session, [](const sketch::ReplayedEvent&) {});
+  sketch::Resume(open->script, *open->session);
 
   const std::scoped_lock lock(mutex_);
   const std::string id = folders_.Add();
@@ -103,7 +103,7 @@ std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Read(const fs::path& folder
     begin = geometry::ParseObjVertices(ReadFile(folder / kBegin), (folder / kBegin).string(),
                                        predictor_->run().face_template.num_vertices());
   open->session = Begin(open->script, begin);
-  sketch::Replay(open->script, *open->session, [](const sketch::ReplayedEvent&) {});
+  sketch::Resume(open->script, *open->session);
   open->revision = int64_t(open->script.events.size());
   return open;
 }

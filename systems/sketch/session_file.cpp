@@ -194,13 +194,14 @@ SessionScript ScriptFrom(const Json& json) {
 
 }  // namespace
 
-std::optional<datasets::Gesture> Do(const SessionEvent& event, SketchSession& session, const Task& task) {
+std::optional<datasets::Gesture> Do(const SessionEvent& event, SketchSession& session, const Task& task,
+                                    FaceTime when) {
   switch (event.what) {
     case Kind::kDraw:
-      session.Draw(event.points, event.pen, task);
+      session.Draw(event.points, event.pen, task, when);
       break;
     case Kind::kErase:
-      session.Erase(event.points, event.pen.mirror, task);
+      session.Erase(event.points, event.pen.mirror, task, when);
       break;
     case Kind::kFollowUp:
       session.FollowUp();
@@ -241,13 +242,16 @@ Json SessionToJson(const SessionScript& script) {
   return json;
 }
 
-void Replay(const SessionScript& script, SketchSession& session,
-            const std::function<void(const ReplayedEvent& event)>& report, const Task& task) {
+namespace {
+
+/// Do for each event. @throws Error naming the event; Cancelled.
+void DoAll(const SessionScript& script, SketchSession& session, FaceTime when, const Task& task,
+           const std::function<void(const ReplayedEvent&)>& report) {
   for (size_t i = 0; i < script.events.size(); ++i) {
     task.ThrowIfCancelled("stopped before event {} of {}", i + 1, script.events.size());
-    ReplayedEvent replayed{.number = i + 1};
+    ReplayedEvent replayed{.number = i + 1, .state = nullptr};
     try {
-      replayed.gesture = Do(script.events[i], session, task);
+      replayed.gesture = Do(script.events[i], session, task, when);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -256,6 +260,18 @@ void Replay(const SessionScript& script, SketchSession& session,
     replayed.state = session.state();
     report(replayed);
   }
+}
+
+}  // namespace
+
+void Replay(const SessionScript& script, SketchSession& session,
+            const std::function<void(const ReplayedEvent& event)>& report, const Task& task) {
+  DoAll(script, session, FaceTime::kNow, task, report);
+}
+
+void Resume(const SessionScript& script, SketchSession& session, const Task& task) {
+  DoAll(script, session, FaceTime::kWhenNeeded, task, [](const ReplayedEvent&) {});
+  session.Settle(task);
 }
 
 std::string NameOf(const SessionEvent& event) {

@@ -82,9 +82,13 @@ SketchSession::SketchSession(std::shared_ptr<const SketchPredictor> predictor, d
     : follower_(std::move(predictor)), width_(width), height_(height), gestures_(std::move(gestures)) {
   DAUMIER_CHECK(std::min(width_, height_) >= 1 && std::max(width_, height_) <= kMostSheet,
                 "a sheet of {} x {} pixels, expected sizes from 1 to {}", width_, height_, kMostSheet);
+  history_.push_back(std::make_shared<const SketchState>(Blank()));
+}
+
+SketchState SketchSession::Blank() const {
   SketchState blank;
   blank.frame = WholeSheet(width_, height_);
-  history_.push_back(std::make_shared<const SketchState>(std::move(blank)));
+  return blank;
 }
 
 void SketchSession::CheckOnSheet(const CanvasPoints& points) const {
@@ -129,12 +133,33 @@ bool SketchSession::can_redo() const {
 
 bool SketchSession::Undo() {
   const std::scoped_lock lock(calls_);
-  return Step(-1);
+  const bool is_done = Step(-1);
+  Settled();
+  return is_done;
 }
 
 bool SketchSession::Redo() {
   const std::scoped_lock lock(calls_);
-  return Step(1);
+  const bool is_done = Step(1);
+  Settled();
+  return is_done;
+}
+
+void SketchSession::Settle(const Task& task) {
+  const std::scoped_lock lock(calls_);
+  Settled(task);
+}
+
+SketchSession::StatePointer SketchSession::Settled(const Task& task) {
+  StatePointer now = state();
+  if (!now->is_pending) return now;
+  SketchState settled = *now;
+  settled.is_pending = false;
+  settled.is_follow_up() ? Follow(settled, task) : Predict(settled, task);
+  now = std::make_shared<const SketchState>(std::move(settled));
+  const std::scoped_lock lock(states_);
+  history_[current_] = now;
+  return now;
 }
 
 double SketchSession::MirrorOf(const SketchState& state) const {
@@ -144,33 +169,36 @@ double SketchSession::MirrorOf(const SketchState& state) const {
   return render::ToCanvas(render::Inverse(state.frame), seen.row(0).head<2>().transpose()).x();
 }
 
-SketchState SketchSession::Predicted(std::vector<render::WeightedStroke> strokes, const Task& task) const {
-  SketchState next;
-  next.frame = WholeSheet(width_, height_);
-  next.strokes = std::move(strokes);
-  if (next.strokes.empty()) return next;
-  const systems::Input input = render::Drawing{width_, height_, PlainStrokes(next.strokes)};
+void SketchSession::Predict(SketchState& state, const Task& task) const {
+  if (state.strokes.empty()) return;
+  const systems::Input input = render::Drawing{width_, height_, PlainStrokes(state.strokes)};
   try {
     systems::FaceResult face = std::move(follower_.predictor().Predict(std::span(&input, 1), task).front());
-    next.vertices = std::move(face.vertices);
-    next.frame = face.frame.value_or(next.frame);
-    next.warnings = std::move(face.warnings);
+    state.vertices = std::move(face.vertices);
+    state.frame = face.frame.value_or(state.frame);
+    state.warnings = std::move(face.warnings);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {  // Of a few strokes that show no face yet.
-    next.warnings = {error.what()};
+    state.warnings = {error.what()};
   }
-  return next;
 }
 
-void SketchSession::Draw(const CanvasPoints& path, const Pen& pen, const Task& task) {
+void SketchSession::AddDrawn(SketchState state, FaceTime when, const Task& task) {
+  // Lines that follow the face depend on it.
+  state.is_pending = when == FaceTime::kWhenNeeded && !(state.start && state.start->untouched == Untouched::kFollow);
+  if (!state.is_pending) state.is_follow_up() ? Follow(state, task) : Predict(state, task);
+  Add(std::move(state));
+}
+
+void SketchSession::Draw(const CanvasPoints& path, const Pen& pen, const Task& task, FaceTime when) {
   CheckOnSheet(path);
   DAUMIER_CHECK(pen.weight <= kHeaviest * std::max(width_, height_),
                 "a line that is {:g} pixels wide on a sheet of {:g} x {:g} (expected at most {:g})", pen.weight, width_,
                 height_, kHeaviest * std::max(width_, height_));
   const PenLine stroke = Stabilised(WithWeight(path, pen), pen.stabiliser);
   const std::scoped_lock lock(calls_);
-  const StatePointer now = state();
+  const StatePointer now = pen.mirror ? Settled(task) : state();  // A mirror reaches as far as the face is large.
   CheckNotRefined(*now);
   const std::vector<PenLine> drawn = pen.mirror
                                          ? WithMirrorImage(stroke, MirrorOf(*now), kMirrorReach / now->frame.scale)
@@ -181,18 +209,18 @@ void SketchSession::Draw(const CanvasPoints& path, const Pen& pen, const Task& t
       const PenLine line = OnCanvas(next.frame, one);
       sketch::Draw(next.lines, line.points, line.widths);
     }
-    Follow(next, task);
-    return Add(std::move(next));
+    return AddDrawn(std::move(next), when, task);
   }
-  std::vector<render::WeightedStroke> strokes = now->strokes;
+  SketchState next = Blank();
+  next.strokes = now->strokes;
   for (const PenLine& one : drawn) {
     CheckStroke(one.points);
-    strokes.push_back(StrokeOf(one));
+    next.strokes.push_back(StrokeOf(one));
   }
-  Add(Predicted(std::move(strokes), task));
+  AddDrawn(std::move(next), when, task);
 }
 
-bool SketchSession::Erase(const CanvasPoints& path, bool mirror, const Task& task) {
+bool SketchSession::Erase(const CanvasPoints& path, bool mirror, const Task& task, FaceTime when) {
   DAUMIER_CHECK(!path.empty(), "the eraser's path has no point");
   CheckOnSheet(path);
   const std::scoped_lock lock(calls_);
@@ -205,28 +233,28 @@ bool SketchSession::Erase(const CanvasPoints& path, bool mirror, const Task& tas
     bool is_changed = false;
     for (const CanvasPoints& one : paths)
       is_changed = sketch::Erase(next.lines, OnCanvas(next.frame, one)) || is_changed;
-    if (!is_changed) return false;
-    Follow(next, task);
-    Add(std::move(next));
-    return true;
+    if (is_changed) AddDrawn(std::move(next), when, task);
+    return is_changed;
   }
   const double reach = kEraserReach / WholeSheet(width_, height_).scale;
-  std::vector<render::WeightedStroke> left = now->strokes;
+  SketchState next = Blank();
+  next.strokes = now->strokes;
   bool is_changed = false;
   for (const CanvasPoints& one : paths) {
     std::vector<render::WeightedStroke> kept;
-    for (const render::WeightedStroke& stroke : left) {
+    for (const render::WeightedStroke& stroke : next.strokes) {
       std::vector<render::WeightedStroke> parts = LeftOf(stroke, one, reach);
       is_changed = is_changed || parts.size() != 1 || parts.front().points != stroke.points;
       std::ranges::move(parts, std::back_inserter(kept));
     }
-    left = std::move(kept);
+    next.strokes = std::move(kept);
   }
-  if (is_changed) Add(Predicted(std::move(left), task));
+  if (is_changed) AddDrawn(std::move(next), when, task);
   return is_changed;
 }
 
 void SketchSession::FollowUp() {
+  Settle();
   const StatePointer now = state();
   if (now->is_follow_up()) return;
   if (now->vertices.rows() > 0) return FollowUpFrom(now->vertices);
@@ -235,7 +263,7 @@ void SketchSession::FollowUp() {
 
 void SketchSession::FollowUpFrom(const geometry::Points& vertices, Untouched untouched) {
   const std::scoped_lock lock(calls_);
-  const StatePointer now = state();
+  const StatePointer now = Settled();
   SketchState next;
   next.start = std::make_shared<const FollowUpStart>(follower_.Begin(vertices, untouched));
   next.lines = follower_.CurvesOf(vertices);
@@ -270,7 +298,7 @@ SketchState SketchSession::Refined(const SketchState& from, RefinementState refi
 
 void SketchSession::Refine() {
   const std::scoped_lock lock(calls_);
-  const StatePointer now = state();
+  const StatePointer now = Settled();
   if (now->is_refinement()) return;
   const bool has_face = now->vertices.rows() > 0;
   Add(Refined(*now,

@@ -23,10 +23,15 @@ struct SketchState {
   render::Placement frame;            ///< Sheet to canvas, where the camera of the sketches sees the face.
   geometry::Points vertices;          ///< V x 3, cm; empty while there is no face.
   std::vector<std::string> warnings;  ///< Of the face.
+  bool is_pending = false;            ///< The face is not that of the lines yet (FaceTime::kWhenNeeded).
 
   bool is_follow_up() const { return start != nullptr; }
   bool is_refinement() const { return refinement != nullptr; }
 };
+
+/// When the face of a new state is predicted. A session that is resumed needs the face of its last state, and others only if they
+/// are undone to.
+enum class FaceTime { kNow, kWhenNeeded };
 
 /// A face while a person draws it [Han et al. 2017, sections 3.1, 3.2 and 5.1]. In initial mode all strokes are predicted
 /// as `daumier predict` does. In follow-up mode the feature curves of the face are lines that are erased and redrawn
@@ -51,11 +56,14 @@ class SketchSession {
   /// The face depends on the path alone, the pen's weight is kept for drawings: a redrawn line keeps it, also while the face is refined.
   /// @throws Error as WithWeight, Stabilised and sketch::Draw, if a point lies farther away than kFarthest, the line is heavier than
   /// kHeaviest, or in refinement mode; Cancelled if the task is.
-  void Draw(const CanvasPoints& path, const Pen& pen = {}, const Task& task = {});
+  /// With FaceTime::kWhenNeeded the state may be pending until Settle, a step of undo or another mode.
+  void Draw(const CanvasPoints& path, const Pen& pen = {}, const Task& task = {}, FaceTime when = FaceTime::kNow);
   /// In initial mode what lies within kEraserReach of the path, in follow-up mode as sketch::Erase, in pixels of the
   /// canvas in both; with `mirror` also what its image erases. False, without a new state, if that is nothing.
   /// @throws Error as Draw.
-  bool Erase(const CanvasPoints& path, bool mirror = false, const Task& task = {});
+  bool Erase(const CanvasPoints& path, bool mirror = false, const Task& task = {}, FaceTime when = FaceTime::kNow);
+  /// Predicts the face of a pending state. @throws Cancelled if the task is.
+  void Settle(const Task& task = {});
   /// Follow-up mode, from the current face, whose lines stay where they were drawn or refined, or, where there is none,
   /// from the mean neutral face, whose lines follow until they are redrawn.
   void FollowUp();
@@ -95,9 +103,15 @@ class SketchSession {
   /// Calls are locked. @throws Error as Apply.
   SketchState Applied(const SketchState& from, const RefinementOperation& operation);
   bool Step(int by);
-  SketchState Predicted(std::vector<render::WeightedStroke> strokes, const Task& task) const;
+  SketchState Blank() const;
+  /// The face of the strokes. @throws Cancelled if the task is.
+  void Predict(SketchState& state, const Task& task) const;
   /// The face of the lines. @throws Cancelled if the task is.
   void Follow(SketchState& state, const Task& task) const;
+  /// A state of new strokes or lines.
+  void AddDrawn(SketchState state, FaceTime when, const Task& task);
+  /// The current state with its face. Calls are locked.
+  StatePointer Settled(const Task& task = {});
 
   const CurveFollower follower_;
   const double width_, height_;
