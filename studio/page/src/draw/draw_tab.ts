@@ -81,8 +81,7 @@ class DrawTab implements Tab {
       if (chosen) this.reference.read(chosen).catch((error) => studio.fail(error));
       this.file.value = "";
     });
-    this.paper.element.append(this.bars.float);
-    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.bottom, this.start.element, this.file);
+    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.float, this.bars.bottom, this.start.element, this.file);
     this.start.hide();
     addEventListener("keyup", (event) => { if (event.key === " ") this.setPanning(false); });
     addEventListener("blur", () => this.setPanning(false));

@@ -27,6 +27,8 @@ export interface PaperContent {
 
 export function drawUnder(context: CanvasRenderingContext2D, view: PaperView, content: PaperContent): void {
   const [width, height] = view.sheet;
+  // draw.css gives the canvas the paper's colour of the theme as the colour of its text.
+  const paperColour = getComputedStyle(context.canvas).color;
   context.save();
   context.translate(view.x, view.y);
   context.scale(view.zoom, view.zoom);
@@ -34,7 +36,7 @@ export function drawUnder(context: CanvasRenderingContext2D, view: PaperView, co
     context.shadowColor = "#0000002e";
     context.shadowBlur = 14;
     context.shadowOffsetY = 3;
-    context.fillStyle = "#fffefb";
+    context.fillStyle = paperColour;
     context.fillRect(0, 0, width, height);
     context.shadowColor = "transparent";
     const reference = content.reference;
