@@ -58,7 +58,6 @@ export interface SessionEntry {
 export interface Example {
   name: string;
   title: string;
-  kind: string;
 }
 
 export type View = [number, number];

@@ -35,10 +35,10 @@ export class HeadScene {
       made.position.set(x, y, z);
       this.lights.add(made, made.target);
     };
-    light(0xfff3e6, 2.1, -0.7, 0.75, 1);
+    light(0xfff1e2, 2.3, -0.7, 0.75, 1);
     light(0xdfeaff, 0.75, 1, 0.1, 0.6);
     light(0xffffff, 0.9, 0.5, 0.8, -1);
-    this.scene.add(this.mesh, this.lights, new HemisphereLight(0xf4f7ff, 0x8a7a70, 0.95));
+    this.scene.add(this.mesh, this.lights, new HemisphereLight(0xf4f7ff, 0x9a877a, 1.1));
   }
 
   get positions(): Float32Array {

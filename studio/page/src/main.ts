@@ -10,12 +10,12 @@ import { createTakeAwayTab } from "./take_away/take_away_tab";
 
 async function start(root: HTMLElement): Promise<void> {
   const studio = new StudioPage(new Api(takeToken()));
-  const [head, triangles] = await Promise.all([studio.api.head(), studio.api.triangles()]);
-  studio.viewer.setHead(head, triangles);
+  const head = Promise.all([studio.api.head(), studio.api.triangles()]);
   for (const create of [createDrawTab, createShapeTab, createAvatarTab, createTakeAwayTab]) studio.add(create(studio));
   root.replaceChildren(studio.element);
-  studio.faces.refresh().catch((error) => studio.fail(error));
   studio.open(studio.recall<Tab["id"]>("tab", "draw"));
+  studio.faces.refresh().catch((error) => studio.fail(error));
+  studio.viewer.setHead(...(await head));
 }
 
 const root = document.getElementById("studio");

@@ -35,7 +35,10 @@ export function slider(options: SliderOptions): Slider {
   const number = el("input", { type: "number", class: "p-number", ...shared, "aria-label": `${options.name}, typed` });
   const label = el("label", { for: id, class: "p-slider-label", title: options.name }, options.label ?? options.name);
   const element = el("div", { class: "p-slider" }, label, range, number);
-  if (options.unit) element.append(el("span", { class: "p-unit" }, options.unit));
+  if (options.unit) {
+    element.classList.add("p-with-unit");
+    element.append(el("span", { class: "p-unit" }, options.unit));
+  }
 
   let value = neutral;
   const share = (at: number) => (100 * (at - least)) / (greatest - least);

@@ -22,8 +22,7 @@ export class Viewer {
   readonly orbit: Orbit;
   private readonly stage: HTMLElement;
   private readonly note: HTMLElement;
-  private readonly renderer: WebGLRenderer;
-  private readonly resolution: AdaptiveResolution;
+  private drawing: { renderer: WebGLRenderer; resolution: AdaptiveResolution } | null = null;
   private readonly camera = new PerspectiveCamera(kFieldOfView, 1, 1, 1000);
   private readonly handlePoints: Points;
   private readonly chosenPoint: Points;
@@ -33,17 +32,14 @@ export class Viewer {
   private handles: number[] = [];
   private chosen: number | null = null;
   private frame = 0;
+  /** Vertices that arrived before the head. */
+  private early: Float32Array | null = null;
 
   constructor() {
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
-    this.resolution = new AdaptiveResolution(this.renderer, () => this.invalidate());
-    this.renderer.setClearColor(0, 0);
-    const canvas = this.renderer.domElement;
-    canvas.setAttribute("aria-hidden", "true");
     this.note = el("p", { class: "view-note", hidden: true });
     this.stage = el("div", {
       class: "view-stage", tabindex: 0, role: "application", "aria-label": "3-D view of the face. Arrow keys turn it, plus and minus zoom, 0 shows the front.",
-    }, canvas, this.note);
+    }, this.note);
     const look = (label: string, name: keyof typeof kViews) => button(label, () => this.lookFrom(name));
     this.element = el("section", { class: "view", "aria-label": "3-D view" }, this.stage,
       el("div", { class: "view-buttons", role: "group", "aria-label": "View from" }, look("Front", "front"), look("¾", "three-quarter"), look("Side", "side")));
@@ -62,13 +58,22 @@ export class Viewer {
     this.handlePoints = points(0x1d6fd6, 7);
     this.chosenPoint = points(0xe0572a, 11);
     new ResizeObserver(() => this.resize()).observe(this.stage);
-    canvas.addEventListener("webglcontextrestored", () => this.invalidate());
   }
 
   /** The head's topology, once, before all else. */
   setHead(head: Head, triangles: Uint32Array): void {
+    // WebGL begins here and not with the page: it takes a part of a second, in which the page is to be seen.
+    const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    renderer.setClearColor(0, 0);
+    renderer.domElement.setAttribute("aria-hidden", "true");
+    renderer.domElement.addEventListener("webglcontextrestored", () => this.invalidate());
+    this.drawing = { renderer, resolution: new AdaptiveResolution(renderer, () => this.invalidate()) };
+    this.stage.prepend(renderer.domElement);
     this.head = new HeadScene(head, triangles);
     this.head.scene.add(this.handlePoints, this.chosenPoint);
+    renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
+    if (this.early) this.setVertices(this.early);
+    this.early = null;
   }
   /** The scene, for a second view of the same head. */
   get scene(): HeadScene {
@@ -76,14 +81,18 @@ export class Viewer {
     return this.head;
   }
   get vertices(): Float32Array {
-    return this.scene.positions;
+    return this.head?.positions ?? new Float32Array();
   }
   get hasFace(): boolean {
-    return this.scene.hasFace;
+    return this.head?.hasFace ?? false;
   }
 
   /** N x 3 vertices in cm; shows the display head. */
   setVertices(vertices: Float32Array): void {
+    if (!this.head) {
+      this.early = vertices;
+      return;
+    }
     this.showDisplayHead();
     this.scene.setVertices(vertices);
     this.placeHandles();
@@ -92,8 +101,9 @@ export class Viewer {
   }
   /** Nothing to see, and why. */
   clear(why: string): void {
+    this.early = null;
     this.showDisplayHead();
-    this.scene.clear();
+    this.head?.clear();
     this.setHandles([]);
     this.say(why);
     this.invalidate();
@@ -198,6 +208,7 @@ export class Viewer {
   /** Shows a head of a .glb file in place of the display head, until setVertices, clear or showDisplayHead. */
   async loadGlb(bytes: ArrayBuffer): Promise<RiggedHead> {
     const rig = await readRiggedHead(bytes, () => this.invalidate());
+    if (!this.head) throw new Error("The head has not arrived.");
     this.showDisplayHead();
     this.rig = rig;
     this.scene.setRigged(rig.object);
@@ -245,26 +256,29 @@ export class Viewer {
     });
   }
   private draw(): void {
-    if (!this.head || this.stage.clientWidth === 0) return;
+    if (!this.head || !this.drawing || this.stage.clientWidth === 0) return;
+    const { renderer, resolution } = this.drawing;
     this.placeCamera();
     this.head.lightFrom(this.camera);
     const shown = this.rig === null && this.head.hasFace;
     this.handlePoints.visible = shown && this.handles.length > 0;
     this.chosenPoint.visible = shown && this.chosen !== null;
-    this.resolution.begin();
-    this.renderer.render(this.head.scene, this.camera);
-    this.resolution.end();
+    resolution.begin();
+    renderer.render(this.head.scene, this.camera);
+    resolution.end();
   }
   private resize(): void {
-    this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
+    this.drawing?.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
     // A resized canvas is empty until it is drawn: drawing at once avoids a flash.
     this.draw();
   }
 
   async screenshot(): Promise<Blob> {
     this.draw();
+    const canvas = this.drawing?.renderer.domElement;
+    if (!canvas) throw new Error("The head has not arrived.");
     return new Promise((done, fail) => {
-      this.renderer.domElement.toBlob((blob) => (blob ? done(blob) : fail(new Error("The picture could not be made."))));
+      canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error("The picture could not be made."))));
     });
   }
 }

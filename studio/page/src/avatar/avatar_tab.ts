@@ -30,6 +30,7 @@ class AvatarTab implements Tab {
   private readonly avatarJob: JobCard;
   private readonly make: HTMLButtonElement;
   private readonly result = el("div", { class: "p-result", hidden: true });
+  private readonly pictureSection = section("picture and landmarks", true);
   private play: PlayPart | null = null;
   private info: ShapeInfo | null = null;
   private bytes: ArrayBuffer | null = null;
@@ -43,6 +44,7 @@ class AvatarTab implements Tab {
     this.stages = new StagesStrip(studio.api);
     this.landmarksJob = new JobCard(studio.api);
     this.avatarJob = new JobCard(studio.api);
+    this.pictureSection.body.append(this.picture.element, this.landmarksJob.element);
     this.make = button("Make the head", () => void this.makeHead(), { kind: "primary" });
   }
 
@@ -143,6 +145,7 @@ class AvatarTab implements Tab {
     const options = { ...kFirstOptions, ...this.state?.options };
     this.state = { source, options, found: null, landmarks: null, job: null, made: null };
     this.forgetHead();
+    this.pictureSection.element.open = true;
     await this.showWork(bytes);
     this.keep();
     await this.findLandmarks();
@@ -207,8 +210,7 @@ class AvatarTab implements Tab {
         "div",
         { class: "p-scroll" },
         el("div", { class: "p-row p-spread p-heading" }, el("h2", { title: source.name }, source.name), other),
-        this.picture.element,
-        this.landmarksJob.element,
+        this.pictureSection.element,
         choices,
         el("div", { class: "p-make" }, this.make),
         this.avatarJob.element,
@@ -292,6 +294,8 @@ class AvatarTab implements Tab {
       this.studio.open("take-away");
     }, { icon: "download" });
     const warnings = warningList(job.warnings);
+    // The picture makes room for what can be played.
+    this.pictureSection.element.open = false;
     this.result.hidden = false;
     this.result.replaceChildren(
       el("div", { class: "p-row p-spread" }, el("p", { role: "status" }, `The head is made, in ${job.seconds.toFixed(1)} s.`), take),

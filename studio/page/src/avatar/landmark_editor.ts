@@ -161,28 +161,32 @@ export class LandmarkEditor {
       this.box.y + ((event.clientY - frame.top) / frame.height) * this.box.height,
     ];
   }
+  /** The box that holds the whole picture has the shape of the frame. */
+  private get wholeWidth(): number {
+    return Math.max(this.size[0], this.size[1] * this.aspect);
+  }
+  private get aspect(): number {
+    return (this.stage.clientWidth || 1) / (this.stage.clientHeight || 1);
+  }
   private fit(): void {
-    this.box = { x: 0, y: 0, width: this.size[0], height: this.size[1] };
+    this.box = { x: 0, y: 0, width: Infinity, height: Infinity };
     this.showBox();
   }
   private zoom(factor: number, at?: Point): void {
     const own = this.selected === null ? undefined : this.points[this.selected];
     const centre = at ?? own ?? [this.box.x + this.box.width / 2, this.box.y + this.box.height / 2];
-    const width = Math.min(this.size[0], Math.max(this.size[0] / kGreatestZoom, this.box.width / factor));
+    const width = Math.min(this.wholeWidth, Math.max(this.wholeWidth / kGreatestZoom, this.box.width / factor));
     const share = width / this.box.width;
-    this.box = {
-      x: centre[0] - (centre[0] - this.box.x) * share,
-      y: centre[1] - (centre[1] - this.box.y) * share,
-      width,
-      height: (width * this.size[1]) / this.size[0],
-    };
+    this.box = { x: centre[0] - (centre[0] - this.box.x) * share, y: centre[1] - (centre[1] - this.box.y) * share, width, height: 1 };
     this.showBox();
   }
   private showBox(): void {
-    // The picture never leaves the frame.
-    this.box.x = Math.min(this.size[0] - this.box.width, Math.max(0, this.box.x));
-    this.box.y = Math.min(this.size[1] - this.box.height, Math.max(0, this.box.y));
-    this.svg.setAttribute("viewBox", `${this.box.x} ${this.box.y} ${this.box.width} ${this.box.height}`);
+    const width = Math.min(this.wholeWidth, this.box.width);
+    const height = width / this.aspect;
+    // The picture never leaves the frame; a side that it does not fill has it in the middle.
+    const within = (at: number, length: number, most: number) => (length >= most ? (most - length) / 2 : Math.min(most - length, Math.max(0, at)));
+    this.box = { x: within(this.box.x, width, this.size[0]), y: within(this.box.y, height, this.size[1]), width, height };
+    this.svg.setAttribute("viewBox", `${this.box.x} ${this.box.y} ${width} ${height}`);
     this.showPoints();
   }
 

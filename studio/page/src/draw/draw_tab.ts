@@ -9,7 +9,7 @@ import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
 import { SheetFace } from "./sheet_face";
 import { StartScreen } from "./start_screen";
-import { append, lengthOf, mirrored, pointsOf, pressureOf, stabilised, type Sample } from "./stroke_path";
+import { append, lengthOf, mirrored, pointsOf, pressureOf, removedParts, stabilised, type Sample } from "./stroke_path";
 import { ToolBars, type PenSettings } from "./tool_bars";
 import { cursorOf, toolsOf, type ToolName } from "./tools";
 
@@ -39,6 +39,7 @@ class DrawTab implements Tab {
   /** Strokes that the server has not drawn yet, by the number of their event. */
   private pending = new Map<number, LocalStroke[]>();
   private events = 0;
+  private ghosts: Point[][] = [];
   private pen: Point | null = null;
   private view: View = [0, 0];
   private face: SheetFace | null = null;
@@ -81,8 +82,7 @@ class DrawTab implements Tab {
       if (chosen) this.reference.read(chosen).catch((error) => studio.fail(error));
       this.file.value = "";
     });
-    this.paper.element.append(this.bars.float);
-    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.bottom, this.start.element, this.file);
+    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.float, this.bars.bottom, this.start.element, this.file);
     this.start.hide();
     addEventListener("keyup", (event) => { if (event.key === " ") this.setPanning(false); });
     addEventListener("blur", () => this.setPanning(false));
@@ -144,10 +144,14 @@ class DrawTab implements Tab {
     this.session.stopPreview();
   }
   undo(): void {
-    if (this.session.state?.can_undo) void this.session.send({ do: "undo" });
+    if (this.session.state?.can_undo) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
   }
   redo(): void {
-    if (this.session.state?.can_redo) void this.session.send({ do: "redo" });
+    if (this.session.state?.can_redo) void this.session.send({ do: "redo" }).then(() => this.forgetGhosts());
+  }
+  private forgetGhosts(): void {
+    this.ghosts = [];
+    this.paper.invalidate("ink");
   }
   canUndo(): boolean {
     return this.session.state?.can_undo ?? false;
@@ -285,6 +289,7 @@ class DrawTab implements Tab {
     if (state.mode !== this.modeShown) this.chooseTool(state);
     const isNewMode = state.mode !== this.modeShown;
     this.modeShown = state.mode;
+    if (isNewMode) this.ghosts = [];
     if (state.gesture) this.studio.say(`Understood: ${state.gesture}.`);
     else if (state.changed === false) this.studio.say("Nothing was there to change.");
     if (state.mode === "draw") this.mirrorAxis = state.sheet[0] / 2;
@@ -387,6 +392,7 @@ class DrawTab implements Tab {
       local: [...[...this.pending.values()].flat(), ...this.stroke],
       mirrorAxis: this.settings.mirror && mode !== "refine" ? this.mirrorAxis : null,
       reference: this.reference.content,
+      ghosts: this.ghosts,
       pen: this.pen,
       faceBelow: mode === "refine" && this.face !== null,
     };
@@ -466,6 +472,8 @@ class DrawTab implements Tab {
     const last = this.paper.toSheet(event.clientX, event.clientY);
     append(this.path, { ...last, pressure: this.path[this.path.length - 1]?.pressure ?? 1 });
     const made = this.eventOf(event.pointerType === "pen");
+    const before = this.session.state?.mode === "follow_up" ? this.session.state.lines : [];
+    const line = made?.do === "draw" && this.session.state?.mode === "draw" ? this.drawn() : null;
     const number = ++this.events;
     if (made) this.pending.set(number, this.stroke);
     this.path = [];
@@ -475,13 +483,12 @@ class DrawTab implements Tab {
       this.session.stopPreview();
       return;
     }
-    void this.session.send(made, endedAt).then((state) => this.sent(number, made, state));
-  }
-  private sent(number: number, event: SessionEvent, state: SessionState | null): void {
-    this.pending.delete(number);
-    this.paper.invalidate("ink");
-    // After an erased line the pen is what a person needs.
-    if (event.do === "erase" && state?.mode === "follow_up" && state.open_ends.length > 0 && this.tool === "eraser") this.refreshTools();
+    void this.session.send(made, endedAt, line).then((state) => {
+      this.pending.delete(number);
+      if (state && made.do === "erase") this.ghosts.push(...removedParts(before.map((each) => each.points), state.lines.map((each) => each.points)));
+      else this.ghosts = [];
+      this.paper.invalidate("ink");
+    });
   }
   private eventOf(isPen: boolean): SessionEvent | null {
     const points = pointsOf(this.path);

@@ -49,6 +49,8 @@ export class Paper {
       this.invalidate("all");
       this.draw();
     }).observe(this.element);
+    document.addEventListener("themechange", () => this.invalidate("all"));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.invalidate("all"));
   }
 
   /** Puts the canvas of the face between paper and ink. */
@@ -111,6 +113,7 @@ export class Paper {
     const [width, height] = this.view.size;
     if (width < 2 || height < 2) return;
     const content = this.host.content();
+    this.element.classList.toggle("with-face", content.faceBelow);
     if (this.underStale) drawUnder(prepare(this.under, width, height), this.view, content);
     this.underStale = false;
     const face = this.host.face();
@@ -126,7 +129,7 @@ export class Paper {
 /** A cleared context in css pixels. */
 function prepare(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
   const ratio = Math.min(2, devicePixelRatio);
-  const context = canvas.getContext("2d");
+  const context = canvas.getContext("2d", { willReadFrequently: true });
   if (!context) throw new Error("This browser cannot draw.");
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);

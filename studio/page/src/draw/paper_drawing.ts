@@ -3,7 +3,7 @@ import type { Point, SessionState } from "../api_types";
 import type { PaperView } from "./paper_view";
 
 /** The paper is light in both themes, so ink has one set of colours. */
-const kInk = { stroke: "#23282d", curve: "#1f5a68", wrinkle: "#8a4b2a", gap: "#c2500b", guide: "#155e6366", trail: "#c2500b55", arrow: "#1d6fd6" };
+const kInk = { stroke: "#23282d", curve: "#1f5a68", wrinkle: "#8a4b2a", gap: "#c2500b", guide: "#155e6366", trail: "#c2500b55", arrow: "#1d6fd6", ghost: "#c2500b38" };
 /** Width in sheet pixels of a line without a weight, at a sheet of 512. */
 const kWidth = 2.6 / 512;
 
@@ -19,6 +19,8 @@ export interface PaperContent {
   local: readonly LocalStroke[];
   mirrorAxis: number | null;
   reference: { picture: CanvasImageSource; width: number; height: number; opacity: number } | null;
+  /** Lines that were erased and wait to be drawn again. */
+  ghosts: readonly Point[][];
   /** The end of the pen, where gaps show what would snap. */
   pen: Point | null;
   /** The face is drawn below instead of lines. */
@@ -27,6 +29,8 @@ export interface PaperContent {
 
 export function drawUnder(context: CanvasRenderingContext2D, view: PaperView, content: PaperContent): void {
   const [width, height] = view.sheet;
+  // draw.css gives the canvas the paper's colour of the theme as the colour of its text.
+  const paperColour = getComputedStyle(context.canvas).color;
   context.save();
   context.translate(view.x, view.y);
   context.scale(view.zoom, view.zoom);
@@ -34,7 +38,7 @@ export function drawUnder(context: CanvasRenderingContext2D, view: PaperView, co
     context.shadowColor = "#0000002e";
     context.shadowBlur = 14;
     context.shadowOffsetY = 3;
-    context.fillStyle = "#fffefb";
+    context.fillStyle = paperColour;
     context.fillRect(0, 0, width, height);
     context.shadowColor = "transparent";
     const reference = content.reference;
@@ -65,6 +69,9 @@ export function drawInk(context: CanvasRenderingContext2D, view: PaperView, cont
   context.lineJoin = "round";
   const thin = kWidth * Math.max(...view.sheet);
   if (!content.faceBelow) {
+    context.strokeStyle = kInk.ghost;
+    context.lineWidth = thin;
+    for (const ghost of content.ghosts) path(context, ghost);
     for (const line of content.state?.lines ?? []) {
       context.strokeStyle = kInk[line.kind];
       context.lineWidth = line.width > 0 ? line.width : thin;

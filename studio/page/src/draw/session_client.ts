@@ -5,8 +5,10 @@ import type { Point, SessionEvent, SessionState } from "../api_types";
 
 declare global {
   interface Window {
-    /** Milliseconds from the end of the last strokes to applied vertices, without WebGL drawing; at most 100, newest last. */
+    /** Milliseconds from the end of a stroke to the first applied vertices that it has shaped, without WebGL drawing; at most 100, newest last. */
     daumierTimes?: number[];
+    /** The same to the vertices of the state on the server, where those of the network alone came first. */
+    daumierFinalTimes?: number[];
   }
 }
 
@@ -28,7 +30,8 @@ export class SessionClient {
   private count = 0;
   private fetching: AbortController | null = null;
   private previewing: AbortController | null = null;
-  private nextPreview: Point[] | null = null;
+  private nextPreview: { points: Point[]; endedAt: number | null } | null = null;
+  private recorded = -1;
 
   constructor(private readonly api: Api, private readonly listener: SessionListener) {}
 
@@ -52,9 +55,13 @@ export class SessionClient {
     this.current = null;
   }
 
-  /** Sends an event after those that wait. endedAt: performance.now() when the pen was lifted. Null: it failed. */
-  send(event: SessionEvent, endedAt = performance.now()): Promise<SessionState | null> {
-    this.stopPreview();
+  /**
+   * Sends an event after those that wait. endedAt: performance.now() when the pen was lifted. line: the whole stroke, of which a last
+   * preview arrives before the state does. Null: it failed.
+   */
+  send(event: SessionEvent, endedAt = performance.now(), line: Point[] | null = null): Promise<SessionState | null> {
+    if (line && this.count === 0) this.preview(line, endedAt);
+    else this.stopPreview();
     const id = this.id;
     this.listener.waiting(++this.count);
     const sent = this.queue.then(async () => {
@@ -62,6 +69,7 @@ export class SessionClient {
         if (id === null || id !== this.id) return null;
         const state = await this.api.sendEvent(id, event);
         if (id !== this.id) return null;
+        this.stopPreview();
         this.current = state;
         this.listener.state(state);
         // The next event need not wait for the vertices of this one.
@@ -86,21 +94,26 @@ export class SessionClient {
       const vertices = state.has_face ? await this.api.sessionVertices(state.id, state.revision, control.signal) : null;
       if (control.signal.aborted || this.id !== state.id) return;
       this.listener.vertices(vertices);
-      if (endedAt !== null && vertices) this.recordTime(performance.now() - endedAt);
+      if (endedAt !== null && vertices) this.recordTime(endedAt, true);
     } catch (error) {
       if (!isAbort(error)) this.listener.fail(error);
     }
   }
-  private recordTime(milliseconds: number): void {
-    const times = (window.daumierTimes ??= []);
-    times.push(milliseconds);
-    if (times.length > kMostTimes) times.shift();
+  /** Of the faces of one stroke the first one counts as the answer to it. */
+  private recordTime(endedAt: number, isFinal: boolean): void {
+    const record = (times: number[]) => {
+      times.push(performance.now() - endedAt);
+      if (times.length > kMostTimes) times.shift();
+    };
+    if (endedAt !== this.recorded) record((window.daumierTimes ??= []));
+    if (isFinal) record((window.daumierFinalTimes ??= []));
+    this.recorded = endedAt;
   }
 
   /** The face while the pen is down. While one request is under way the newest points wait, older ones are dropped. */
-  preview(points: Point[]): void {
+  preview(points: Point[], endedAt: number | null = null): void {
     if (!this.current || this.current.mode !== "draw" || this.count > 0) return;
-    this.nextPreview = points;
+    this.nextPreview = { points, endedAt };
     if (!this.previewing) void this.runPreviews(this.current.id);
   }
   private async runPreviews(id: string): Promise<void> {
@@ -108,10 +121,12 @@ export class SessionClient {
     this.previewing = control;
     try {
       while (this.nextPreview && !control.signal.aborted) {
-        const points = this.nextPreview;
+        const { points, endedAt } = this.nextPreview;
         this.nextPreview = null;
         const vertices = await this.api.preview(id, points, control.signal);
-        if (!control.signal.aborted && vertices) this.listener.vertices(vertices);
+        if (control.signal.aborted || !vertices) continue;
+        this.listener.vertices(vertices);
+        if (endedAt !== null) this.recordTime(endedAt, false);
       }
     } catch {
       // A preview that fails is no loss: the event at the end of the stroke reports what is wrong.

@@ -13,12 +13,22 @@ export interface StartHost {
   fail(error: unknown): void;
 }
 
-/** Doodles of the examples, in their order: front, profile, old face. */
-const kDoodles = [
-  "M20 34c0 20 8 34 20 34s20-14 20-34S52 12 40 12 20 20 20 34M28 36c3-3 6-3 9 0M43 36c3-3 6-3 9 0M39 40c-1 5-3 8-2 9s4 1 5 0M33 57c4 3 10 3 14 0",
-  "M46 12c-14 0-20 9-20 18 0 4 1 6 0 9l-6 9c0 2 5 1 5 3l-1 4c3 2 0 3 1 5 1 4 5 4 10 3 2 3 2 6 2 9M33 32c3-2 5-2 7 0M52 40c4-3 7 0 6 4s-4 6-6 5",
-  "M21 33c-1 21 9 36 19 36s20-15 19-36C58 18 50 12 40 12S22 18 21 33M28 38c3-3 6-3 9 0M43 38c3-3 6-3 9 0M39 41c-2 5-4 8-2 9s5 1 6 0M32 58c5 2 11 2 16 0M30 24c6-3 14-3 20 0M32 29c5-2 11-2 16 0M29 49c0 4 1 6 2 8M51 49c0 4-1 6-2 8",
-];
+/** Doodle and words of an example by its name; others have the words of the server. */
+const kExamples: Readonly<Record<string, { title: string; doodle: string }>> = {
+  front: {
+    title: "A portrait, drawn and corrected",
+    doodle: "M20 34c0 20 8 34 20 34s20-14 20-34S52 12 40 12 20 20 20 34M28 36c3-3 6-3 9 0M43 36c3-3 6-3 9 0M39 40c-1 5-3 8-2 9s4 1 5 0M33 57c4 3 10 3 14 0",
+  },
+  side: {
+    title: "A profile, pulled in 3-D",
+    doodle: "M46 12c-14 0-20 9-20 18 0 4 1 6 0 9l-6 9c0 2 5 1 5 3l-1 4c3 2 0 3 1 5 1 4 5 4 10 3 2 3 2 6 2 9M33 32c3-2 5-2 7 0M52 40c4-3 7 0 6 4s-4 6-6 5",
+  },
+  wrinkles: {
+    title: "Wrinkles of an old face",
+    doodle: "M21 33c-1 21 9 36 19 36s20-15 19-36C58 18 50 12 40 12S22 18 21 33M28 38c3-3 6-3 9 0M43 38c3-3 6-3 9 0M39 41c-2 5-4 8-2 9s5 1 6 0M32 58c5 2 11 2 16 0M30 24c6-3 14-3 20 0M32 29c5-2 11-2 16 0M29 49c0 4 1 6 2 8M51 49c0 4-1 6-2 8",
+  },
+};
+const kNumExamples = 3;
 
 export class StartScreen {
   readonly element: HTMLElement;
@@ -59,10 +69,14 @@ export class StartScreen {
   }
 
   private showExamples(examples: readonly Example[]): void {
-    const sessions = examples.filter((example) => example.kind === "session").slice(0, 3);
-    this.examples.replaceChildren(...sessions.map((example, i) => el("button", {
-      type: "button", class: "start-example", onclick: () => this.host.begin({ begin: "blank", example: example.name, name: example.title }),
-    }, doodle(kDoodles[i % kDoodles.length] ?? ""), el("span", {}, example.title))));
+    const described = examples.filter((example) => example.name in kExamples);
+    const shown = [...described, ...examples.filter((example) => !(example.name in kExamples))].slice(0, kNumExamples);
+    this.examples.replaceChildren(...shown.map((example) => {
+      const { title, doodle } = kExamples[example.name] ?? { title: example.title, doodle: kExamples["front"]?.doodle ?? "" };
+      return el("button", {
+        type: "button", class: "start-example", onclick: () => this.host.begin({ begin: "blank", example: example.name, name: title }),
+      }, drawing(doodle), el("span", {}, title));
+    }));
   }
   private showSessions(sessions: readonly SessionEntry[]): void {
     this.earlier.hidden = sessions.length === 0;
@@ -107,7 +121,7 @@ export class StartScreen {
   }
 }
 
-function doodle(d: string): SVGSVGElement {
+function drawing(d: string): SVGSVGElement {
   const svg = iconOf("pen");
   svg.setAttribute("viewBox", "0 0 80 80");
   svg.firstElementChild?.setAttribute("d", d);

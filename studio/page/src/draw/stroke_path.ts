@@ -61,3 +61,23 @@ export function lengthOf(points: readonly Point[]): number {
   }
   return sum;
 }
+
+/** The parts of lines of which no point is near those that are left: what an eraser took. */
+export function removedParts(before: readonly (readonly Point[])[], after: readonly (readonly Point[])[], near = 1.5): Point[][] {
+  const left = after.flat();
+  const isLeft = (p: Point) => left.some((q) => Math.abs(p[0] - q[0]) < near && Math.abs(p[1] - q[1]) < near);
+  const parts: Point[][] = [];
+  for (const line of before) {
+    let part: Point[] = [];
+    for (const point of line) {
+      if (!isLeft(point)) {
+        part.push(point);
+        continue;
+      }
+      if (part.length > 1) parts.push(part);
+      part = [];
+    }
+    if (part.length > 1) parts.push(part);
+  }
+  return parts;
+}

@@ -47,7 +47,7 @@ export function hintOf(state: SessionState, tool: ToolName): string {
     if (tool === "eraser") return gaps > 0 ? "A gap is open. Take the pen (B) and draw its new path, or erase more."
       : "Rub over the part of a line that you want to change. Then draw its new path.";
     return gaps > 0 ? "Draw from one orange end to the other: the line snaps to them and the face follows."
-      : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
+      : "Draw an erased line again near its old place. Elsewhere on the skin a stroke becomes a wrinkle.";
   }
   const handles = state.handles.length;
   switch (tool) {

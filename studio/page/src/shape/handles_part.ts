@@ -7,6 +7,8 @@ import type { Handle } from "./document";
 import { matches, type Editor, type Part } from "./editor";
 
 export interface HandlesPart extends Part {
+  /** The switch that lets presses on the face make points, for the top of the panel. */
+  readonly picking: HTMLElement;
   /** Turns the picking of new points on or off, as the button does. */
   setPicking(on: boolean): void;
 }
@@ -19,12 +21,15 @@ const kAxes = [
 
 /** `pick` receives whether a press on the face makes a new handle; `point` which handle is under the pointer in the list. */
 export function handlesPart(editor: Editor, folded: Memory, pick: (on: boolean) => void, point: (at: number | null) => void): HandlesPart {
-  const adding = toggle("Move points of the face", false, pick, { icon: "point" });
+  const adding = toggle("Move points", false, (on) => {
+    if (on) part.element.open = true;
+    pick(on);
+  }, { icon: "point", title: "Drag places of the face in the view" });
   const list = el("ol", { class: "p-handles" });
   const hint = el("p", { class: "p-hint" });
   const clear = button("Remove all", () => editor.change({ handles: [] }, "handles", true), { kind: "quiet" });
-  const part = section("points", folded.get("points") ?? true, (open) => folded.set("points", open));
-  part.body.append(el("div", { class: "p-row" }, adding.element, clear), hint, list);
+  const part = section("points", folded.get("points") ?? false, (open) => folded.set("points", open));
+  part.body.append(hint, list, el("div", { class: "p-row" }, clear));
 
   const field = (handle: Handle, index: number, axis: 0 | 1 | 2) => {
     const input = el("input", {
@@ -73,11 +78,12 @@ export function handlesPart(editor: Editor, folded: Memory, pick: (on: boolean) 
         ? "Press a place of the face and drag it. A press without a drag holds the place where it is. Dots can be dragged again."
         : handles.length
           ? "Centimetres from where each point was: x to the head's left, y up, z forward."
-          : "Turn this on, then drag a place of the face in the view.",
+          : "Turn on “Move points”, then drag a place of the face in the view.",
     );
   };
   return {
     element: part.element,
+    picking: adding.element,
     show,
     setPicking: (on) => {
       adding.set(on);

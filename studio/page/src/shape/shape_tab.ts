@@ -137,7 +137,8 @@ class ShapeTab implements Tab, Editor {
     });
     const reset = button("Reset", () => this.reset(), { icon: "reset", title: "Back to the face that it began with" });
     const bar = el("div", { class: "p-bar" }, el("div", { class: "p-search" }, icon("search"), search), reset);
-    const list = el("div", { class: "p-scroll" }, this.offer, ...this.parts.map((part) => part.element), nothing);
+    const quick = el("div", { class: "p-row p-quick" }, this.whole.random, handles.picking);
+    const list = el("div", { class: "p-scroll" }, this.offer, quick, ...this.parts.map((part) => part.element), nothing);
     this.element.replaceChildren(bar, list);
   }
 

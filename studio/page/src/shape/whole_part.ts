@@ -7,6 +7,8 @@ import type { Memory } from "./controls_part";
 import { matches, type Editor, type Part } from "./editor";
 
 export interface WholePart extends Part {
+  /** The button of a new random face, for the top of the panel. */
+  readonly random: HTMLElement;
   /** Faces and drawings that can be begun with, and faces to go toward. */
   offer(faces: readonly Pick<Face, "id" | "name">[], sessions: readonly SessionEntry[]): void;
 }
@@ -47,7 +49,8 @@ export function wholePart(info: ShapeInfo, editor: Editor, folded: Memory, roll:
     greatest: info.exaggeration[1],
     change: (value, done) => editor.change({ exaggeration: value }, "exaggeration", done),
   });
-  const caricatureHint = el("p", { class: "p-hint" }, "Caricature enlarges what differs from the mean face. Exaggeration enlarges what is curved.");
+  caricature.element.title = "Enlarges what differs from the mean face";
+  exaggeration.element.title = "Enlarges what is curved";
 
   const random: Random = { seed: 1, spread: 0.5 };
   const seed = el("input", { type: "number", class: "p-number", min: 0, max: 999999, step: 1, value: random.seed, "aria-label": "seed of the random face" });
@@ -72,17 +75,18 @@ export function wholePart(info: ShapeInfo, editor: Editor, folded: Memory, roll:
     seed.value = String(random.seed);
     roll(random);
   }, { icon: "dice" });
-  const chance = el("div", { class: "p-row" }, next, el("label", { class: "p-inline" }, "Seed", seed));
+  const seedField = el("div", { class: "p-slider" }, el("span", { class: "p-slider-label", "aria-hidden": "true" }, "Seed"), seed);
 
   const face = section("face", folded.get("face") ?? true, (open) => folded.set("face", open));
-  face.body.append(base.element, toward.element, share.element, none);
-  const more = section("caricature and chance", folded.get("more") ?? true, (open) => folded.set("more", open));
-  more.body.append(caricature.element, exaggeration.element, caricatureHint, chance, spread.element);
-  const element = el("div", {}, face.element, more.element);
+  face.body.append(base.element, toward.element, share.element, none, caricature.element, exaggeration.element);
+  const chance = section("random face", folded.get("random") ?? false, (open) => folded.set("random", open));
+  chance.body.append(spread.element, seedField);
+  const element = el("div", {}, face.element, chance.element);
 
   let offered = 0;
   return {
     element,
+    random: next,
     offer: (faces, sessions) => {
       offered = faces.length;
       const { base: chosen, toward: other } = editor.document;
@@ -104,15 +108,15 @@ export function wholePart(info: ShapeInfo, editor: Editor, folded: Memory, roll:
       share.set(document.toward?.share ?? 0);
       caricature.set(document.caricature ?? 0);
       exaggeration.set(document.exaggeration ?? 0);
-      const changed = [document.caricature, document.exaggeration].filter(Boolean).length;
-      more.note(changed ? `${changed} changed` : "");
+      const changed = [document.caricature, document.exaggeration, document.toward?.share].filter(Boolean).length;
+      face.note(changed ? `${changed} changed` : "");
     },
     search: (words) => {
-      const hit = matches("begin with mean drawing pinned go toward share interpolation", words);
-      const hitMore = matches("caricature exaggeration random seed spread chance", words);
+      const hit = matches("begin with mean drawing pinned go toward share interpolation caricature exaggeration", words);
+      const hitChance = matches("random face seed spread chance", words);
       face.element.hidden = !hit;
-      more.element.hidden = !hitMore;
-      return hit || hitMore;
+      chance.element.hidden = !hitChance;
+      return hit || hitChance;
     },
   };
 }

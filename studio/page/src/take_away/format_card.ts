@@ -5,9 +5,10 @@ import { commandField, JobCard, warningList } from "../job_card";
 import type { Studio } from "../tab";
 import { button, choice, fileSize, icon, newId } from "../widgets";
 import type { Format } from "./formats";
-import { targetKey, whyNot, type Target } from "./targets";
+import { targetKey, whyNot, type FormatId, type Target } from "./targets";
+import { zipOf } from "./zip";
 
-/** Files above this number are in a list that folds. */
+/** More files than these come as a .zip, and in a list that folds. */
 const kFewFiles = 4;
 
 export class FormatCard {
@@ -23,7 +24,7 @@ export class FormatCard {
   constructor(private readonly studio: Studio, private readonly format: Format) {
     this.job = new JobCard(studio.api);
     this.chosen = studio.recall<Record<string, string>>(`take-away.${format.id}`, {});
-    this.make = button(format.make, () => void this.run().catch((error) => studio.fail(error)), { kind: "plain", icon: "download" });
+    this.make = button(format.make, () => void this.run().catch((error) => studio.fail(error)), { kind: format.id === "glb" ? "primary" : "plain" });
     this.options = el(
       "div",
       { class: "p-card-options" },
@@ -62,8 +63,8 @@ export class FormatCard {
     this.element.classList.toggle("p-not", no !== null);
     if (before !== null && before !== (target && targetKey(target))) this.stale();
   }
-  cancel(): void {
-    this.job.cancel();
+  get id(): FormatId {
+    return this.format.id;
   }
 
   /** Files of another face or of other choices are not offered. */
@@ -105,20 +106,18 @@ export class FormatCard {
   private showFiles(job: Job): void {
     const files = job.files.filter((file) => !file.name.startsWith("stages/"));
     const links = files.map((file) => this.link(job, file));
-    const list = el("ul", { class: "p-file-list" }, ...links.slice(0, kFewFiles).map((link) => el("li", {}, link)));
-    const rest = links.slice(kFewFiles);
     const sum = files.reduce((total, file) => total + file.size, 0);
+    const list = el("ul", { class: "p-file-list" }, ...links.map((link) => el("li", {}, link)));
+    const names = files.map((file) => file.name);
+    const many = files.length > kFewFiles && [
+      button(`Download all as a .zip`, () => void this.downloadAll(job, names).catch((error) => this.studio.fail(error)), { icon: "download" }),
+      el("details", { class: "p-how" }, el("summary", {}, "One by one"), list),
+    ];
     const warnings = warningList(job.warnings);
     this.result.hidden = false;
     this.result.replaceChildren(
       el("p", { role: "status" }, `Ready: ${files.length === 1 ? "one file" : `${files.length} files`}, ${fileSize(sum)}, in ${job.seconds.toFixed(1)} s.`),
-      list,
-      ...(rest.length
-        ? [
-            el("details", { class: "p-how" }, el("summary", {}, `${rest.length} more`), el("ul", { class: "p-file-list" }, ...rest.map((link) => el("li", {}, link)))),
-            button(`Download all ${files.length}`, () => void this.downloadAll(job, files.map((file) => file.name)).catch((error) => this.studio.fail(error)), { icon: "download" }),
-          ]
-        : []),
+      ...(many || [list]),
       ...(warnings ? [warnings] : []),
       commandField(job.command),
     );
@@ -128,7 +127,7 @@ export class FormatCard {
     const made = button(file.name, () => void this.downloadOne(job, file.name).catch((error) => this.studio.fail(error)), {
       kind: "quiet",
       icon: "download",
-      name: `Download ${file.name}, ${fileSize(file.size)}`,
+      title: `Download ${file.name}`,
     });
     made.append(el("span", { class: "p-note" }, fileSize(file.size)));
     return made;
@@ -136,7 +135,10 @@ export class FormatCard {
   private async downloadOne(job: Job, name: string): Promise<void> {
     download(await this.studio.api.jobFile(job.id, name), name.split("/").at(-1) ?? name);
   }
-  private async downloadAll(job: Job, names: string[]): Promise<void> {
-    for (const name of names) await this.downloadOne(job, name);
+  private async downloadAll(job: Job, names: readonly string[]): Promise<void> {
+    const entries = await Promise.all(
+      names.map(async (name) => ({ name, bytes: new Uint8Array(await (await this.studio.api.jobFile(job.id, name)).arrayBuffer()) })),
+    );
+    download(zipOf(entries), `${this.format.id}.zip`);
   }
 }

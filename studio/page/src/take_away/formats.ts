@@ -25,10 +25,10 @@ export interface Format {
 
 const kNames: Choice = {
   key: "names",
-  label: "Names of expressions",
+  label: "Names",
   values: [
-    { value: "arkit", label: "ARKit: web, Unity, Blender" },
-    { value: "unreal", label: "Unreal: Live Link" },
+    { value: "arkit", label: "ARKit (web, Unity)" },
+    { value: "unreal", label: "Unreal (Live Link)" },
     { value: "rpm", label: "Ready Player Me" },
     { value: "vrm", label: "VRM" },
     { value: "mediapipe", label: "MediaPipe" },
@@ -37,7 +37,7 @@ const kNames: Choice = {
 const kHair: Choice = {
   key: "hair",
   label: "Hair",
-  values: [{ value: "none", label: "None" }, ...kHairs.map((hair) => ({ value: hair, label: hair.charAt(0).toUpperCase() + hair.slice(1) }))],
+  values: [{ value: "", label: "As it is" }, ...kHairs.map((hair) => ({ value: hair, label: hair.charAt(0).toUpperCase() + hair.slice(1) }))],
 };
 const kTriangles: Choice = {
   key: "triangles",
@@ -57,7 +57,6 @@ function head(target: Target, chosen: Readonly<Record<string, string>>, more: Re
   if (chosen["triangles"]) options["triangles"] = Number(chosen["triangles"]);
   if (target.kind !== "avatar") return { do: "head", ...targetBody(target), options };
   const body = avatarBody(target.state);
-  if (chosen["hair"] === "none") delete options["hair"];
   return { ...body, options: { ...body.options, ...options } };
 }
 
@@ -75,7 +74,7 @@ export const kFormats: readonly Format[] = [
   {
     id: "vrm",
     title: "VRM avatar",
-    what: "For VTuber programs, VRChat-like worlds and three-vrm: VRM 1.0 with its presets.",
+    what: "VRM 1.0 with its presets, for programs of VTubers and for three-vrm.",
     icon: "cube",
     make: "Make the .vrm",
     doing: "Making the avatar",

@@ -7,7 +7,7 @@ import type { Studio, Tab } from "../tab";
 import { button, choice } from "../widgets";
 import { FormatCard } from "./format_card";
 import { kFormats } from "./formats";
-import { targetKey, type Target } from "./targets";
+import { targetKey, type FormatId, type Target } from "./targets";
 
 export function createTakeAwayTab(studio: Studio): Tab {
   return new TakeAwayTab(studio);
@@ -29,7 +29,10 @@ class TakeAwayTab implements Tab {
 
   constructor(private readonly studio: Studio) {
     this.cards = kFormats.map((format) => new FormatCard(studio, format));
-    this.grid = el("div", { class: "p-cards" }, ...this.cards.map((card) => card.element));
+    // Two columns of their own: a card that grows moves no card beside it.
+    const column = (ids: readonly FormatId[]) =>
+      el("div", { class: "p-column" }, ...this.cards.filter((card) => ids.includes(card.id)).map((card) => card.element));
+    this.grid = el("div", { class: "p-cards" }, column(["glb", "obj", "session"]), column(["vrm", "stl", "turntable"]));
     this.empty = el(
       "div",
       { class: "p-state", hidden: true },
