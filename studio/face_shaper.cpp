@@ -56,6 +56,29 @@ Json ExpressionGroups() {
   return groups;
 }
 
+deform::EditHandles HandlesOf(const std::vector<ShapeHandle>& handles, Eigen::Index num_vertices) {
+  deform::EditHandles moved;
+  moved.displacements.resize(std::ssize(handles), 3);
+  for (const ShapeHandle& handle : handles) {
+    if (handle.vertex < 0 || handle.vertex >= num_vertices || std::ranges::count(moved.points, handle.vertex) > 0)
+      throw UsageError(fmt::format("the handle {} is no vertex of the face, or comes twice", handle.vertex));
+    moved.displacements.row(std::ssize(moved.points)) = handle.move.transpose();
+    moved.points.push_back(handle.vertex);
+  }
+  return moved;
+}
+
+/// What the handles' parts of the face leave still; nothing where they are on the skull or the neck.
+std::vector<int> OutsideOf(const faces::FaceTemplate& face_template, const deform::EditHandles& handles) {
+  try {
+    return deform::OutsideOfPart(face_template, handles);
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Error&) {  // They belong to no part.
+    return {};
+  }
+}
+
 }  // namespace
 
 FaceShaper::FaceShaper(const std::filesystem::path& face_model)
@@ -96,28 +119,23 @@ Eigen::VectorXf FaceShaper::WeightsOf(const ShapeDocument& shape) const {
   return weights;
 }
 
-geometry::Points FaceShaper::WithHandles(const geometry::Points& face,
-                                         const std::vector<ShapeHandle>& handles) const {
-  deform::EditHandles moved;
-  moved.displacements.resize(std::ssize(handles), 3);
-  for (const ShapeHandle& handle : handles) {
-    if (handle.vertex < 0 || handle.vertex >= face.rows() ||
-        std::ranges::count(moved.points, handle.vertex) > 0)
-      throw UsageError(fmt::format("the handle {} is no vertex of the face, or comes twice", handle.vertex));
-    moved.displacements.row(std::ssize(moved.points)) = handle.move.transpose();
-    moved.points.push_back(handle.vertex);
-  }
+geometry::Points FaceShaper::WithHandles(const geometry::Points& face, const std::vector<ShapeHandle>& handles) {
   const fitting::CodeModel& model = *opened_.model;
-  const fitting::MeshCode found = fitting::CodeOfMesh(model, face);
-  fitting::HandleOptions options{.fixed = opened_.expression};
-  options.outside = deform::OutsideOfPart(model_.face_template, moved);
+  const deform::EditHandles moved = HandlesOf(handles, face.rows());
+  if (!handle_start_ || handle_start_->face != face || handle_start_->vertices != moved.points) {
+    HandleStart start{.face = face, .code = {}, .vertices = moved.points, .outside = {}};
+    start.code = handle_start_ && handle_start_->face == face ? handle_start_->code : fitting::CodeOfMesh(model, face);
+    start.outside = OutsideOf(model_.face_template, moved);
+    handle_start_ = std::move(start);
+  }
+  const fitting::HandleOptions options{.outside = handle_start_->outside, .fixed = opened_.expression};
   const fitting::HandleEdit edit =
-      fitting::EditByHandles(model, found.code, moved.points, moved.displacements, options);
-  return face + model.Vertices(edit.code) - found.vertices;
+      fitting::EditByHandles(model, handle_start_->code.code, moved.points, moved.displacements, options);
+  return face + model.Vertices(edit.code) - handle_start_->code.vertices;
 }
 
-geometry::Points FaceShaper::NeutralOf(const ShapeDocument& shape, const geometry::Points& base,
-                                       const geometry::Points& toward) const {
+geometry::Points FaceShaper::BeforeHandles(const ShapeDocument& shape, const geometry::Points& base,
+                                           const geometry::Points& toward) const {
   geometry::Points face = base;
   if (shape.toward) face += shape.toward->share * (toward - base);
   face = controls_.Apply(face, ValuesOf(shape));
@@ -125,7 +143,6 @@ geometry::Points FaceShaper::NeutralOf(const ShapeDocument& shape, const geometr
     face = faces::Exaggerate(model_.face_template, face, {.gammas = {shape.exaggeration}}).front();
   if (shape.caricature > 0)
     face = fitting::Exaggerate(*opened_.model, face, shape.caricature, opened_.expression).vertices;
-  if (!shape.handles.empty()) face = WithHandles(face, shape.handles);
   return face;
 }
 
@@ -137,11 +154,14 @@ geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& n
   };
   const Eigen::VectorXf weights = WeightsOf(shape);
   const std::scoped_lock lock(mutex_);
-  Made made{.shape = shape.Neutral(), .base = face_of(shape.base), .toward = {}, .face = {}};
+  Made made{.shape = shape.Neutral(), .base = face_of(shape.base), .toward = {}, .before_handles = {}, .face = {}};
   if (shape.toward) made.toward = face_of(shape.toward->face);
-  const bool is_kept = last_ && last_->shape == made.shape && last_->base == made.base && last_->toward == made.toward;
-  if (!is_kept) {
-    made.face = NeutralOf(made.shape, made.base, made.toward);
+  const bool has_base = last_ && last_->base == made.base && last_->toward == made.toward;
+  if (!has_base || last_->shape != made.shape) {
+    const bool has_start = has_base && last_->shape.WithoutHandles() == made.shape.WithoutHandles();
+    made.before_handles =
+        has_start ? last_->before_handles : BeforeHandles(made.shape, made.base, made.toward);
+    made.face = shape.handles.empty() ? made.before_handles : WithHandles(made.before_handles, shape.handles);
     last_ = std::move(made);
     targets_.reset();
   }

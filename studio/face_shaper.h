@@ -2,6 +2,7 @@
 #include "core/json.h"
 #include "faces/controls/face_controls.h"
 #include "faces/face_model.h"
+#include "fitting/mesh_code.h"
 #include "rig/expression_targets.h"
 #include "studio/shape_document.h"
 #include "systems/deform/open_code_model.h"
@@ -12,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace daumier::studio {
 
@@ -21,7 +23,7 @@ using NamedFace = std::function<geometry::Points(const std::string& name)>;
 /// Faces of shape documents. In this order: the base, mixed with `toward` vertex by vertex; the anatomical controls
 /// (faces::FaceControls); curvature (faces::Exaggerate); caricature (fitting::Exaggerate); handles, which the deformable model
 /// follows without leaving their parts of the face (fitting::EditByHandles); and the weights of expressions times their gains,
-/// on the 52 targets of that face (rig::ExpressionTargets). Equal documents of equal faces give equal bytes. Thread-safe; the neutral
+/// on the 52 targets of that face (rig::ExpressionTargets). Handles on skull or neck move whatever the model moves with them. Equal documents of equal faces give equal bytes. Thread-safe; the neutral
 /// face and the targets of the last document are kept.
 class FaceShaper {
  public:
@@ -41,15 +43,22 @@ class FaceShaper {
   std::map<std::string, double> RandomControls(uint64_t seed, double spread) const;
 
  private:
-  /// The parts of a document that faces depend on, and its faces.
+  /// A neutral face, of which the next document may be a small change: while handles are dragged all before them stays.
   struct Made {
-    ShapeDocument shape;
-    geometry::Points base, toward, face;
+    ShapeDocument shape;  ///< Without its expression.
+    geometry::Points base, toward, before_handles, face;
   };
-  geometry::Points NeutralOf(const ShapeDocument& shape, const geometry::Points& base,
-                             const geometry::Points& toward) const;
+  /// What handles of the same vertices need, whatever their moves.
+  struct HandleStart {
+    geometry::Points face;  ///< Before they move it,
+    fitting::MeshCode code;
+    std::vector<int> vertices, outside;
+  };
+  geometry::Points BeforeHandles(const ShapeDocument& shape, const geometry::Points& base,
+                                 const geometry::Points& toward) const;
   Eigen::VectorXd ValuesOf(const ShapeDocument& shape) const;
-  geometry::Points WithHandles(const geometry::Points& face, const std::vector<ShapeHandle>& handles) const;
+  /// mutex_ is locked.
+  geometry::Points WithHandles(const geometry::Points& face, const std::vector<ShapeHandle>& handles);
   Eigen::VectorXf WeightsOf(const ShapeDocument& shape) const;
 
   const faces::FaceModel model_;
@@ -58,6 +67,7 @@ class FaceShaper {
   const rig::ExpressionTargets expressions_;
   std::mutex mutex_;
   std::optional<Made> last_;
+  std::optional<HandleStart> handle_start_;
   std::optional<rig::MorphTargets> targets_;  ///< Of last_.
 };
 

@@ -55,6 +55,12 @@ ShapeDocument ShapeDocument::Neutral() const {
   return neutral;
 }
 
+ShapeDocument ShapeDocument::WithoutHandles() const {
+  ShapeDocument document = *this;
+  document.handles.clear();
+  return document;
+}
+
 ShapeDocument ShapeFromJson(const Json& json) {
   static const std::set<std::string> keys = {"base",       "toward",  "controls",    "exaggeration",
                                              "caricature", "handles", "expressions", "gains"};

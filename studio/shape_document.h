@@ -36,6 +36,7 @@ struct ShapeDocument {
 
   /// The document without its expression.
   ShapeDocument Neutral() const;
+  ShapeDocument WithoutHandles() const;
   bool operator==(const ShapeDocument&) const = default;
 };
 
