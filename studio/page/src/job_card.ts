@@ -51,6 +51,7 @@ export class JobCard {
     const label = el("p", { id, class: "p-job-label" }, `${doing} …`);
     const detail = el("p", { class: "p-hint" }, "Starting");
     const bar = el("progress", { "aria-labelledby": id });
+    const begin = performance.now();
     this.element.className = "p-job";
     this.element.hidden = false;
     this.element.replaceChildren(label, bar, el("div", { class: "p-row p-spread" }, detail, button("Cancel", cancel)));
@@ -63,7 +64,8 @@ export class JobCard {
         bar.removeAttribute("value");
       }
       const words = job.state === "queued" ? "Waits for another job" : job.progress || "Working";
-      detail.replaceChildren(`${words} · ${job.seconds.toFixed(1)} s`);
+      // The server states the seconds of a job that has ended.
+      detail.replaceChildren(`${words} · ${((performance.now() - begin) / 1000).toFixed(0)} s`);
     };
   }
 

@@ -91,8 +91,8 @@ export interface SidesOptions extends Omit<SliderOptions, "change"> {
 
 export interface SidesSlider {
   readonly element: HTMLElement;
-  /** Shows two values; sides that differ are unlinked. */
-  set(sides: { left: number; right: number }): void;
+  /** Shows two values; sides that differ are unlinked, unless the values pass by (a clip plays). */
+  set(sides: { left: number; right: number }, passing?: boolean): void;
 }
 
 /** One slider for both sides, or one for each, by a switch. */
@@ -145,10 +145,10 @@ export function sidesSlider(options: SidesOptions): SidesSlider {
   setLinked(options.linked, false);
   return {
     element,
-    set: (sides) => {
+    set: (sides, passing = false) => {
       Object.assign(value, sides);
       show();
-      if (sides.left !== sides.right) setLinked(false, false);
+      if (sides.left !== sides.right && !passing) setLinked(false, false);
     },
   };
 }

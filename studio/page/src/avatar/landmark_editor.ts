@@ -28,6 +28,8 @@ export class LandmarkEditor {
   private readonly pointers = new Map<number, Point>();
   private size: [number, number] = [1, 1];
   private box: Box = { x: 0, y: 0, width: 1, height: 1 };
+  /** Whether the whole picture is shown, whatever size the frame takes. */
+  private whole = true;
   private points: readonly Point[] = [];
   private selected: number | null = null;
 
@@ -169,7 +171,7 @@ export class LandmarkEditor {
     return (this.stage.clientWidth || 1) / (this.stage.clientHeight || 1);
   }
   private fit(): void {
-    this.box = { x: 0, y: 0, width: Infinity, height: Infinity };
+    this.whole = true;
     this.showBox();
   }
   private zoom(factor: number, at?: Point): void {
@@ -177,11 +179,12 @@ export class LandmarkEditor {
     const centre = at ?? own ?? [this.box.x + this.box.width / 2, this.box.y + this.box.height / 2];
     const width = Math.min(this.wholeWidth, Math.max(this.wholeWidth / kGreatestZoom, this.box.width / factor));
     const share = width / this.box.width;
+    this.whole = width >= this.wholeWidth;
     this.box = { x: centre[0] - (centre[0] - this.box.x) * share, y: centre[1] - (centre[1] - this.box.y) * share, width, height: 1 };
     this.showBox();
   }
   private showBox(): void {
-    const width = Math.min(this.wholeWidth, this.box.width);
+    const width = this.whole ? this.wholeWidth : Math.min(this.wholeWidth, this.box.width);
     const height = width / this.aspect;
     // The picture never leaves the frame; a side that it does not fill has it in the middle.
     const within = (at: number, length: number, most: number) => (length >= most ? (most - length) / 2 : Math.min(most - length, Math.max(0, at)));

@@ -109,7 +109,7 @@ export class PicturePart {
     this.again.hidden = moved === 0 || this.found.length === 0;
     this.note.hidden = this.points.length === 0;
     this.note.replaceChildren(
-      moved ? `${moved} of ${this.points.length} landmarks moved by hand.` : "Does a point sit wrong? Drag it to its place, then make the head again.",
+      moved ? `${moved} of ${this.points.length} landmarks moved by hand.` : "Does a point sit wrong? Drag it to its place before the head is made.",
     );
   }
   private async openPts(file: File): Promise<void> {

@@ -17,7 +17,8 @@ const kFew = ["jawOpen", "mouthSmileLeft", "eyeBlinkLeft", "browInnerUp"];
 interface Row {
   names: ExpressionRow["names"];
   element: HTMLElement;
-  show(weights: Weights): void;
+  /** `passing`: the weights are those of a moment of a clip. */
+  show(weights: Weights, passing?: boolean): void;
 }
 
 export class PlayPart {
@@ -108,7 +109,7 @@ export class PlayPart {
       onLink: () => {},
       change: ({ left, right }) => change({ [first]: left, [second]: right }),
     });
-    return { names: row.names, element: both.element, show: (weights) => both.set({ left: weights[first] ?? 0, right: weights[second] ?? 0 }) };
+    return { names: row.names, element: both.element, show: (weights, passing) => both.set({ left: weights[first] ?? 0, right: weights[second] ?? 0 }, passing) };
   }
 
   private pose(weights: Weights): void {
@@ -128,7 +129,7 @@ export class PlayPart {
     if (!this.clip) return;
     this.player?.play(this.clip, from, (seconds, weights) => {
       this.at = seconds ?? 0;
-      for (const row of this.few) row.show(weights);
+      for (const row of this.few) row.show(weights, true);
       this.showPlaying(seconds);
     });
     this.showPlaying(from);
@@ -163,7 +164,7 @@ export class PlayPart {
       press.replaceChildren(playing ? "Pause" : "Play");
       if (playing) time.set(this.at);
     };
-    const frames = `${clip.kind}: ${clip.frames.length} ${clip.frames.length === 1 ? "frame" : "frames"}, ${length.toFixed(1)} s.`;
+    const frames = `${clip.kind}: ${clip.frames.length} ${clip.frames.length === 1 ? "frame" : "frames"}, ${length.toFixed(length < 1 ? 2 : 1)} s.`;
     this.clipBox.hidden = false;
     this.clipBox.replaceChildren(
       el("p", { class: "p-clip-name" }, name),
@@ -191,7 +192,7 @@ export class PlayPart {
         words = now;
         if (!weights) return;
         this.player?.set(weights);
-        for (const row of this.few) row.show(weights);
+        for (const row of this.few) row.show(weights, true);
       },
       (error) => {
         this.listen.set(false);

@@ -51,7 +51,7 @@ function rank(name: string): string {
 
 /** "stages/02_landmarks.png" -> "Landmarks". */
 export function stageTitle(name: string): string {
-  if (!name.includes("/")) return "Sheet";
+  if (!name.includes("/")) return "Head, all views";
   const words = (name.split("/").at(-1) ?? name).replace(/\.\w+$/, "").replace(/^\d+_/, "").replaceAll("_", " ");
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

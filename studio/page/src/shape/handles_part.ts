@@ -29,7 +29,8 @@ export function handlesPart(editor: Editor, folded: Memory, pick: (on: boolean) 
   const hint = el("p", { class: "p-hint" });
   const clear = button("Remove all", () => editor.change({ handles: [] }, "handles", true), { kind: "quiet" });
   const part = section("points", folded.get("points") ?? false, (open) => folded.set("points", open));
-  part.body.append(hint, list, el("div", { class: "p-row" }, clear));
+  const clearRow = el("div", { class: "p-row" }, clear);
+  part.body.append(hint, list, clearRow);
 
   const field = (handle: Handle, index: number, axis: 0 | 1 | 2) => {
     const input = el("input", {
@@ -71,7 +72,7 @@ export function handlesPart(editor: Editor, folded: Memory, pick: (on: boolean) 
     shown = now;
     // A number that was typed keeps the focus.
     if (active) list.querySelector<HTMLElement>(`[aria-label="${active}"]`)?.focus();
-    clear.hidden = handles.length === 0;
+    clearRow.hidden = handles.length === 0;
     part.note(handles.length ? `${handles.length} moved` : "");
     hint.replaceChildren(
       adding.element.getAttribute("aria-pressed") === "true"

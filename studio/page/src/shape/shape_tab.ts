@@ -121,7 +121,7 @@ class ShapeTab implements Tab, Editor {
       all: () => this.studio.recall<Stored[]>("shape.expressions", []),
       keep: (stored) => this.studio.remember("shape.expressions", stored),
     });
-    this.parts = [this.whole, handles, ...controlsPart(info, this, folded, unlinked), expressions];
+    this.parts = [this.whole, handles, expressions, ...controlsPart(info, this, folded, unlinked)];
 
     const nothing = el("p", { class: "p-state", hidden: true, role: "status" }, "No slider has this name.");
     const search = el("input", { type: "search", class: "p-text", placeholder: "Find a slider", "aria-label": "Find a slider" });

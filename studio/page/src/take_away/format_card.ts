@@ -104,23 +104,25 @@ export class FormatCard {
   }
 
   private showFiles(job: Job): void {
-    const files = job.files.filter((file) => !file.name.startsWith("stages/"));
-    const links = files.map((file) => this.link(job, file));
-    const sum = files.reduce((total, file) => total + file.size, 0);
-    const list = el("ul", { class: "p-file-list" }, ...links.map((link) => el("li", {}, link)));
-    const names = files.map((file) => file.name);
-    const many = files.length > kFewFiles && [
-      button(`Download all as a .zip`, () => void this.downloadAll(job, names).catch((error) => this.studio.fail(error)), { icon: "download" }),
-      el("details", { class: "p-how" }, el("summary", {}, "One by one"), list),
+    const all = job.files.filter((file) => !file.name.startsWith("stages/"));
+    const isWanted = (file: { name: string }) => this.format.wanted.some((end) => file.name.endsWith(end));
+    const wanted = all.filter(isWanted);
+    const others = all.filter((file) => !isWanted(file));
+    const sum = wanted.reduce((total, file) => total + file.size, 0);
+    const list = (files: Job["files"]) => el("ul", { class: "p-file-list" }, ...files.map((file) => el("li", {}, this.link(job, file))));
+    const fold = (title: string, files: Job["files"]) => el("details", { class: "p-how" }, el("summary", {}, title), list(files));
+    const zip = () => this.downloadAll(job, wanted.map((file) => file.name)).catch((error) => this.studio.fail(error));
+    const parts: (HTMLElement | null)[] = [
+      el("p", { role: "status" }, `Ready: ${wanted.length === 1 ? "one file" : `${wanted.length} files`}, ${fileSize(sum)}, in ${job.seconds.toFixed(1)} s.${printSize(job)}`),
+      ...(wanted.length > kFewFiles
+        ? [button("Download all as a .zip", () => void zip(), { icon: "download" }), fold("One by one", wanted)]
+        : [list(wanted)]),
+      others.length ? fold(others.length === 1 ? "One more file" : `${others.length} more files`, others) : null,
+      warningList(job.warnings),
+      job.command ? commandField(job.command) : null,
     ];
-    const warnings = warningList(job.warnings);
     this.result.hidden = false;
-    this.result.replaceChildren(
-      el("p", { role: "status" }, `Ready: ${files.length === 1 ? "one file" : `${files.length} files`}, ${fileSize(sum)}, in ${job.seconds.toFixed(1)} s.`),
-      ...(many || [list]),
-      ...(warnings ? [warnings] : []),
-      commandField(job.command),
-    );
+    this.result.replaceChildren(...parts.filter((part) => part !== null));
     this.result.scrollIntoView({ block: "nearest" });
   }
   private link(job: Job, file: { name: string; size: number }): HTMLButtonElement {
@@ -141,4 +143,10 @@ export class FormatCard {
     );
     download(zipOf(entries), `${this.format.id}.zip`);
   }
+}
+
+/** " 159 x 207 x 245 mm." of a print. */
+function printSize(job: Job): string {
+  const print = job.result?.["print"] as { size_mm?: number[] } | undefined;
+  return print?.size_mm ? ` ${print.size_mm.map((length) => Math.round(length)).join(" × ")} mm.` : "";
 }

@@ -18,6 +18,8 @@ export interface Format {
   /** What its button says. */
   make: string;
   doing: string;
+  /** Ends of the names of the files that a person wants; the job's other files come after them. */
+  wanted: readonly string[];
   choices: readonly Choice[];
   /** The body of the job for a target that `whyNot` allows; null where the file is read without a job. */
   body(target: Target, chosen: Readonly<Record<string, string>>): Record<string, unknown> | null;
@@ -68,6 +70,7 @@ export const kFormats: readonly Format[] = [
     icon: "person",
     make: "Make the .glb",
     doing: "Making the head",
+    wanted: [".glb"],
     choices: [kNames, kHair, kTriangles],
     body: (target, chosen) => head(target, chosen, {}),
   },
@@ -78,6 +81,7 @@ export const kFormats: readonly Format[] = [
     icon: "cube",
     make: "Make the .vrm",
     doing: "Making the avatar",
+    wanted: [".vrm"],
     choices: [kHair],
     body: (target, chosen) => head(target, chosen, { vrm: true }),
   },
@@ -88,6 +92,7 @@ export const kFormats: readonly Format[] = [
     icon: "layers",
     make: "Make the .stl",
     doing: "Closing the head for a print",
+    wanted: [".stl"],
     choices: [],
     body: (target) => head(target, {}, { print: true }),
   },
@@ -98,6 +103,7 @@ export const kFormats: readonly Format[] = [
     icon: "mesh",
     make: "Make the mesh",
     doing: "Writing the mesh",
+    wanted: [".obj", ".ply"],
     choices: [{ key: "format", label: "Format", values: [{ value: "obj", label: "OBJ" }, { value: "ply", label: "PLY" }] }],
     body: (target, chosen) => (target.kind === "avatar" ? null : { do: "mesh", ...targetBody(target), format: chosen["format"] ?? "obj" }),
   },
@@ -108,6 +114,7 @@ export const kFormats: readonly Format[] = [
     icon: "film",
     make: "Draw the pictures",
     doing: "Drawing the pictures",
+    wanted: [".png"],
     choices: [
       { key: "frames", label: "Pictures", values: [{ value: "24", label: "24" }, { value: "8", label: "8" }, { value: "72", label: "72" }] },
       { key: "size", label: "Size", values: [{ value: "512", label: "512 px" }, { value: "256", label: "256 px" }, { value: "1024", label: "1024 px" }] },
@@ -122,6 +129,7 @@ export const kFormats: readonly Format[] = [
     icon: "pen",
     make: "Download the recording",
     doing: "Reading the recording",
+    wanted: [".json"],
     choices: [],
     body: () => null,
   },

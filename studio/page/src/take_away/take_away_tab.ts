@@ -99,8 +99,18 @@ class TakeAwayTab implements Tab {
   private choose(key: string): void {
     this.chosen = this.targets.find((target) => targetKey(target) === key) ?? null;
     this.studio.remember("take-away.target", key);
+    this.takeSubject();
     this.offer();
     this.preview().catch((error) => this.studio.fail(error));
+  }
+
+  /** What is chosen here is what a person works on: the tray pins it. */
+  private takeSubject(): void {
+    const target = this.chosen;
+    if (!target || target.kind === "avatar") return;
+    const body = target.kind === "shape" ? { shape: target.shape } : target.kind === "session" ? { session: target.id } : { face: target.id };
+    this.studio.subject = { kind: target.kind, title: target.title, body };
+    this.studio.refresh();
   }
 
   /** The 3-D view shows what is taken. */
