@@ -70,6 +70,12 @@ void CheckNotRefined(const SketchState& state) {
                 "lines are not drawn or erased while the face is refined: begin follow-up mode first");
 }
 
+SketchState WithoutFace(SketchState state) {
+  state.vertices = {};
+  state.is_pending = true;
+  return state;
+}
+
 /// The longer side of the sheet, in pixels, is that of the canvas.
 render::Placement WholeSheet(double width, double height) {
   return SheetPlacement({width, height, {}});
@@ -109,6 +115,10 @@ void SketchSession::Add(SketchState state) {
   history_.resize(current_ + 1);
   history_.push_back(std::make_shared<const SketchState>(std::move(state)));
   ++current_;
+  if (current_ >= kKeptFaces) {
+    StatePointer& old = history_[current_ - kKeptFaces];
+    if (old->is_drawn || old->is_refinement()) old = std::make_shared<const SketchState>(WithoutFace(*old));
+  }
   if (current_ <= kMostUndo) return;
   history_.erase(history_.begin());
   --current_;
@@ -155,7 +165,10 @@ SketchSession::StatePointer SketchSession::Settled(const Task& task) {
   if (!now->is_pending) return now;
   SketchState settled = *now;
   settled.is_pending = false;
-  settled.is_follow_up() ? Follow(settled, task) : Predict(settled, task);
+  if (settled.is_refinement())
+    settled.vertices = settled.refinement->vertices;
+  else
+    settled.is_follow_up() ? Follow(settled, task) : Predict(settled, task);
   now = std::make_shared<const SketchState>(std::move(settled));
   const std::scoped_lock lock(states_);
   history_[current_] = now;
@@ -185,8 +198,8 @@ void SketchSession::Predict(SketchState& state, const Task& task) const {
 }
 
 void SketchSession::AddDrawn(SketchState state, FaceTime when, const Task& task) {
-  // Lines that follow the face depend on it.
-  state.is_pending = when == FaceTime::kWhenNeeded && !(state.start && state.start->untouched == Untouched::kFollow);
+  state.is_drawn = !(state.start && state.start->untouched == Untouched::kFollow);  // Such lines depend on the face.
+  state.is_pending = when == FaceTime::kWhenNeeded && state.is_drawn;
   if (!state.is_pending) state.is_follow_up() ? Follow(state, task) : Predict(state, task);
   Add(std::move(state));
 }

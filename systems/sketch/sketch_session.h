@@ -23,7 +23,8 @@ struct SketchState {
   render::Placement frame;            ///< Sheet to canvas, where the camera of the sketches sees the face.
   geometry::Points vertices;          ///< V x 3, cm; empty while there is no face.
   std::vector<std::string> warnings;  ///< Of the face.
-  bool is_pending = false;            ///< The face is not that of the lines yet (FaceTime::kWhenNeeded).
+  bool is_drawn = false;              ///< The face is that of the lines, and can be predicted again.
+  bool is_pending = false;            ///< The face is not there, until it is needed.
 
   bool is_follow_up() const { return start != nullptr; }
   bool is_refinement() const { return refinement != nullptr; }
@@ -43,7 +44,8 @@ class SketchSession {
   static constexpr double kMostSheet = 100'000;  ///< Pixels a side.
   static constexpr double kFarthest = 10;        ///< Sheets' longer sides that a point may be away from the origin.
   static constexpr double kHeaviest = 0.1;       ///< Share of the longer side that a line may be wide.
-  static constexpr size_t kMostUndo = 200;         ///< Steps that can be undone; earlier states are dropped.
+  static constexpr size_t kMostUndo = 100;         ///< Steps that can be undone; earlier states are dropped.
+  static constexpr size_t kKeptFaces = 16;         ///< Latest states that keep their faces; others make them again.
 
   /// gestures: null where none are recognised. sheet: width x height, pixels. @throws Error if a size is not from 1 to kMostSheet, or the predictor has no parser.
   SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height,

@@ -95,6 +95,27 @@ TEST_F(SessionFileTest, AMalformedEventIsNamedByItsNumber) {
   refused(R"({"do": "draw", "points": [[1, "a"]]})", "\"a\" is no number");
 }
 
+TEST(SessionEventJson, OfEveryKindIsReadAsItIsWritten) {
+  for (
+      const char* text :
+      {R"({"do":"draw","points":[[1.5,2.0],[3.0,4.0]]})",
+       R"({"do":"draw","points":[[1.5,2.0],[3.0,4.0]],"mirror":true,"stabiliser":12.5,"weight":3.0,"pressure":[0.5,1.0]})",
+       R"({"do":"erase","points":[[1.0,2.0]],"mirror":true})", R"({"do":"follow_up"})", R"({"do":"refine"})",
+       R"({"do":"undo"})", R"({"do":"redo"})", R"({"do":"region","points":[[1.0,2.0],[3.0,4.0]],"view":[30.0,-5.0]})",
+       R"({"do":"translate","points":[[1.0,2.0],[3.0,4.0]]})", R"({"do":"pull","points":[[1.0,2.0],[3.0,4.0]]})",
+       R"({"do":"brush","points":[[1.0,2.0]],"radius":7.5})", R"({"do":"unbrush","points":[[1.0,2.0]],"radius":7.5})",
+       R"({"do":"roll","level":-3})", R"({"do":"gesture","points":[[1.0,2.0],[3.0,4.0]],"view":[-90.0,0.0]})"})
+    EXPECT_EQ(EventToJson(EventFromJson(Json::parse(text))).dump(), text);
+}
+
+TEST(SessionEventJson, SaysWhatIsWrongWithoutAFile) {
+  ExpectError([] { EventFromJson(Json()); }, "it has no text 'do'");
+  ExpectError([] { EventFromJson({{"do", 3}}); }, "it has no text 'do'");
+  ExpectError([] { EventFromJson({{"do", "drow"}}); }, "\"drow\" is unknown (expected draw, erase");
+  ExpectError([] { EventFromJson({{"do", "draw"}, {"points", {{1, 2}}}, {"wieght", 2}}); }, "'draw' takes no 'wieght'");
+  ExpectError([] { EventFromJson({{"do", "roll"}, {"level", 4}}); }, "'level' is 4 (expected -3 to 3 without 0)");
+}
+
 TEST_F(SessionFileTest, RefusesOtherFiles) {
   ExpectError([&] { Read("{"); }, "record the session again");
   ExpectError([&] { ReadSession(folder_.path()); }, "no regular file");

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace daumier::sketch {
 namespace {
@@ -70,6 +71,26 @@ TEST(SessionResume, LinesOfTheMeanFaceFollowAsInAReplay) {
                    {.what = kErase, .points = {{150, 200}, {150, 220}}},
                    {.what = kDraw, .points = {{140, 150}, {160, 150}}}};
   ExpectEqualHistories(script);
+}
+
+TEST(SessionResume, FacesOfEarlierStatesAreMadeAgainAsTheyWere) {
+  SessionScript script = ReadSession("docs/examples/sessions/front.json");
+  using enum SessionEvent::What;
+  script.events.resize(6);
+  script.events.push_back({.what = kFollowUp});
+  script.events.push_back({.what = kErase, .points = {{200, 250}, {200, 300}}});
+  script.events.push_back({.what = kRefine});
+  const RefinementOperation brush{.what = RefinementOperation::What::kBrush, .points = {{200, 200}}, .view = {}, .radius = 5};
+  for (size_t i = 0; i < SketchSession::kKeptFaces; ++i)
+    script.events.push_back({.what = kOperation, .operation = brush});
+  SketchSession session(ShippedPredictor(), script.width, script.height);
+  std::vector<geometry::Points> faces = {session.state()->vertices};
+  Replay(script, session, [&](const ReplayedEvent& event) { faces.push_back(event.state->vertices); });
+  ASSERT_GT(faces.size(), SketchSession::kKeptFaces + 8);
+  for (size_t i = faces.size(); i-- > 0;) {
+    EXPECT_EQ(session.state()->vertices, faces[i]) << "after event " << i;
+    session.Undo();
+  }
 }
 
 TEST(SessionResume, DropsWhatCannotBeUndoneAnyMore) {

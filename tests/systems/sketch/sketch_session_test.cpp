@@ -276,6 +276,24 @@ TEST_F(SketchSessionTest, UndoAndRedoGiveTheSameStates) {
   EXPECT_FALSE(session.Redo()) << "another future begins";
 }
 
+TEST_F(SketchSessionTest, TheLastStepsAloneCanBeUndone) {
+  SketchSession session = Open();
+  constexpr size_t kBefore = 3;
+  const geometry::Points face = predictor_->run().face_template.neutral;
+  std::vector<std::shared_ptr<const SketchState>> states = {session.state()};
+  for (size_t i = 0; i < SketchSession::kMostUndo + kBefore; ++i) {
+    session.FollowUpFrom(face);  // Each is a step.
+    states.push_back(session.state());
+  }
+  for (size_t i = 0; i < SketchSession::kMostUndo; ++i) ASSERT_TRUE(session.Undo()) << i;
+  EXPECT_FALSE(session.can_undo());
+  EXPECT_FALSE(session.Undo());
+  EXPECT_EQ(session.state(), states[kBefore]) << "earlier states are dropped";
+  for (size_t i = 0; i < SketchSession::kMostUndo; ++i) ASSERT_TRUE(session.Redo()) << i;
+  EXPECT_FALSE(session.can_redo());
+  EXPECT_EQ(session.state(), states.back());
+}
+
 TEST_F(SketchSessionTest, AFailedCallChangesNothing) {
   SketchSession session = Open();
   const auto before = session.state();
