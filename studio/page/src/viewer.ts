@@ -26,6 +26,8 @@ export class Viewer {
   private readonly camera = new PerspectiveCamera(kFieldOfView, 1, 1, 1000);
   private readonly handlePoints: Points;
   private readonly chosenPoint: Points;
+  private readonly regionPoints: Points;
+  private region: readonly number[] = [];
   private readonly listeners: (() => void)[] = [];
   private rig: RiggedHead | null = null;
   private head: HeadScene | null = null;
@@ -55,8 +57,9 @@ export class Viewer {
       made.renderOrder = 1;
       return made;
     };
-    this.handlePoints = points(0x1d6fd6, 7);
+    this.handlePoints = points(0x1d6fd6, 5);
     this.chosenPoint = points(0xe0572a, 11);
+    this.regionPoints = points(0x2f9e8f, 2.5);
     new ResizeObserver(() => this.resize()).observe(this.stage);
   }
 
@@ -70,7 +73,7 @@ export class Viewer {
     this.drawing = { renderer, resolution: new AdaptiveResolution(renderer, () => this.invalidate()) };
     this.stage.prepend(renderer.domElement);
     this.head = new HeadScene(head, triangles);
-    this.head.scene.add(this.handlePoints, this.chosenPoint);
+    this.head.scene.add(this.regionPoints, this.handlePoints, this.chosenPoint);
     renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
     if (this.early) this.setVertices(this.early);
     this.early = null;
@@ -139,6 +142,13 @@ export class Viewer {
     this.placeHandles();
     this.invalidate();
   }
+  /** Vertices that may move, as fine points; empty: none are shown. */
+  setRegion(vertices: readonly number[]): void {
+    if (vertices.length === 0 && this.region.length === 0) return;
+    this.region = vertices;
+    this.placeHandles();
+    this.invalidate();
+  }
   private placeHandles(): void {
     if (!this.head) return;
     const place = (points: Points, vertices: readonly number[]) => {
@@ -155,6 +165,7 @@ export class Viewer {
       points.visible = vertices.length > 0;
     };
     place(this.handlePoints, this.handles.filter((vertex) => vertex !== this.chosen));
+    place(this.regionPoints, this.region);
     place(this.chosenPoint, this.chosen === null ? [] : [this.chosen]);
   }
 
@@ -262,6 +273,7 @@ export class Viewer {
     this.head.lightFrom(this.camera);
     const shown = this.rig === null && this.head.hasFace;
     this.handlePoints.visible = shown && this.handles.length > 0;
+    this.regionPoints.visible = shown && this.region.length > 0;
     this.chosenPoint.visible = shown && this.chosen !== null;
     resolution.begin();
     renderer.render(this.head.scene, this.camera);

@@ -1,20 +1,22 @@
 // The tab Draw: a paper beside the 3-D face, in three modes.
-import type { Mode, Point, SessionEvent, SessionState, View } from "../api_types";
+import type { Mode, Point, SessionState } from "../api_types";
 import { isAbort } from "../api";
 import { el } from "../dom";
 import type { Studio, Tab } from "../tab";
 import { Paper } from "./paper";
 import type { LocalStroke, PaperContent } from "./paper_drawing";
+import { askPictureUse } from "./drop_dialog";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
-import { SheetFace } from "./sheet_face";
+import { SheetTurn } from "./sheet_turn";
 import { StartScreen } from "./start_screen";
-import { append, lengthOf, mirrored, pointsOf, pressureOf, removedParts, stabilised, type Sample } from "./stroke_path";
+import { StrokeInput, type StrokeContext } from "./stroke_input";
+import { removedParts, type Sample } from "./stroke_path";
 import { ToolBars, type PenSettings } from "./tool_bars";
 import { cursorOf, toolsOf, type ToolName } from "./tools";
 
-/** Sheet pixels: a shorter path of the pen is a slip, not a stroke. */
-const kLeastLength = 2.5;
+/** Samples of the pen from which on a preview is worth a request. */
+const kFewSamples = 4;
 const kEmpty = "The face appears here with the first lines.";
 
 export function createDrawTab(studio: Studio): Tab {
@@ -34,21 +36,16 @@ class DrawTab implements Tab {
   private readonly settings: PenSettings;
   private readonly file = el("input", { type: "file", accept: "image/*", hidden: true, "aria-label": "Picture under the paper" });
   private tool: ToolName = "pen";
-  private path: Sample[] = [];
-  private stroke: LocalStroke[] = [];
+  private readonly stroke = new StrokeInput();
+  private readonly turn: SheetTurn;
   /** Strokes that the server has not drawn yet, by the number of their event. */
   private pending = new Map<number, LocalStroke[]>();
   private events = 0;
   private ghosts: Point[][] = [];
   private pen: Point | null = null;
-  private view: View = [0, 0];
-  private face: SheetFace | null = null;
-  private cameraRequest: AbortController | null = null;
-  private mirrorAxis = 256;
   private vertices: Float32Array | null = null;
   private visible = false;
   private gestures = false;
-  private turning: { x: number; y: number; view: View } | null = null;
 
   constructor(private readonly studio: Studio) {
     this.settings = studio.recall<PenSettings>("pen", { stabiliser: 0, weight: 0, mirror: false, brushRadius: 18 });
@@ -61,13 +58,15 @@ class DrawTab implements Tab {
     this.reference = new ReferencePicture(() => this.paper.invalidate("all"));
     this.paper = new Paper({
       content: () => this.content(),
-      face: () => this.face,
+      face: () => this.turn.face,
       hovered: (at) => this.hovered(at),
       begin: (sample, event) => this.begin(sample, event),
       extend: (samples, event) => this.extend(samples, event),
       end: (event) => this.end(event),
       cancel: () => this.cancel(),
     });
+    const tab = this;
+    this.turn = new SheetTurn({ api: studio.api, viewer: studio.viewer, paper: this.paper, get state() { return tab.session.state; }, fail: (error) => studio.fail(error) });
     this.bars = this.makeBars();
     this.start = new StartScreen({
       api: studio.api,
@@ -75,6 +74,7 @@ class DrawTab implements Tab {
       openSession: (id) => void this.openSession(id),
       changed: (id, name) => this.sessionChanged(id, name),
       close: () => this.start.hide(),
+      shown: (is) => this.element.classList.toggle("starting", is),
       fail: (error) => studio.fail(error),
     });
     this.file.addEventListener("change", () => {
@@ -100,12 +100,13 @@ class DrawTab implements Tab {
       setMode: (mode) => this.setMode(mode),
       setTool: (tool) => this.setTool(tool),
       settingsChanged: () => this.settingsChanged(),
-      look: (yaw) => this.lookFrom([yaw, 0]),
-      roll: (level) => void this.session.send({ do: "roll", level, view: this.view }),
+      look: (yaw) => this.turn.look([yaw, 0]),
+      roll: (level) => void this.session.send({ do: "roll", level, view: this.turn.view }),
+      remark: (text) => this.studio.say(text, "warning"),
       menu: () => void this.start.show(this.session.state !== null),
       rename: (name) => void this.rename(name),
       zoom: (factor) => this.paper.zoom(factor),
-      fit: () => this.paper.fit(),
+      fit: () => this.turn.fit(),
       reference: {
         choose: () => this.file.click(),
         remove: () => this.reference.remove(),
@@ -123,7 +124,7 @@ class DrawTab implements Tab {
     if (state) {
       this.tellSubject(state);
       this.showVertices(this.vertices);
-      this.studio.viewer.setHandles(state.mode === "refine" ? state.handles : []);
+      this.showHandles(state);
       return;
     }
     const last = this.studio.recall<string>("session", "");
@@ -140,6 +141,7 @@ class DrawTab implements Tab {
   }
   hide(): void {
     this.visible = false;
+    this.studio.viewer.setRegion([]);
     this.cancel();
     this.session.stopPreview();
   }
@@ -163,10 +165,33 @@ class DrawTab implements Tab {
     return this.create({ begin: face.id, name: `From ${face.name}` });
   }
   async drop(file: File): Promise<boolean> {
-    if (!file.type.startsWith("image/") || !this.session.state) return false;
-    await this.reference.read(file);
-    this.studio.say("The picture lies under the paper. Pen and paper (beside the mirror) changes how strong it is.");
+    if (!file.type.startsWith("image/") || !this.visible) return false;
+    const use = await askPictureUse(file.name, file.type === "image/svg+xml" ? "drawing" : null);
+    if (use === "portrait") {
+      // The tab Avatar takes the file next.
+      this.studio.open("avatar");
+      return false;
+    }
+    if (use === "drawing") await this.readDrawing(file);
+    if (use === "under") {
+      if (!this.session.state) await this.create({ begin: "blank" });
+      await this.reference.read(file);
+      this.studio.say("The picture lies under the paper. Pen and paper, below the mirror, changes how strong it is.");
+    }
     return true;
+  }
+  private async readDrawing(file: File): Promise<void> {
+    this.bars.setBusy(true);
+    try {
+      const upload = await this.studio.api.upload(file, file.name);
+      const job = await this.studio.api.runJob({ do: "drawing", upload: upload.id }, () => undefined);
+      await this.studio.faces.refresh();
+      for (const warning of job.warnings) this.studio.say(warning, "warning");
+      const face = job.result?.["face"];
+      if (typeof face === "string") await this.create({ begin: face, name: file.name });
+    } finally {
+      this.bars.setBusy(false);
+    }
   }
 
   key(event: KeyboardEvent): boolean {
@@ -182,10 +207,10 @@ class DrawTab implements Tab {
       this.setPanning(true);
       return true;
     }
-    if (state.mode === "refine" && this.turnByKey(event)) return true;
+    if (state.mode === "refine" && this.turn.key(event)) return true;
     const actions: Record<string, () => void> = {
       "1": () => this.setMode("draw"), "2": () => this.setMode("follow_up"), "3": () => this.setMode("refine"),
-      "+": () => this.paper.zoom(1.25), "=": () => this.paper.zoom(1.25), "-": () => this.paper.zoom(0.8), "0": () => this.paper.fit(),
+      "+": () => this.paper.zoom(1.25), "=": () => this.paper.zoom(1.25), "-": () => this.paper.zoom(0.8), "0": () => this.turn.fit(),
       m: () => { if (state.mode !== "refine") this.bars.flipMirror(); },
     };
     const act = actions[event.key.toLowerCase()];
@@ -196,13 +221,6 @@ class DrawTab implements Tab {
     const tool = toolsOf(state.mode, this.gestures).find((each) => each.key.toLowerCase() === event.key.toLowerCase());
     if (!tool) return false;
     this.setTool(tool.name);
-    return true;
-  }
-  private turnByKey(event: KeyboardEvent): boolean {
-    const turns: Record<string, View> = { ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] };
-    const turn = turns[event.key];
-    if (!turn) return false;
-    this.lookFrom([this.view[0] + turn[0], this.view[1] + turn[1]]);
     return true;
   }
   private setPanning(on: boolean): void {
@@ -244,12 +262,12 @@ class DrawTab implements Tab {
     this.session.close();
     this.pending.clear();
     this.vertices = null;
-    this.view = [0, 0];
+    this.turn.view = [0, 0];
     this.start.hide();
     this.studio.viewer.lookFrom("front");
-    this.chooseTool(state);
-    await this.session.open(state);
+    this.modeShown = null;
     this.paper.fit();
+    await this.session.open(state);
     this.paper.element.focus({ preventScroll: true });
   }
   private sessionChanged(id: string, name: string | null): void {
@@ -287,14 +305,15 @@ class DrawTab implements Tab {
     if (this.visible) this.tellSubject(state);
     this.paper.setSheet(state.sheet);
     if (state.mode !== this.modeShown) this.chooseTool(state);
-    const isNewMode = state.mode !== this.modeShown;
-    this.modeShown = state.mode;
-    if (isNewMode) this.ghosts = [];
+    if (state.mode !== this.modeShown) {
+      this.ghosts = [];
+      const before = this.modeShown;
+      this.modeShown = state.mode;
+      this.turn.modeChanged(state, before);
+    }
     if (state.gesture) this.studio.say(`Understood: ${state.gesture}.`);
     else if (state.changed === false) this.studio.say("Nothing was there to change.");
-    if (state.mode === "draw") this.mirrorAxis = state.sheet[0] / 2;
-    else if (isNewMode) void this.fetchCamera();
-    if (this.visible) this.studio.viewer.setHandles(state.mode === "refine" ? state.handles : []);
+    this.showHandles(state);
     this.refreshTools();
     this.paper.invalidate("all");
     this.studio.refresh();
@@ -304,7 +323,12 @@ class DrawTab implements Tab {
     if (!this.visible) return;
     if (vertices) this.studio.viewer.setVertices(vertices);
     else this.studio.viewer.clear(kEmpty);
-    if (this.session.state?.mode === "refine") this.paper.invalidate("all");
+    this.turn.verticesChanged();
+  }
+  private showHandles(state: SessionState): void {
+    if (!this.visible) return;
+    this.studio.viewer.setHandles(state.mode === "refine" ? state.handles : []);
+    this.studio.viewer.setRegion(state.mode === "refine" ? state.region : []);
   }
   private busyTimer = 0;
   private showWaiting(count: number): void {
@@ -323,7 +347,7 @@ class DrawTab implements Tab {
     const state = this.session.state;
     if (!state || state.mode === mode) return;
     if (mode === "draw") {
-      this.studio.say("A face that has left Draw comes back to it by undo: Ctrl+Z takes back one step.");
+      this.studio.say("The lines are those of a face now. Undo (Ctrl+Z) leads back to a free drawing; the folder begins a new one.");
       return;
     }
     void this.session.send({ do: mode });
@@ -352,36 +376,6 @@ class DrawTab implements Tab {
     const radius = this.tool === "eraser" ? state.eraser_reach : this.tool === "brush" || this.tool === "unbrush" ? this.settings.brushRadius : 0;
     this.paper.setRing(radius);
   }
-  private lookFrom(view: View): void {
-    this.view = [((view[0] + 540) % 360) - 180, Math.min(85, Math.max(-85, view[1]))];
-    void this.fetchCamera();
-  }
-  /** The sheet's view of the face; an older request is dropped. */
-  private async fetchCamera(): Promise<void> {
-    const state = this.session.state;
-    if (!state || !state.has_face) return;
-    this.cameraRequest?.abort();
-    const control = new AbortController();
-    this.cameraRequest = control;
-    try {
-      const view: View = state.mode === "refine" ? this.view : [0, 0];
-      const camera = await this.studio.api.camera(state.id, view[0], view[1], control.signal);
-      if (control.signal.aborted || this.session.id !== state.id) return;
-      if (state.mode === "refine") {
-        if (!this.face) {
-          this.face = new SheetFace(this.studio.viewer, () => this.paper.invalidate("all"));
-          this.paper.addFace(this.face.canvas);
-        }
-        this.face.setCamera(camera);
-      } else {
-        // The middle of the face has x = 0 cm.
-        this.mirrorAxis = camera.pixel_from_cm[0][3] ?? state.sheet[0] / 2;
-      }
-      this.paper.invalidate("all");
-    } catch (error) {
-      this.studio.fail(error);
-    }
-  }
 
   // Strokes.
   private content(): PaperContent {
@@ -389,12 +383,12 @@ class DrawTab implements Tab {
     const mode = state?.mode;
     return {
       state,
-      local: [...[...this.pending.values()].flat(), ...this.stroke],
-      mirrorAxis: this.settings.mirror && mode !== "refine" ? this.mirrorAxis : null,
+      local: [...[...this.pending.values()].flat(), ...this.stroke.shown],
+      mirrorAxis: this.settings.mirror && mode !== "refine" ? this.turn.mirrorAxis : null,
       reference: this.reference.content,
       ghosts: this.ghosts,
       pen: this.pen,
-      faceBelow: mode === "refine" && this.face !== null,
+      faceBelow: mode === "refine" && this.turn.face !== null,
     };
   }
   private hovered(at: Point | null): void {
@@ -402,110 +396,60 @@ class DrawTab implements Tab {
     this.pen = at;
     if (needed) this.paper.invalidate("ink");
   }
+  private context(state: SessionState): StrokeContext {
+    return { state, tool: this.tool, settings: this.settings, mirrorAxis: this.turn.mirrorAxis, view: this.turn.view };
+  }
   private begin(sample: Sample, event: PointerEvent): void {
-    if (!this.session.state) return;
-    const turns = this.session.state.mode === "refine" && (this.tool === "turn" || event.button === 2);
-    if (turns) {
-      this.turning = { x: event.clientX, y: event.clientY, view: this.view };
-      return;
-    }
-    if (event.button !== 0 && event.button !== 5) return;
-    this.path = [sample];
-    this.updateStroke();
-  }
-  private extend(samples: Sample[], event: PointerEvent): void {
-    if (this.turning) {
-      const size = Math.min(...this.paper.view.size);
-      this.lookFrom([this.turning.view[0] - (180 * (event.clientX - this.turning.x)) / size, this.turning.view[1] + (180 * (event.clientY - this.turning.y)) / size]);
-      return;
-    }
-    if (this.path.length === 0) return;
-    let grew = false;
-    for (const sample of samples) grew = append(this.path, sample) || grew;
-    const last = this.path[this.path.length - 1];
-    if (last) this.pen = [last.x, last.y];
-    if (!grew) return;
-    this.updateStroke();
-    if (this.tool === "pen" && this.session.state?.mode === "draw" && this.path.length > 4) this.session.preview(this.drawn());
-  }
-  /** The line as it will be, with the stabiliser. */
-  private drawn(): Point[] {
-    return stabilised(pointsOf(this.path), this.settings.stabiliser);
-  }
-  private updateStroke(): void {
     const state = this.session.state;
     if (!state) return;
-    const points = pointsOf(this.path);
-    const shown = (kind: LocalStroke["kind"], width: number, path = points): LocalStroke => ({ kind, points: path, width });
-    switch (this.tool) {
-      case "pen": {
-        const line = shown("line", this.settings.weight, this.drawn());
-        this.stroke = this.settings.mirror ? [line, { ...line, points: mirrored(line.points, this.mirrorAxis) }] : [line];
-        break;
-      }
-      case "eraser": {
-        const kind = state.mode === "draw" ? "erase" : "trail";
-        this.stroke = [shown(kind, 2 * state.eraser_reach)];
-        if (this.settings.mirror) this.stroke.push(shown(kind, 2 * state.eraser_reach, mirrored(points, this.mirrorAxis)));
-        break;
-      }
-      case "brush": case "unbrush": this.stroke = [shown("trail", 2 * this.settings.brushRadius)]; break;
-      case "translate": this.stroke = [shown("arrow", 0)]; break;
-      case "region": this.stroke = [shown("loop", 0)]; break;
-      default: this.stroke = [shown("line", 0)];
+    if (state.mode === "refine" && (this.tool === "turn" || event.button === 2)) {
+      this.turn.beginDrag(event);
+      return;
     }
+    if (event.button !== 0) return;
+    this.stroke.begin(sample, this.context(state));
     this.paper.invalidate("ink");
   }
+  private extend(samples: Sample[], event: PointerEvent): void {
+    if (this.turn.turning) this.turn.moveDrag(event);
+    const state = this.session.state;
+    if (!state || !this.stroke.active) return;
+    const context = this.context(state);
+    const grew = this.stroke.extend(samples, context);
+    this.pen = this.stroke.end;
+    if (!grew) return;
+    this.paper.invalidate("ink");
+    if (this.tool === "pen" && state.mode === "draw" && this.stroke.length > kFewSamples) this.session.preview(this.stroke.line(context));
+  }
   private cancel(): void {
-    this.path = [];
-    this.stroke = [];
-    this.turning = null;
+    this.stroke.cancel();
+    this.turn.endDrag();
     this.session.stopPreview();
     this.paper.invalidate("ink");
   }
   private end(event: PointerEvent): void {
     const endedAt = performance.now();
-    if (this.turning || this.path.length === 0) {
-      this.turning = null;
-      return;
-    }
-    const last = this.paper.toSheet(event.clientX, event.clientY);
-    append(this.path, { ...last, pressure: this.path[this.path.length - 1]?.pressure ?? 1 });
-    const made = this.eventOf(event.pointerType === "pen");
-    const before = this.session.state?.mode === "follow_up" ? this.session.state.lines : [];
-    const line = made?.do === "draw" && this.session.state?.mode === "draw" ? this.drawn() : null;
+    this.turn.endDrag();
+    const state = this.session.state;
+    if (!state || !this.stroke.active) return;
+    const context = this.context(state);
+    this.stroke.extend([{ ...this.paper.toSheet(event.clientX, event.clientY), pressure: this.stroke.pressure }], context);
+    const made = this.stroke.event(context, event.pointerType === "pen");
+    const line = made?.do === "draw" && state.mode === "draw" ? this.stroke.line(context) : null;
+    const before = state.mode === "follow_up" ? state.lines.map((each) => each.points) : [];
     const number = ++this.events;
-    if (made) this.pending.set(number, this.stroke);
-    this.path = [];
-    this.stroke = [];
+    if (made) this.pending.set(number, this.stroke.shown);
+    this.stroke.cancel();
     this.paper.invalidate("ink");
     if (!made) {
       this.session.stopPreview();
       return;
     }
-    void this.session.send(made, endedAt, line).then((state) => {
+    void this.session.send(made, endedAt, line).then((next) => {
       this.pending.delete(number);
-      if (state && made.do === "erase") this.ghosts.push(...removedParts(before.map((each) => each.points), state.lines.map((each) => each.points)));
+      if (next && made.do === "erase") this.ghosts.push(...removedParts(before, next.lines.map((each) => each.points)));
       else this.ghosts = [];
       this.paper.invalidate("ink");
     });
-  }
-  private eventOf(isPen: boolean): SessionEvent | null {
-    const points = pointsOf(this.path);
-    const mirror = this.settings.mirror ? { mirror: true } : {};
-    const view = { view: this.view };
-    if (this.tool === "eraser") return { do: "erase", points, ...mirror };
-    if (this.tool === "brush" || this.tool === "unbrush") return { do: this.tool, points, radius: this.settings.brushRadius, ...view };
-    if (lengthOf(points) < kLeastLength) return null;
-    switch (this.tool) {
-      case "pen": return {
-        do: "draw", points, ...mirror,
-        ...(this.settings.stabiliser > 0 ? { stabiliser: this.settings.stabiliser } : {}),
-        ...(this.settings.weight > 0 ? { weight: this.settings.weight } : {}),
-        ...(this.settings.weight > 0 && isPen ? { pressure: pressureOf(this.path) } : {}),
-      };
-      case "translate": case "pull": case "region": case "gesture": return { do: this.tool, points, ...view };
-      default: return null;
-    }
   }
 }

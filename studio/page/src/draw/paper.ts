@@ -66,6 +66,9 @@ export class Paper {
   fit(): void {
     this.moved(() => this.view.fit());
   }
+  fitBox(box: readonly [number, number, number, number]): void {
+    this.moved(() => this.view.fit(box));
+  }
   zoom(factor: number): void {
     this.moved(() => this.view.zoomMiddle(factor));
   }

@@ -28,6 +28,27 @@ export class SheetFace {
     this.rows = camera.pixel_from_cm;
   }
 
+  get hasCamera(): boolean {
+    return this.rows !== null;
+  }
+  /** The rectangle of the face on the sheet: least x, least y, width, height. */
+  box(): [number, number, number, number] | null {
+    if (!this.rows || !this.viewer.hasFace) return null;
+    const [rowX, rowY] = this.rows;
+    const positions = this.viewer.vertices;
+    let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let i = 0; i + 2 < positions.length; i += 3) {
+      const at = (r: number[]) => (r[0] ?? 0) * (positions[i] ?? 0) + (r[1] ?? 0) * (positions[i + 1] ?? 0) + (r[2] ?? 0) * (positions[i + 2] ?? 0) + (r[3] ?? 0);
+      const x = at(rowX);
+      const y = at(rowY);
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      top = Math.min(top, y);
+      bottom = Math.max(bottom, y);
+    }
+    return [left, top, right - left, bottom - top];
+  }
+
   /** Draws the face where the view has the sheet. */
   draw(view: PaperView): void {
     const [width, height] = view.size;

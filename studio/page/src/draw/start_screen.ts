@@ -10,6 +10,8 @@ export interface StartHost {
   /** The session was deleted or renamed. */
   changed(id: string, name: string | null): void;
   close(): void;
+  /** The screen has come or gone. */
+  shown(is: boolean): void;
   fail(error: unknown): void;
 }
 
@@ -55,6 +57,7 @@ export class StartScreen {
   /** canClose: a drawing lies below. */
   async show(canClose: boolean): Promise<void> {
     this.element.hidden = false;
+    this.host.shown(true);
     this.closeButton.hidden = !canClose;
     try {
       const [examples, sessions] = await Promise.all([this.host.api.examples(), this.host.api.sessions()]);
@@ -66,6 +69,7 @@ export class StartScreen {
   }
   hide(): void {
     this.element.hidden = true;
+    this.host.shown(false);
   }
 
   private showExamples(examples: readonly Example[]): void {

@@ -19,11 +19,16 @@ export interface BarsHost {
   look(yaw: number): void;
   roll(level: number): void;
   menu(): void;
+  /** Shows a long remark as a message. */
+  remark(text: string): void;
   rename(name: string): void;
   zoom(factor: number): void;
   fit(): void;
   reference: { choose(): void; remove(): void; opacity(value: number): void; readonly present: boolean; readonly value: number };
 }
+
+/** Lines of a drawing from which on its warnings are worth a remark. */
+const kFewLines = 4;
 
 export class ToolBars {
   readonly top: HTMLElement;
@@ -33,7 +38,7 @@ export class ToolBars {
   private readonly name: HTMLInputElement;
   private readonly modes = new Map<Mode, HTMLButtonElement>();
   private readonly hint = el("p", { class: "draw-hint" });
-  private readonly warnings = el("ul", { class: "draw-warnings", role: "status", "aria-live": "polite" });
+  private readonly warnings = el("div", { class: "draw-warnings", role: "status", "aria-live": "polite" });
   private readonly busy = el("span", { class: "draw-busy", hidden: true }, "Working …");
   private readonly mirror: HTMLButtonElement;
   private readonly settingsPanel: HTMLElement;
@@ -71,12 +76,19 @@ export class ToolBars {
     if (document.activeElement !== this.name) this.name.value = state.name;
     for (const [mode, made] of this.modes) made.setAttribute("aria-pressed", String(mode === state.mode));
     this.hint.textContent = hintOf(state, tool);
-    const warnings = [...new Set(state.warnings)];
-    if (warnings.join("\n") !== this.shown) {
-      this.shown = warnings.join("\n");
-      this.warnings.replaceChildren(...warnings.map((warning) => el("li", {}, warning)));
-    }
+    this.updateWarnings(state);
     this.updateRail(state, tool);
+  }
+
+  /** One line below the hint, so that the paper stays where it is; a click shows all of it. */
+  private updateWarnings(state: SessionState): void {
+    // A face of the first lines is one of many anyway.
+    const isBeginning = state.mode === "draw" && state.lines.length < kFewLines;
+    const text = isBeginning ? "" : [...new Set(state.warnings)].map(sentence).join(" ");
+    if (text === this.shown) return;
+    this.shown = text;
+    this.warnings.replaceChildren();
+    if (text !== "") this.warnings.append(button(text, () => this.host.remark(text), { title: text }));
   }
 
   private updateRail(state: SessionState, tool: ToolName): void {
@@ -160,4 +172,9 @@ export class ToolBars {
     });
     return holder;
   }
+}
+
+function sentence(text: string): string {
+  const trimmed = text.trim();
+  return trimmed.charAt(0).toUpperCase() + trimmed.slice(1) + (/[.?!]$/.test(trimmed) ? "" : ".");
 }

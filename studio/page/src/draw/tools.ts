@@ -52,11 +52,11 @@ export function hintOf(state: SessionState, tool: ToolName): string {
   const handles = state.handles.length;
   switch (tool) {
     case "turn": return "Drag to turn the face, or choose a side. The arrow keys turn it, too.";
-    case "brush": return "Paint over the skin that you want to move.";
+    case "brush": return handles > 0 ? "Paint more, move the blue handles (V), or bulge them with the buttons on the right." : "Paint over the skin that you want to move.";
     case "unbrush": return "Paint over handles to release them.";
     case "translate": return handles > 0 ? "Drag: the handles move as far as the pen does." : "There are no handles. Paint some with the brush (B) first.";
     case "pull": return "Draw a new outline near the old one: chin, cheek, or the profile in a side view.";
-    case "region": return "Draw a closed line: only what lies inside moves. Enclose nothing but paper to free the whole head.";
+    case "region": return "Draw a closed line: only what lies inside moves. Undo frees the whole head again.";
     default: return "Closed line: region. Straight line: move or pull. Arrow left or right: undo or redo. Loops that rise or fall: bulge or hollow.";
   }
 }
