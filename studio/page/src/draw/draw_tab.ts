@@ -1,6 +1,5 @@
 // The tab Draw: a paper beside the 3-D face, in three modes.
 import type { Mode, Point, SessionState } from "../api_types";
-import { isAbort } from "../api";
 import { el } from "../dom";
 import type { Studio, Tab } from "../tab";
 import { Paper } from "./paper";
@@ -9,15 +8,14 @@ import { askPictureUse } from "./drop_dialog";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
 import { SheetTurn } from "./sheet_turn";
-import { StartScreen } from "./start_screen";
+import { kNoFaceYet, SessionDesk } from "./session_desk";
 import { StrokeInput, type StrokeContext } from "./stroke_input";
 import { removedParts, type Sample } from "./stroke_path";
 import { ToolBars, type PenSettings } from "./tool_bars";
-import { cursorOf, toolsOf, type ToolName } from "./tools";
+import { cursorOf, gestureWords, toolsOf, type ToolName } from "./tools";
 
 /** Samples of the pen from which on a preview is worth a request. */
 const kFewSamples = 4;
-const kEmpty = "The face appears here with the first lines.";
 
 export function createDrawTab(studio: Studio): Tab {
   return new DrawTab(studio);
@@ -31,7 +29,7 @@ class DrawTab implements Tab {
   private readonly session: SessionClient;
   private readonly paper: Paper;
   private readonly bars: ToolBars;
-  private readonly start: StartScreen;
+  private readonly desk: SessionDesk;
   private readonly reference: ReferencePicture;
   private readonly settings: PenSettings;
   private readonly file = el("input", { type: "file", accept: "image/*", hidden: true, "aria-label": "Picture under the paper" });
@@ -68,22 +66,26 @@ class DrawTab implements Tab {
     const tab = this;
     this.turn = new SheetTurn({ api: studio.api, viewer: studio.viewer, paper: this.paper, get state() { return tab.session.state; }, fail: (error) => studio.fail(error) });
     this.bars = this.makeBars();
-    this.start = new StartScreen({
-      api: studio.api,
-      begin: (options) => void this.create(options),
-      openSession: (id) => void this.openSession(id),
-      changed: (id, name) => this.sessionChanged(id, name),
-      close: () => this.start.hide(),
-      shown: (is) => this.element.classList.toggle("starting", is),
-      fail: (error) => studio.fail(error),
+    this.desk = new SessionDesk({
+      studio,
+      session: this.session,
+      get visible() { return tab.visible; },
+      cleared: () => this.clear(),
+      opened: () => this.paper.element.focus({ preventScroll: true }),
+      renamed: (state) => {
+        this.bars.update(state, this.tool);
+        this.tellSubject(state);
+      },
+      busy: (is) => this.bars.setBusy(is),
+      starting: (is) => this.element.classList.toggle("starting", is),
     });
     this.file.addEventListener("change", () => {
       const chosen = this.file.files?.[0];
       if (chosen) this.reference.read(chosen).catch((error) => studio.fail(error));
       this.file.value = "";
     });
-    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.float, this.bars.bottom, this.start.element, this.file);
-    this.start.hide();
+    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.float, this.bars.bottom, this.desk.start.element, this.file);
+    this.desk.start.hide();
     addEventListener("keyup", (event) => { if (event.key === " ") this.setPanning(false); });
     addEventListener("blur", () => this.setPanning(false));
     studio.api.info().then((info) => {
@@ -103,8 +105,8 @@ class DrawTab implements Tab {
       look: (yaw) => this.turn.look([yaw, 0]),
       roll: (level) => void this.session.send({ do: "roll", level, view: this.turn.view }),
       remark: (text) => this.studio.say(text, "warning"),
-      menu: () => void this.start.show(this.session.state !== null),
-      rename: (name) => void this.rename(name),
+      menu: () => void this.desk.start.show(this.session.state !== null),
+      rename: (name) => void this.desk.rename(name),
       zoom: (factor) => this.paper.zoom(factor),
       fit: () => this.turn.fit(),
       reference: {
@@ -127,17 +129,7 @@ class DrawTab implements Tab {
       this.showHandles(state);
       return;
     }
-    const last = this.studio.recall<string>("session", "");
-    if (last !== "") {
-      try {
-        await this.session.open(await this.studio.api.session(last));
-        return;
-      } catch {
-        // The session was deleted: the first screen offers the others.
-        this.studio.remember("session", "");
-      }
-    }
-    await this.showStart();
+    await this.desk.resume();
   }
   hide(): void {
     this.visible = false;
@@ -146,7 +138,7 @@ class DrawTab implements Tab {
     this.session.stopPreview();
   }
   undo(): void {
-    if (this.session.state?.can_undo) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
+    if (this.session.state?.can_undo || this.pending.size > 0) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
   }
   redo(): void {
     if (this.session.state?.can_redo) void this.session.send({ do: "redo" }).then(() => this.forgetGhosts());
@@ -162,7 +154,7 @@ class DrawTab implements Tab {
     return this.session.state?.can_redo ?? false;
   }
   useFace(face: { id: string; name: string }): Promise<void> {
-    return this.create({ begin: face.id, name: `From ${face.name}` });
+    return this.desk.create({ begin: face.id, name: `From ${face.name}` });
   }
   async drop(file: File): Promise<boolean> {
     if (!file.type.startsWith("image/") || !this.visible) return false;
@@ -172,36 +164,23 @@ class DrawTab implements Tab {
       this.studio.open("avatar");
       return false;
     }
-    if (use === "drawing") await this.readDrawing(file);
+    if (use === "drawing") await this.desk.readDrawing(file);
     if (use === "under") {
-      if (!this.session.state) await this.create({ begin: "blank" });
+      if (!this.session.state) await this.desk.create({ begin: "blank" });
       await this.reference.read(file);
       this.studio.say("The picture lies under the paper. Pen and paper, below the mirror, changes how strong it is.");
     }
     return true;
   }
-  private async readDrawing(file: File): Promise<void> {
-    this.bars.setBusy(true);
-    try {
-      const upload = await this.studio.api.upload(file, file.name);
-      const job = await this.studio.api.runJob({ do: "drawing", upload: upload.id }, () => undefined);
-      await this.studio.faces.refresh();
-      for (const warning of job.warnings) this.studio.say(warning, "warning");
-      const face = job.result?.["face"];
-      if (typeof face === "string") await this.create({ begin: face, name: file.name });
-    } finally {
-      this.bars.setBusy(false);
-    }
-  }
 
   key(event: KeyboardEvent): boolean {
     if (event.key === "Escape") {
-      if (!this.start.element.hidden && this.session.state) this.start.hide();
+      if (!this.desk.start.element.hidden && this.session.state) this.desk.start.hide();
       else this.cancel();
       return true;
     }
     const state = this.session.state;
-    if (!state || !this.start.element.hidden) return false;
+    if (!state || !this.desk.start.element.hidden) return false;
     const onButton = event.target instanceof HTMLButtonElement;
     if (event.key === " " && !onButton) {
       this.setPanning(true);
@@ -228,71 +207,13 @@ class DrawTab implements Tab {
     this.paper.element.classList.toggle("panning", on);
   }
 
-  // Sessions.
-  private async showStart(): Promise<void> {
-    await this.start.show(false);
-    try {
-      const vertices = await this.studio.api.shapeVertices({ base: "mean" });
-      if (this.visible && !this.session.state && vertices) {
-        this.studio.viewer.setVertices(vertices);
-        this.studio.viewer.lookFrom("three-quarter");
-      }
-    } catch (error) {
-      if (!isAbort(error)) this.studio.viewer.clear(kEmpty);
-    }
-  }
-  private async create(options: { begin: string; name?: string; example?: string }): Promise<void> {
-    try {
-      this.bars.setBusy(true);
-      await this.openState(await this.studio.api.createSession(options));
-    } catch (error) {
-      this.studio.fail(error);
-    } finally {
-      this.bars.setBusy(false);
-    }
-  }
-  private async openSession(id: string): Promise<void> {
-    try {
-      await this.openState(await this.studio.api.session(id));
-    } catch (error) {
-      this.studio.fail(error);
-    }
-  }
-  private async openState(state: SessionState): Promise<void> {
-    this.session.close();
+  /** Another drawing comes. */
+  private clear(): void {
     this.pending.clear();
     this.vertices = null;
     this.turn.view = [0, 0];
-    this.start.hide();
-    this.studio.viewer.lookFrom("front");
     this.modeShown = null;
     this.paper.fit();
-    await this.session.open(state);
-    this.paper.element.focus({ preventScroll: true });
-  }
-  private sessionChanged(id: string, name: string | null): void {
-    if (id !== this.session.id) return;
-    const state = this.session.state;
-    if (name !== null && state) {
-      state.name = name;
-      this.bars.update(state, this.tool);
-      return;
-    }
-    this.session.close();
-    this.studio.remember("session", "");
-    this.studio.subject = null;
-    void this.showStart();
-  }
-  private async rename(name: string): Promise<void> {
-    const state = this.session.state;
-    if (!state || name === "" || name === state.name) return;
-    try {
-      await this.studio.api.renameSession(state.id, name);
-      this.sessionChanged(state.id, name);
-      this.tellSubject(state);
-    } catch (error) {
-      this.studio.fail(error);
-    }
   }
   private tellSubject(state: SessionState): void {
     this.studio.subject = state.has_face ? { kind: "session", title: state.name, body: { session: state.id } } : null;
@@ -311,7 +232,7 @@ class DrawTab implements Tab {
       this.modeShown = state.mode;
       this.turn.modeChanged(state, before);
     }
-    if (state.gesture) this.studio.say(`Understood: ${state.gesture}.`);
+    if (state.gesture) this.studio.say(gestureWords(state.gesture));
     else if (state.changed === false) this.studio.say("Nothing was there to change.");
     this.showHandles(state);
     this.refreshTools();
@@ -322,7 +243,7 @@ class DrawTab implements Tab {
     this.vertices = vertices;
     if (!this.visible) return;
     if (vertices) this.studio.viewer.setVertices(vertices);
-    else this.studio.viewer.clear(kEmpty);
+    else this.studio.viewer.clear(kNoFaceYet);
     this.turn.verticesChanged();
   }
   private showHandles(state: SessionState): void {

@@ -67,3 +67,17 @@ export function cursorOf(tool: ToolName): string {
   if (tool === "eraser" || tool === "brush" || tool === "unbrush") return "none";
   return tool === "translate" ? "move" : "crosshair";
 }
+
+/** What the server has recognised in a free gesture, in words. */
+export function gestureWords(gesture: string): string {
+  const roll = /^(up|down)_roll_(\d)$/.exec(gesture);
+  if (roll) return roll[1] === "up" ? `Bulged, level ${roll[2]} of 3.` : `Hollowed, level ${roll[2]} of 3.`;
+  const words: Record<string, string> = {
+    line: "A line: handles are moved, or the nearest outline is pulled.",
+    region: "A region: only what it encloses moves.",
+    left_arrow: "An arrow to the left: undo.",
+    right_arrow: "An arrow to the right: redo.",
+    none: "No gesture was recognised. Try a closed line, a straight line, an arrow, or loops.",
+  };
+  return words[gesture] ?? `Understood: ${gesture}.`;
+}
