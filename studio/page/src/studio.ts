@@ -1,7 +1,7 @@
 // The frame of the page: the bar of tabs, messages, undo, theme, help and files dropped anywhere.
-import { Api, isAbort } from "./api";
+import { type Api, ApiError, isAbort } from "./api";
 import type { Face } from "./api_types";
-import { el, iconButton } from "./dom";
+import { el, iconButton, sentence } from "./dom";
 import { Tray, type TrayOwner } from "./face_tray";
 import { makeHelp } from "./help";
 import type { Studio, Subject, Tab } from "./tab";
@@ -9,7 +9,8 @@ import { Theme } from "./theme";
 import { Viewer } from "./viewer";
 
 const kStore = "daumier-studio";
-const kMessageMs = 6000;
+const kMessageMs = 4000;
+const kMsPerLetter = 50;
 
 export class StudioPage implements Studio, TrayOwner {
   readonly viewer = new Viewer();
@@ -110,13 +111,15 @@ export class StudioPage implements Studio, TrayOwner {
     box.append(iconButton("close", "Dismiss", () => box.remove()));
     this.messages.append(box);
     // An error stays until it is dismissed.
-    if (kind !== "error") setTimeout(() => box.remove(), kMessageMs);
+    if (kind !== "error") setTimeout(() => box.remove(), kMessageMs + kMsPerLetter * message.length);
     while (this.messages.children.length > 4) this.messages.firstElementChild?.remove();
   }
   fail(error: unknown): void {
     if (isAbort(error)) return;
-    console.error(error);
-    this.say(error instanceof Error ? error.message : String(error), "error");
+    // A refused request is a slip of a person, all else a failure of the program.
+    const isRefused = error instanceof ApiError && error.status >= 400 && error.status < 500 && error.status !== 401;
+    if (!isRefused) console.error(error);
+    this.say(sentence(error instanceof Error ? error.message : String(error)), isRefused ? "warning" : "error");
   }
 
   private readStore(): Record<string, unknown> {

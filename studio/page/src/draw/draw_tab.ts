@@ -328,6 +328,10 @@ class DrawTab implements Tab {
       return;
     }
     if (event.button !== 0) return;
+    if (this.tool === "translate" && state.handles.length === 0) {
+      this.studio.say("Paint handles with the brush (B) first. Then a drag moves them.");
+      return;
+    }
     this.stroke.begin(sample, this.context(state));
     this.paper.invalidate("ink");
   }

@@ -1,6 +1,6 @@
 // The bars around the paper: modes above, tools on the left, hint and zoom below, settings of the pen in a pop-up.
 import type { Mode, SessionState } from "../api_types";
-import { button, el, iconButton, slider, toggle } from "../dom";
+import { button, el, iconButton, sentence, slider, toggle } from "../dom";
 import { hintOf, kModes, toolsOf, type ToolName } from "./tools";
 
 export interface PenSettings {
@@ -172,9 +172,4 @@ export class ToolBars {
     });
     return holder;
   }
-}
-
-function sentence(text: string): string {
-  const trimmed = text.trim();
-  return trimmed.charAt(0).toUpperCase() + trimmed.slice(1) + (/[.?!]$/.test(trimmed) ? "" : ".");
 }
