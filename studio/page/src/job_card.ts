@@ -54,8 +54,16 @@ export class JobCard {
     const begin = performance.now();
     this.element.className = "p-job";
     this.element.hidden = false;
-    this.element.replaceChildren(label, bar, el("div", { class: "p-row p-spread" }, detail, button("Cancel", cancel)));
+    let cancelled = false;
+    const stop = button("Cancel", () => {
+      cancelled = true;
+      stop.disabled = true;
+      detail.replaceChildren("Cancelling");
+      cancel();
+    });
+    this.element.replaceChildren(label, bar, el("div", { class: "p-row p-spread" }, detail, stop));
     return (job) => {
+      if (cancelled) return;
       const share = /(\d+)\s*\/\s*(\d+)/.exec(job.progress);
       if (share && Number(share[2]) > 0) {
         bar.max = Number(share[2]);

@@ -10,6 +10,10 @@ export class StagesStrip {
 
   constructor(private readonly api: Api) {}
 
+  get isEmpty(): boolean {
+    return this.element.childElementCount === 0;
+  }
+
   async show(job: Job): Promise<void> {
     this.clear();
     const files = job.files.filter((file) => /\.(png|jpg)$/i.test(file.name)).sort((a, b) => rank(a.name).localeCompare(rank(b.name)));

@@ -2,7 +2,7 @@
 import type { SessionEntry, Shape } from "../api_types";
 import { kAvatarKey, kAvatarSubjectKey, type AvatarState } from "../avatar/state";
 import { el } from "../dom";
-import type { HistoryState } from "../shape/history";
+import type { HistoryState } from "../history";
 import type { Studio, Tab } from "../tab";
 import { button, choice } from "../widgets";
 import { FormatCard } from "./format_card";
