@@ -6,6 +6,7 @@ const kKeys: readonly (readonly [string, string])[] = [
   ["1, 2, 3", "Draw, redraw, shape in 3-D"],
   ["B, E", "Pen, eraser"],
   ["M", "Mirror"],
+  ["T, B, V, P, R", "In 3-D: turn, brush, move, pull, region"],
   ["+, −, 0", "Zoom in, zoom out, show all"],
   ["Space and drag, two fingers", "Move the paper"],
   ["Arrow keys on the 3-D view", "Turn the face"],

@@ -66,17 +66,27 @@ export class Viewer {
   /** The head's topology, once, before all else. */
   setHead(head: Head, triangles: Uint32Array): void {
     // WebGL begins here and not with the page: it takes a part of a second, in which the page is to be seen.
-    const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    const renderer = this.makeRenderer();
+    this.head = new HeadScene(head, triangles);
+    this.head.scene.add(this.regionPoints, this.handlePoints, this.chosenPoint);
+    if (renderer) this.stage.prepend(renderer.domElement);
+    this.resize();
+    if (this.early) this.setVertices(this.early);
+    this.early = null;
+  }
+  private makeRenderer(): WebGLRenderer | null {
+    let renderer: WebGLRenderer;
+    try {
+      renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    } catch {
+      this.say("This browser shows no 3-D: WebGL is off. Drawing and files work without it.");
+      return null;
+    }
     renderer.setClearColor(0, 0);
     renderer.domElement.setAttribute("aria-hidden", "true");
     renderer.domElement.addEventListener("webglcontextrestored", () => this.invalidate());
     this.drawing = { renderer, resolution: new AdaptiveResolution(renderer, () => this.invalidate()) };
-    this.stage.prepend(renderer.domElement);
-    this.head = new HeadScene(head, triangles);
-    this.head.scene.add(this.regionPoints, this.handlePoints, this.chosenPoint);
-    renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
-    if (this.early) this.setVertices(this.early);
-    this.early = null;
+    return renderer;
   }
   /** The scene, for a second view of the same head. */
   get scene(): HeadScene {
@@ -99,7 +109,7 @@ export class Viewer {
     this.showDisplayHead();
     this.scene.setVertices(vertices);
     this.placeHandles();
-    this.say(null);
+    if (this.drawing) this.say(null);
     this.invalidate();
   }
   /** Nothing to see, and why. */

@@ -73,7 +73,7 @@ class DrawTab implements Tab {
       cleared: () => this.clear(),
       opened: () => this.paper.element.focus({ preventScroll: true }),
       renamed: (state) => {
-        this.bars.update(state, this.tool);
+        this.bars.update(state, this.tool, this.ghosts.length > 0);
         this.tellSubject(state);
       },
       busy: (is) => this.bars.setBusy(is),
@@ -166,7 +166,7 @@ class DrawTab implements Tab {
     }
     if (use === "drawing") await this.desk.readDrawing(file);
     if (use === "under") {
-      if (!this.session.state) await this.desk.create({ begin: "blank" });
+      if (!this.session.state) await this.desk.create({ begin: "blank", name: file.name });
       await this.reference.read(file);
       this.studio.say("The picture lies under the paper. Pen and paper, below the mirror, changes how strong it is.");
     }
@@ -210,6 +210,7 @@ class DrawTab implements Tab {
   /** Another drawing comes. */
   private clear(): void {
     this.pending.clear();
+    this.reference.remove();
     this.vertices = null;
     this.turn.view = [0, 0];
     this.modeShown = null;
@@ -292,7 +293,7 @@ class DrawTab implements Tab {
   private refreshTools(bars = true): void {
     const state = this.session.state;
     if (!state) return;
-    if (bars) this.bars.update(state, this.tool);
+    if (bars) this.bars.update(state, this.tool, this.ghosts.length > 0);
     this.paper.element.style.cursor = cursorOf(this.tool);
     const radius = this.tool === "eraser" ? state.eraser_reach : this.tool === "brush" || this.tool === "unbrush" ? this.settings.brushRadius : 0;
     this.paper.setRing(radius);
@@ -374,6 +375,7 @@ class DrawTab implements Tab {
       this.pending.delete(number);
       if (next && made.do === "erase") this.ghosts.push(...removedParts(before, next.lines.map((each) => each.points)));
       else this.ghosts = [];
+      this.refreshTools();
       this.paper.invalidate("ink");
     });
   }

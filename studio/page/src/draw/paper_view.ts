@@ -19,6 +19,8 @@ export class PaperView {
     this.fitted = left === 0 && top === 0 && width === this.sheet[0];
   }
   resize(width: number, height: number): void {
+    // A tab that is hidden has no size: the view waits for its return.
+    if (width < 1 || height < 1) return;
     const dx = (width - this.width) / 2;
     const dy = (height - this.height) / 2;
     this.width = width;

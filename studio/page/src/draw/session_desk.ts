@@ -109,12 +109,19 @@ export class SessionDesk {
     }
   }
   private async openState(state: SessionState): Promise<void> {
+    await this.dropEmpty();
     this.host.session.close();
     this.host.cleared();
     this.start.hide();
     this.host.studio.viewer.lookFrom("front");
     await this.host.session.open(state);
     this.host.opened();
+  }
+  /** A sheet that nobody has drawn on is not kept among the drawings. */
+  private async dropEmpty(): Promise<void> {
+    const state = this.host.session.state;
+    if (!state || state.mode !== "draw" || state.lines.length > 0 || state.can_undo || state.can_redo) return;
+    await this.host.studio.api.deleteSession(state.id).catch(() => undefined);
   }
   /** name null: the drawing was deleted. */
   private changed(id: string, name: string | null): void {

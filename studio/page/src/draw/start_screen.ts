@@ -37,6 +37,7 @@ export class StartScreen {
   private readonly examples = el("div", { class: "start-examples" });
   private readonly sessions = el("ul", { class: "start-sessions" });
   private readonly earlier = el("section", { class: "start-earlier", "aria-label": "Earlier drawings", hidden: true }, el("h3", {}, "Earlier drawings"), this.sessions);
+  private numDrawings = 0;
   private readonly closeButton: HTMLButtonElement;
 
   constructor(private readonly host: StartHost) {
@@ -48,7 +49,7 @@ export class StartScreen {
         el("p", { class: "start-lead" }, "A few lines are enough: the 3-D face beside the paper follows every stroke. Try an example, or begin with an empty sheet."),
         this.examples,
         el("div", { class: "start-begin" },
-          button("Empty sheet", () => host.begin({ begin: "blank" }), { class: "primary" }),
+          button("Empty sheet", () => host.begin({ begin: "blank", name: `Drawing ${this.numDrawings + 1}` }), { class: "primary" }),
           button("A mean face to redraw", () => host.begin({ begin: "mean", name: "From the mean face" })),
           el("span", {}, "or click a pinned face below")),
         this.earlier));
@@ -83,6 +84,8 @@ export class StartScreen {
     }));
   }
   private showSessions(sessions: readonly SessionEntry[]): void {
+    // Of drawings that were numbered here: a number that was deleted comes back only as the last one.
+    this.numDrawings = Math.max(0, ...sessions.map((session) => Number(/^Drawing (\d+)$/.exec(session.name)?.[1] ?? 0)));
     this.earlier.hidden = sessions.length === 0;
     this.sessions.replaceChildren(...sessions.map((session) => this.row(session)));
   }

@@ -72,10 +72,10 @@ export class ToolBars {
     this.busy.hidden = !busy;
   }
 
-  update(state: SessionState, tool: ToolName): void {
+  update(state: SessionState, tool: ToolName, erased: boolean): void {
     if (document.activeElement !== this.name) this.name.value = state.name;
     for (const [mode, made] of this.modes) made.setAttribute("aria-pressed", String(mode === state.mode));
-    this.hint.textContent = hintOf(state, tool);
+    this.hint.textContent = hintOf(state, tool, erased);
     this.updateWarnings(state);
     this.updateRail(state, tool);
   }

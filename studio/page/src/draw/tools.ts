@@ -34,8 +34,8 @@ export function toolsOf(mode: Mode, gestures: boolean): readonly Tool[] {
   return tools;
 }
 
-/** What a person can do now, in one or two sentences. */
-export function hintOf(state: SessionState, tool: ToolName): string {
+/** What a person can do now, in one or two sentences. erased: lines of the face wait to be drawn again. */
+export function hintOf(state: SessionState, tool: ToolName, erased: boolean): string {
   if (state.mode === "draw") {
     if (tool === "eraser") return "Rub over lines to cut them.";
     if (state.lines.length === 0) return "Draw the outline of a face, then eyes, nose and mouth. The face beside it follows every stroke.";
@@ -44,10 +44,10 @@ export function hintOf(state: SessionState, tool: ToolName): string {
   }
   if (state.mode === "follow_up") {
     const gaps = state.open_ends.length;
-    if (tool === "eraser") return gaps > 0 ? "A gap is open. Take the pen (B) and draw its new path, or erase more."
+    if (tool === "eraser") return gaps > 0 || erased ? "Take the pen (B) and draw the new path of what is erased, or erase more."
       : "Rub over the part of a line that you want to change. Then draw its new path.";
     return gaps > 0 ? "Draw from one orange end to the other: the line snaps to them and the face follows."
-      : "Draw an erased line again near its old place. Elsewhere on the skin a stroke becomes a wrinkle.";
+      : erased ? "Draw the erased line again, near its old place." : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
   }
   const handles = state.handles.length;
   switch (tool) {
