@@ -33,6 +33,8 @@ export class Viewer {
   private head: HeadScene | null = null;
   private handles: number[] = [];
   private chosen: number | null = null;
+  /** Why nothing is ever seen. */
+  private fault: string | null = null;
   private frame = 0;
   /** Vertices that arrived before the head. */
   private early: Float32Array | null = null;
@@ -79,7 +81,8 @@ export class Viewer {
     try {
       renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
     } catch {
-      this.say("This browser shows no 3-D: WebGL is off. Drawing and files work without it.");
+      this.fault = "This browser shows no 3-D: WebGL is off. Drawing and files work without it.";
+      this.say(null);
       return null;
     }
     renderer.setClearColor(0, 0);
@@ -109,7 +112,7 @@ export class Viewer {
     this.showDisplayHead();
     this.scene.setVertices(vertices);
     this.placeHandles();
-    if (this.drawing) this.say(null);
+    this.say(null);
     this.invalidate();
   }
   /** Nothing to see, and why. */
@@ -123,8 +126,9 @@ export class Viewer {
   }
   /** A sentence over the view, such as "Working …"; null removes it. */
   say(text: string | null): void {
-    this.note.hidden = text === null;
-    this.note.textContent = text ?? "";
+    const shown = this.fault ?? text;
+    this.note.hidden = shown === null;
+    this.note.textContent = shown ?? "";
   }
 
   get view(): { yaw: number; pitch: number } {

@@ -14,7 +14,11 @@ export class SheetFace {
   private rows: SheetCamera["pixel_from_cm"] | null = null;
 
   constructor(private readonly viewer: Viewer, redraw: () => void) {
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    try {
+      this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    } catch {
+      throw new Error("The face cannot be shown on the paper: WebGL is off in this browser.");
+    }
     this.resolution = new AdaptiveResolution(this.renderer, redraw);
     this.renderer.setClearColor(0, 0);
     this.camera.matrixAutoUpdate = false;
