@@ -76,7 +76,7 @@ export class HeadScene {
     this.mesh.visible = object === null && this.filled;
   }
 
-  /** The lights stand where the camera does, so that every view is lit from the front. */
+  /** The lights move with the camera, so that every view is lit from the front. */
   lightFrom(camera: Camera): void {
     this.lights.quaternion.copy(camera.quaternion);
   }

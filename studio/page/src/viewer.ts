@@ -1,4 +1,4 @@
-// The 3-D view beside the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
+// The 3-D view next to the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, DynamicDrawUsage, PerspectiveCamera, Points, PointsMaterial, Raycaster, Vector2, Vector3, WebGLRenderer,
 } from "three";
@@ -17,7 +17,7 @@ export type { RiggedHead } from "./rigged_head";
 export const kViews = { front: [0, 0], side: [-90, 0], "three-quarter": [-35, 5] } as const;
 
 export class Viewer {
-  /** The view with its buttons; main puts it beside the tab. */
+  /** The view with its buttons; the page puts it next to the tab. */
   readonly element: HTMLElement;
   readonly orbit: Orbit;
   private readonly stage: HTMLElement;

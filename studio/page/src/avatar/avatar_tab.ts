@@ -34,7 +34,7 @@ class AvatarTab implements Tab {
   constructor(private readonly studio: Studio) {
     this.state = studio.recall<AvatarState | null>(kAvatarKey, null);
     this.picture = new PicturePart(studio, (points) => this.setLandmarks(points));
-    this.landmarksJob = new JobCard(studio.api);
+    this.landmarksJob = new JobCard(studio.api, false);
     this.avatarJob = new JobCard(studio.api);
     this.result = new ResultPart(studio, () => {
       this.markLast();

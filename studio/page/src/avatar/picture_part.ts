@@ -86,6 +86,7 @@ export class PicturePart {
   }
   /** The network found no face: a person can place the points, or open a file of them. */
   offerByHand(): void {
+    this.element.prepend(this.tools);
     this.tools.hidden = false;
     this.showNote();
   }
@@ -112,6 +113,7 @@ export class PicturePart {
     else this.showNote();
   }
   private show(): void {
+    this.element.append(this.tools);
     this.editor.setPoints(this.points);
     this.showNote();
     this.changed(this.points);

@@ -1,10 +1,10 @@
-// The tab Draw: a paper beside the 3-D face, in three modes.
+// The tab Draw: a paper next to the 3-D face, in three modes.
 import type { Mode, Point, SessionState } from "../api_types";
 import { el } from "../dom";
 import type { Studio, Tab } from "../tab";
 import { Paper } from "./paper";
 import type { LocalStroke, PaperContent } from "./paper_drawing";
-import { askPictureUse } from "./drop_dialog";
+import { choosePictureUse } from "./drop_dialog";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
 import { SheetTurn } from "./sheet_turn";
@@ -74,7 +74,7 @@ class DrawTab implements Tab {
       opened: () => this.paper.element.focus({ preventScroll: true }),
       renamed: (state) => {
         this.bars.update(state, this.tool, this.ghosts.length > 0);
-        this.tellSubject(state);
+        this.publishSubject(state);
       },
       busy: (is) => this.bars.setBusy(is),
       starting: (is) => this.element.classList.toggle("starting", is),
@@ -124,7 +124,7 @@ class DrawTab implements Tab {
     this.visible = true;
     const state = this.session.state;
     if (state) {
-      this.tellSubject(state);
+      this.publishSubject(state);
       this.showVertices(this.vertices);
       this.showHandles(state);
       return;
@@ -158,7 +158,7 @@ class DrawTab implements Tab {
   }
   async drop(file: File): Promise<boolean> {
     if (!file.type.startsWith("image/") || !this.visible) return false;
-    const use = await askPictureUse(file.name, file.type === "image/svg+xml" ? "drawing" : null);
+    const use = await choosePictureUse(file.name, file.type === "image/svg+xml" ? "drawing" : null);
     if (use === "portrait") {
       // The tab Avatar takes the file next.
       this.studio.open("avatar");
@@ -216,7 +216,7 @@ class DrawTab implements Tab {
     this.modeShown = null;
     this.paper.fit();
   }
-  private tellSubject(state: SessionState): void {
+  private publishSubject(state: SessionState): void {
     this.studio.subject = state.has_face ? { kind: "session", title: state.name, body: { session: state.id } } : null;
   }
 
@@ -224,7 +224,7 @@ class DrawTab implements Tab {
   private modeShown: Mode | null = null;
   private showState(state: SessionState): void {
     this.studio.remember("session", state.id);
-    if (this.visible) this.tellSubject(state);
+    if (this.visible) this.publishSubject(state);
     this.paper.setSheet(state.sheet);
     if (state.mode !== this.modeShown) this.chooseTool(state);
     if (state.mode !== this.modeShown) {

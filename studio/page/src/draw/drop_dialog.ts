@@ -3,20 +3,20 @@ import { button, el } from "../dom";
 
 export type PictureUse = "under" | "drawing" | "portrait";
 
-/** Asks; null: the person closed the question. */
-export function askPictureUse(name: string, looksLike: "portrait" | "drawing" | null): Promise<PictureUse | null> {
+/** The choice of a person; null: the question was closed. */
+export function choosePictureUse(name: string, looksLike: "portrait" | "drawing" | null): Promise<PictureUse | null> {
   return new Promise((done) => {
-    const dialog = el("dialog", { class: "ask", "aria-labelledby": "ask-title" });
+    const dialog = el("dialog", { class: "choose", "aria-labelledby": "choose-title" });
     const choose = (use: PictureUse | null) => {
       dialog.close();
       dialog.remove();
       done(use);
     };
     const choice = (use: PictureUse, title: string, about: string) => el("button", {
-      type: "button", class: "ask-choice", autofocus: use === (looksLike ?? "under"), onclick: () => choose(use),
+      type: "button", class: "choose-use", autofocus: use === (looksLike ?? "under"), onclick: () => choose(use),
     }, el("b", {}, title), el("span", {}, about));
     dialog.append(
-      el("h2", { id: "ask-title" }, `What is ${name}?`),
+      el("h2", { id: "choose-title" }, `What is ${name}?`),
       choice("under", "A picture to draw after", "It lies under the paper, as faint as you like."),
       choice("drawing", "A drawing of a face", "Its lines become a 3-D face in the tray."),
       choice("portrait", "A portrait", "It becomes a textured head in the tab Avatar."),

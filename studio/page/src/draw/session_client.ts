@@ -99,7 +99,7 @@ export class SessionClient {
       if (!isAbort(error)) this.listener.fail(error);
     }
   }
-  /** Of the faces of one stroke the first one counts as the answer to it. */
+  /** Of the faces of one stroke the first one is recorded. */
   private recordTime(endedAt: number, isFinal: boolean): void {
     const record = (times: number[]) => {
       times.push(performance.now() - endedAt);

@@ -117,7 +117,7 @@ export class SessionDesk {
     await this.host.session.open(state);
     this.host.opened();
   }
-  /** A sheet that nobody has drawn on is not kept among the drawings. */
+  /** A sheet without a line is not kept among the drawings. */
   private async dropEmpty(): Promise<void> {
     const state = this.host.session.state;
     if (!state || state.mode !== "draw" || state.lines.length > 0 || state.can_undo || state.can_redo) return;

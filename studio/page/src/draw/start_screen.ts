@@ -46,7 +46,7 @@ export class StartScreen {
     this.element = el("div", { class: "start" }, this.closeButton,
       el("div", { class: "start-inner" },
         el("h2", {}, "Draw a face"),
-        el("p", { class: "start-lead" }, "A few lines are enough: the 3-D face beside the paper follows every stroke. Try an example, or begin with an empty sheet."),
+        el("p", { class: "start-lead" }, "A few lines are enough: the 3-D face on the right follows every stroke. Try an example, or begin with an empty sheet."),
         this.examples,
         el("div", { class: "start-begin" },
           button("Empty sheet", () => host.begin({ begin: "blank", name: `Drawing ${this.numDrawings + 1}` }), { class: "primary" }),

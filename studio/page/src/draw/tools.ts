@@ -38,8 +38,8 @@ export function toolsOf(mode: Mode, gestures: boolean): readonly Tool[] {
 export function hintOf(state: SessionState, tool: ToolName, erased: boolean): string {
   if (state.mode === "draw") {
     if (tool === "eraser") return "Rub over lines to cut them.";
-    if (state.lines.length === 0) return "Draw the outline of a face, then eyes, nose and mouth. The face beside it follows every stroke.";
-    return state.has_face ? "Go on: brows, lips, ears. When the face is near, choose Redraw to correct single lines."
+    if (state.lines.length === 0) return "Draw the outline of a face, then eyes, nose and mouth. The face on the right follows every stroke.";
+    return state.has_face ? "Add brows, lips, ears. When the face is near, choose Redraw to correct single lines."
       : "These lines are no face yet. Add the outline, eyes, nose or mouth.";
   }
   if (state.mode === "follow_up") {

@@ -99,7 +99,7 @@ export class FormatCard {
     this.result.hidden = false;
     this.result.replaceChildren(
       el("p", { role: "status" }, `${name}, ${fileSize(bytes.size)}, is in your downloads.`),
-      commandField(`daumier predict --session ${name}`),
+      commandField(`daumier predict --session ${name} --out drawing`),
     );
   }
 

@@ -45,7 +45,7 @@ const kTriangles: Choice = {
   key: "triangles",
   label: "Triangles",
   values: [
-    { value: "", label: "All (25,254)" },
+    { value: "", label: "All" },
     { value: "8000", label: "At most 8,000" },
     { value: "4000", label: "At most 4,000" },
     { value: "2000", label: "At most 2,000" },
