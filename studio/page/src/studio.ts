@@ -33,11 +33,28 @@ export class StudioPage implements Studio, TrayOwner {
     const theme = new Theme(this);
     this.undoButton = iconButton("undo", "Undo", () => this.current?.undo?.(), "Ctrl+Z");
     this.redoButton = iconButton("redo", "Redo", () => this.current?.redo?.(), "Ctrl+Shift+Z");
-    this.element = el("div", { class: "studio" },
-      el("header", { class: "bar" }, el("h1", { class: "brand" }, "Daumier", el("span", {}, " studio")), this.bar,
-        el("div", { class: "bar-actions" }, this.undoButton, this.redoButton, theme.button, iconButton("help", "Help", () => this.showHelp(), "?"))),
+    this.element = el(
+      "div",
+      { class: "studio" },
+      el(
+        "header",
+        { class: "bar" },
+        el("h1", { class: "brand" }, "Daumier", el("span", {}, " studio")),
+        this.bar,
+        el(
+          "div",
+          { class: "bar-actions" },
+          this.undoButton,
+          this.redoButton,
+          theme.button,
+          iconButton("help", "Help", () => this.showHelp(), "?"),
+        ),
+      ),
       el("main", { class: "workspace", id: "workspace", tabindex: -1 }, this.panel, this.viewer.element),
-      this.faces.element, this.messages, this.help);
+      this.faces.element,
+      this.messages,
+      this.help,
+    );
     document.addEventListener("keydown", (event) => this.key(event));
     this.acceptFiles();
   }
@@ -57,18 +74,30 @@ export class StudioPage implements Studio, TrayOwner {
     tab.element.setAttribute("aria-labelledby", `tab-${tab.id}`);
     tab.element.hidden = true;
     this.panel.append(tab.element);
-    this.bar.append(el("button", {
-      type: "button", role: "tab", id: `tab-${tab.id}`, "aria-controls": `panel-${tab.id}`, "aria-selected": "false", tabindex: -1, onclick: () => this.open(tab.id),
-      onkeydown: (event) => {
-        const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-        if (step === 0) return;
-        event.preventDefault();
-        const next = this.tabs[(this.tabs.indexOf(tab) + step + this.tabs.length) % this.tabs.length];
-        if (!next) return;
-        this.open(next.id);
-        document.getElementById(`tab-${next.id}`)?.focus();
-      },
-    }, tab.title));
+    this.bar.append(
+      el(
+        "button",
+        {
+          type: "button",
+          role: "tab",
+          id: `tab-${tab.id}`,
+          "aria-controls": `panel-${tab.id}`,
+          "aria-selected": "false",
+          tabindex: -1,
+          onclick: () => this.open(tab.id),
+          onkeydown: (event) => {
+            const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+            if (step === 0) return;
+            event.preventDefault();
+            const next = this.tabs[(this.tabs.indexOf(tab) + step + this.tabs.length) % this.tabs.length];
+            if (!next) return;
+            this.open(next.id);
+            document.getElementById(`tab-${next.id}`)?.focus();
+          },
+        },
+        tab.title,
+      ),
+    );
   }
 
   open(id: Tab["id"]): void {
@@ -90,7 +119,10 @@ export class StudioPage implements Studio, TrayOwner {
     this.viewer.setHandles([]);
     this.remember("tab", id);
     this.refresh();
-    Promise.resolve(next.show()).then(() => this.refresh(), (error) => this.fail(error));
+    Promise.resolve(next.show()).then(
+      () => this.refresh(),
+      (error) => this.fail(error),
+    );
   }
 
   refresh(): void {
@@ -102,7 +134,10 @@ export class StudioPage implements Studio, TrayOwner {
   faceAction(): { label: string; use: (face: Face) => void } | null {
     const tab = this.current;
     if (!tab?.useFace) return null;
-    return { label: tab.useFaceLabel ?? "Use", use: (face) => void Promise.resolve(tab.useFace?.(face)).catch((error) => this.fail(error)) };
+    return {
+      label: tab.useFaceLabel ?? "Use",
+      use: (face) => void Promise.resolve(tab.useFace?.(face)).catch((error) => this.fail(error)),
+    };
   }
 
   say(message: string, kind: "info" | "warning" | "error" = "info"): void {
@@ -146,8 +181,11 @@ export class StudioPage implements Studio, TrayOwner {
   }
   private key(event: KeyboardEvent): void {
     const target = event.target as HTMLElement | null;
-    const typing = target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement ||
-      (target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type)) || Boolean(target?.isContentEditable);
+    const typing =
+      target instanceof HTMLTextAreaElement ||
+      target instanceof HTMLSelectElement ||
+      (target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type)) ||
+      Boolean(target?.isContentEditable);
     if (typing || document.querySelector("dialog[open]")) return;
     const command = event.ctrlKey || event.metaKey;
     if (command && !event.altKey && event.key.toLowerCase() === "z") {
@@ -171,7 +209,9 @@ export class StudioPage implements Studio, TrayOwner {
       this.element.classList.toggle("dropping", on);
     };
     addEventListener("dragover", (event) => over(event, true));
-    addEventListener("dragleave", (event) => { if (event.relatedTarget === null) over(event, false); });
+    addEventListener("dragleave", (event) => {
+      if (event.relatedTarget === null) over(event, false);
+    });
     addEventListener("drop", (event) => {
       over(event, false);
       for (const file of event.dataTransfer?.files ?? []) void this.takeFile(file);

@@ -1,6 +1,16 @@
 // The 3-D view next to the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, DynamicDrawUsage, PerspectiveCamera, Points, PointsMaterial, Raycaster, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  DynamicDrawUsage,
+  PerspectiveCamera,
+  Points,
+  PointsMaterial,
+  Raycaster,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from "three";
 import { AdaptiveResolution } from "./adaptive_resolution";
 import type { Head } from "./api_types";
@@ -41,12 +51,29 @@ export class Viewer {
 
   constructor() {
     this.note = el("p", { class: "view-note", hidden: true });
-    this.stage = el("div", {
-      class: "view-stage", tabindex: 0, role: "application", "aria-label": "3-D view of the face. Arrow keys turn it, plus and minus zoom, 0 shows the front.",
-    }, this.note);
+    this.stage = el(
+      "div",
+      {
+        class: "view-stage",
+        tabindex: 0,
+        role: "application",
+        "aria-label": "3-D view of the face. Arrow keys turn it, plus and minus zoom, 0 shows the front.",
+      },
+      this.note,
+    );
     const look = (label: string, name: keyof typeof kViews) => button(label, () => this.lookFrom(name));
-    this.element = el("section", { class: "view", "aria-label": "3-D view" }, this.stage,
-      el("div", { class: "view-buttons", role: "group", "aria-label": "View from" }, look("Front", "front"), look("¾", "three-quarter"), look("Side", "side")));
+    this.element = el(
+      "section",
+      { class: "view", "aria-label": "3-D view" },
+      this.stage,
+      el(
+        "div",
+        { class: "view-buttons", role: "group", "aria-label": "View from" },
+        look("Front", "front"),
+        look("¾", "three-quarter"),
+        look("Side", "side"),
+      ),
+    );
     this.element.querySelectorAll(".view-buttons button")[1]?.setAttribute("aria-label", "Three-quarter");
     this.orbit = new Orbit(this.stage, () => {
       this.invalidate();
@@ -54,7 +81,10 @@ export class Viewer {
     });
     const disc = discTexture();
     const points = (colour: number, size: number) => {
-      const made = new Points(new BufferGeometry(), new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }));
+      const made = new Points(
+        new BufferGeometry(),
+        new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }),
+      );
       made.frustumCulled = false;
       made.renderOrder = 1;
       return made;
@@ -170,7 +200,8 @@ export class Viewer {
       vertices.forEach((vertex, i) => {
         // Half a millimetre above the surface, so that the surface does not hide half of the point.
         for (let k = 0; k < 3; ++k) {
-          at[3 * i + k] = (this.scene.positions[3 * vertex + k] ?? 0) + 0.05 * (this.scene.geometry.getAttribute("normal").array[3 * vertex + k] ?? 0);
+          at[3 * i + k] =
+            (this.scene.positions[3 * vertex + k] ?? 0) + 0.05 * (this.scene.geometry.getAttribute("normal").array[3 * vertex + k] ?? 0);
         }
       });
       points.geometry.dispose();
@@ -178,7 +209,10 @@ export class Viewer {
       points.geometry.setAttribute("position", new BufferAttribute(at, 3).setUsage(DynamicDrawUsage));
       points.visible = vertices.length > 0;
     };
-    place(this.handlePoints, this.handles.filter((vertex) => vertex !== this.chosen));
+    place(
+      this.handlePoints,
+      this.handles.filter((vertex) => vertex !== this.chosen),
+    );
     place(this.regionPoints, this.region);
     place(this.chosenPoint, this.chosen === null ? [] : [this.chosen]);
   }

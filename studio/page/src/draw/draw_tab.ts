@@ -4,7 +4,8 @@ import { el } from "../dom";
 import type { Studio, Tab } from "../tab";
 import { Paper } from "./paper";
 import type { LocalStroke, PaperContent } from "./paper_drawing";
-import { choosePictureUse } from "./drop_dialog";
+import { type KeyHost, pressKey } from "./draw_keys";
+import { takePicture } from "./picture_drop";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
 import { SheetTurn } from "./sheet_turn";
@@ -12,7 +13,7 @@ import { kNoFaceYet, SessionDesk } from "./session_desk";
 import { StrokeInput, type StrokeContext } from "./stroke_input";
 import { removedParts, type Sample } from "./stroke_path";
 import { ToolBars, type PenSettings } from "./tool_bars";
-import { cursorOf, gestureWords, toolsOf, type ToolName } from "./tools";
+import { cursorOf, firstTool, gestureWords, type ToolName } from "./tools";
 
 /** Samples of the pen from which on a preview is worth a request. */
 const kFewSamples = 4;
@@ -29,6 +30,7 @@ class DrawTab implements Tab {
   private readonly session: SessionClient;
   private readonly paper: Paper;
   private readonly bars: ToolBars;
+  private readonly keys = this.makeKeys();
   private readonly desk: SessionDesk;
   private readonly reference: ReferencePicture;
   private readonly settings: PenSettings;
@@ -64,12 +66,22 @@ class DrawTab implements Tab {
       cancel: () => this.cancel(),
     });
     const tab = this;
-    this.turn = new SheetTurn({ api: studio.api, viewer: studio.viewer, paper: this.paper, get state() { return tab.session.state; }, fail: (error) => studio.fail(error) });
+    this.turn = new SheetTurn({
+      api: studio.api,
+      viewer: studio.viewer,
+      paper: this.paper,
+      get state() {
+        return tab.session.state;
+      },
+      fail: (error) => studio.fail(error),
+    });
     this.bars = this.makeBars();
     this.desk = new SessionDesk({
       studio,
       session: this.session,
-      get visible() { return tab.visible; },
+      get visible() {
+        return tab.visible;
+      },
       cleared: () => this.clear(),
       opened: () => this.paper.element.focus({ preventScroll: true }),
       renamed: (state) => {
@@ -84,21 +96,53 @@ class DrawTab implements Tab {
       if (chosen) this.reference.read(chosen).catch((error) => studio.fail(error));
       this.file.value = "";
     });
-    this.element = el("div", { class: "draw" }, this.bars.top, this.bars.rail, this.paper.element, this.bars.float, this.bars.bottom, this.desk.start.element, this.file);
+    this.element = el(
+      "div",
+      { class: "draw" },
+      this.bars.top,
+      this.bars.rail,
+      this.paper.element,
+      this.bars.float,
+      this.bars.bottom,
+      this.desk.start.element,
+      this.file,
+    );
     this.desk.start.hide();
-    addEventListener("keyup", (event) => { if (event.key === " ") this.setPanning(false); });
+    addEventListener("keyup", (event) => {
+      if (event.key === " ") this.setPanning(false);
+    });
     addEventListener("blur", () => this.setPanning(false));
-    studio.api.info().then((info) => {
-      this.gestures = info.can.gestures;
-      if (this.session.state) this.refreshTools();
-    }, (error) => studio.fail(error));
+    studio.api.info().then(
+      (info) => {
+        this.gestures = info.can.gestures;
+        if (this.session.state) this.refreshTools();
+      },
+      (error) => studio.fail(error),
+    );
   }
 
+  private makeKeys(): KeyHost {
+    const tab = this;
+    return {
+      get gestures() {
+        return tab.gestures;
+      },
+      setMode: (mode) => this.setMode(mode),
+      setTool: (tool) => this.setTool(tool),
+      setPanning: (on) => this.setPanning(on),
+      zoom: (factor) => this.paper.zoom(factor),
+      fit: () => this.turn.fit(),
+      flipMirror: () => this.bars.flipMirror(),
+      turn: (event) => this.turn.key(event),
+    };
+  }
   private makeBars(): ToolBars {
     const tab = this;
     return new ToolBars({
       settings: this.settings,
-      get gestures() { return tab.gestures; },
+      get gestures() {
+        return tab.gestures;
+      },
       setMode: (mode) => this.setMode(mode),
       setTool: (tool) => this.setTool(tool),
       settingsChanged: () => this.settingsChanged(),
@@ -113,8 +157,12 @@ class DrawTab implements Tab {
         choose: () => this.file.click(),
         remove: () => this.reference.remove(),
         opacity: (value) => this.reference.setOpacity(value),
-        get present() { return tab.reference.picture !== null; },
-        get value() { return tab.reference.opacity; },
+        get present() {
+          return tab.reference.picture !== null;
+        },
+        get value() {
+          return tab.reference.opacity;
+        },
       },
     });
   }
@@ -157,20 +205,7 @@ class DrawTab implements Tab {
     return this.desk.create({ begin: face.id, name: `From ${face.name}` });
   }
   async drop(file: File): Promise<boolean> {
-    if (!file.type.startsWith("image/") || !this.visible) return false;
-    const use = await choosePictureUse(file.name, file.type === "image/svg+xml" ? "drawing" : null);
-    if (use === "portrait") {
-      // The tab Avatar takes the file next.
-      this.studio.open("avatar");
-      return false;
-    }
-    if (use === "drawing") await this.desk.readDrawing(file);
-    if (use === "under") {
-      if (!this.session.state) await this.desk.create({ begin: "blank", name: file.name });
-      await this.reference.read(file);
-      this.studio.say("The picture lies under the paper. Pen and paper, below the mirror, changes how strong it is.");
-    }
-    return true;
+    return this.visible && takePicture(file, this.studio, this.desk, this.reference);
   }
 
   key(event: KeyboardEvent): boolean {
@@ -181,26 +216,7 @@ class DrawTab implements Tab {
     }
     const state = this.session.state;
     if (!state || !this.desk.start.element.hidden) return false;
-    const onButton = event.target instanceof HTMLButtonElement;
-    if (event.key === " " && !onButton) {
-      this.setPanning(true);
-      return true;
-    }
-    if (state.mode === "refine" && this.turn.key(event)) return true;
-    const actions: Record<string, () => void> = {
-      "1": () => this.setMode("draw"), "2": () => this.setMode("follow_up"), "3": () => this.setMode("refine"),
-      "+": () => this.paper.zoom(1.25), "=": () => this.paper.zoom(1.25), "-": () => this.paper.zoom(0.8), "0": () => this.turn.fit(),
-      m: () => { if (state.mode !== "refine") this.bars.flipMirror(); },
-    };
-    const act = actions[event.key.toLowerCase()];
-    if (act) {
-      act();
-      return true;
-    }
-    const tool = toolsOf(state.mode, this.gestures).find((each) => each.key.toLowerCase() === event.key.toLowerCase());
-    if (!tool) return false;
-    this.setTool(tool.name);
-    return true;
+    return pressKey(event, state, this.keys);
   }
   private setPanning(on: boolean): void {
     this.paper.pointer.panning = on;
@@ -226,9 +242,9 @@ class DrawTab implements Tab {
     this.studio.remember("session", state.id);
     if (this.visible) this.publishSubject(state);
     this.paper.setSheet(state.sheet);
-    if (state.mode !== this.modeShown) this.chooseTool(state);
     if (state.mode !== this.modeShown) {
       this.ghosts = [];
+      this.tool = firstTool(state);
       const before = this.modeShown;
       this.modeShown = state.mode;
       this.turn.modeChanged(state, before);
@@ -274,13 +290,6 @@ class DrawTab implements Tab {
     }
     void this.session.send({ do: mode });
   }
-  /** The tool that a person needs first in a mode. */
-  private chooseTool(state: SessionState): void {
-    if (state.mode === "draw") this.tool = "pen";
-    else if (state.mode === "follow_up") this.tool = state.open_ends.length > 0 ? "pen" : "eraser";
-    else this.tool = "brush";
-    this.refreshTools();
-  }
   private setTool(tool: ToolName): void {
     this.tool = tool;
     this.refreshTools();
@@ -295,7 +304,8 @@ class DrawTab implements Tab {
     if (!state) return;
     if (bars) this.bars.update(state, this.tool, this.ghosts.length > 0);
     this.paper.element.style.cursor = cursorOf(this.tool);
-    const radius = this.tool === "eraser" ? state.eraser_reach : this.tool === "brush" || this.tool === "unbrush" ? this.settings.brushRadius : 0;
+    const radius =
+      this.tool === "eraser" ? state.eraser_reach : this.tool === "brush" || this.tool === "unbrush" ? this.settings.brushRadius : 0;
     this.paper.setRing(radius);
   }
 
@@ -373,7 +383,13 @@ class DrawTab implements Tab {
     }
     void this.session.send(made, endedAt, line).then((next) => {
       this.pending.delete(number);
-      if (next && made.do === "erase") this.ghosts.push(...removedParts(before, next.lines.map((each) => each.points)));
+      if (next && made.do === "erase")
+        this.ghosts.push(
+          ...removedParts(
+            before,
+            next.lines.map((each) => each.points),
+          ),
+        );
       else this.ghosts = [];
       this.refreshTools();
       this.paper.invalidate("ink");

@@ -27,10 +27,18 @@ export class Paper {
   private ringRadius = 0;
 
   constructor(private readonly host: PaperHost) {
-    this.element = el("div", {
-      class: "paper", tabindex: 0, role: "application",
-      "aria-label": "Paper. Draw with a pen, a mouse or a finger. Plus and minus zoom, 0 shows all of it.",
-    }, this.under, this.ink, this.ring);
+    this.element = el(
+      "div",
+      {
+        class: "paper",
+        tabindex: 0,
+        role: "application",
+        "aria-label": "Paper. Draw with a pen, a mouse or a finger. Plus and minus zoom, 0 shows all of it.",
+      },
+      this.under,
+      this.ink,
+      this.ring,
+    );
     this.pointer = new PaperPointer(this.element, {
       toSheet: (x, y) => this.toSheet(x, y),
       begin: (sample, event) => host.begin(sample, event),

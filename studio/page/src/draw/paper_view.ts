@@ -8,12 +8,19 @@ export class PaperView {
   y = 0;
   private fitted = true;
 
-  constructor(public sheet: [number, number], private width = 1, private height = 1) {}
+  constructor(
+    public sheet: [number, number],
+    private width = 1,
+    private height = 1,
+  ) {}
 
   /** A rectangle of the sheet, or all of it, with a margin. */
   fit([left, top, width, height]: readonly [number, number, number, number] = [0, 0, ...this.sheet]): void {
     const kMargin = 14;
-    this.zoom = Math.min(kGreatestZoom, Math.max(kLeastZoom, Math.min((this.width - 2 * kMargin) / width, (this.height - 2 * kMargin) / height)));
+    this.zoom = Math.min(
+      kGreatestZoom,
+      Math.max(kLeastZoom, Math.min((this.width - 2 * kMargin) / width, (this.height - 2 * kMargin) / height)),
+    );
     this.x = this.width / 2 - this.zoom * (left + width / 2);
     this.y = this.height / 2 - this.zoom * (top + height / 2);
     this.fitted = left === 0 && top === 0 && width === this.sheet[0];

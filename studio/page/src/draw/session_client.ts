@@ -33,7 +33,10 @@ export class SessionClient {
   private nextPreview: { points: Point[]; endedAt: number | null } | null = null;
   private recorded = -1;
 
-  constructor(private readonly api: Api, private readonly listener: SessionListener) {}
+  constructor(
+    private readonly api: Api,
+    private readonly listener: SessionListener,
+  ) {}
 
   get state(): SessionState | null {
     return this.current;

@@ -36,6 +36,10 @@ export class SessionDesk {
     });
   }
 
+  get hasDrawing(): boolean {
+    return this.host.session.state !== null;
+  }
+
   /** The drawing of the last visit, or the first screen. */
   async resume(): Promise<void> {
     const { studio, session } = this.host;
@@ -55,12 +59,14 @@ export class SessionDesk {
 
   async create(options: { begin: string; name?: string; example?: string }): Promise<void> {
     this.host.busy(true);
+    this.start.element.setAttribute("aria-busy", "true");
     try {
       await this.openState(await this.host.studio.api.createSession(options));
     } catch (error) {
       this.host.studio.fail(error);
     } finally {
       this.host.busy(false);
+      this.start.element.removeAttribute("aria-busy");
     }
   }
   async rename(name: string): Promise<void> {

@@ -13,7 +13,10 @@ export class SheetFace {
   private size: [number, number] = [0, 0];
   private rows: SheetCamera["pixel_from_cm"] | null = null;
 
-  constructor(private readonly viewer: Viewer, redraw: () => void) {
+  constructor(
+    private readonly viewer: Viewer,
+    redraw: () => void,
+  ) {
     try {
       this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
     } catch {
@@ -42,7 +45,8 @@ export class SheetFace {
     const positions = this.viewer.vertices;
     let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
     for (let i = 0; i + 2 < positions.length; i += 3) {
-      const at = (r: number[]) => (r[0] ?? 0) * (positions[i] ?? 0) + (r[1] ?? 0) * (positions[i + 1] ?? 0) + (r[2] ?? 0) * (positions[i + 2] ?? 0) + (r[3] ?? 0);
+      const at = (r: number[]) =>
+        (r[0] ?? 0) * (positions[i] ?? 0) + (r[1] ?? 0) * (positions[i + 1] ?? 0) + (r[2] ?? 0) * (positions[i + 2] ?? 0) + (r[3] ?? 0);
       const x = at(rowX);
       const y = at(rowY);
       left = Math.min(left, x);
@@ -77,7 +81,12 @@ export class SheetFace {
     const kNear = -100;
     const kFar = 100;
     const middle = depth[3] ?? 0;
-    const row = (r: number[], scale: number, offset: number) => [scale * (r[0] ?? 0), scale * (r[1] ?? 0), scale * (r[2] ?? 0), scale * (r[3] ?? 0) + offset];
+    const row = (r: number[], scale: number, offset: number) => [
+      scale * (r[0] ?? 0),
+      scale * (r[1] ?? 0),
+      scale * (r[2] ?? 0),
+      scale * (r[3] ?? 0) + offset,
+    ];
     const clipX = row(x, (2 * view.zoom) / width, (2 * view.x) / width - 1);
     const clipY = row(y, (-2 * view.zoom) / height, 1 - (2 * view.y) / height);
     const clipZ = row(depth, 2 / (kFar - kNear), (-2 * middle) / (kFar - kNear));

@@ -35,7 +35,10 @@ export class SheetTurn {
   moveDrag(event: PointerEvent): void {
     if (!this.drag) return;
     const size = Math.min(...this.host.paper.view.size);
-    this.look([this.drag.view[0] - (180 * (event.clientX - this.drag.x)) / size, this.drag.view[1] + (180 * (event.clientY - this.drag.y)) / size]);
+    this.look([
+      this.drag.view[0] - (180 * (event.clientX - this.drag.x)) / size,
+      this.drag.view[1] + (180 * (event.clientY - this.drag.y)) / size,
+    ]);
   }
   endDrag(): void {
     this.drag = null;

@@ -60,14 +60,27 @@ export class StrokeInput {
   private show(context: StrokeContext): void {
     const { state, settings, mirrorAxis } = context;
     const points = pointsOf(this.path);
-    const withImage = (stroke: LocalStroke): LocalStroke[] => (settings.mirror ? [stroke, { ...stroke, points: mirrored(stroke.points, mirrorAxis) }] : [stroke]);
+    const withImage = (stroke: LocalStroke): LocalStroke[] =>
+      settings.mirror ? [stroke, { ...stroke, points: mirrored(stroke.points, mirrorAxis) }] : [stroke];
     switch (context.tool) {
-      case "pen": this.shown = withImage({ kind: "line", points: this.line(context), width: settings.weight }); break;
-      case "eraser": this.shown = withImage({ kind: state.mode === "draw" ? "erase" : "trail", points, width: 2 * state.eraser_reach }); break;
-      case "brush": case "unbrush": this.shown = [{ kind: "trail", points, width: 2 * settings.brushRadius }]; break;
-      case "translate": this.shown = [{ kind: "arrow", points, width: 0 }]; break;
-      case "region": this.shown = [{ kind: "loop", points, width: 0 }]; break;
-      default: this.shown = [{ kind: "line", points, width: 0 }];
+      case "pen":
+        this.shown = withImage({ kind: "line", points: this.line(context), width: settings.weight });
+        break;
+      case "eraser":
+        this.shown = withImage({ kind: state.mode === "draw" ? "erase" : "trail", points, width: 2 * state.eraser_reach });
+        break;
+      case "brush":
+      case "unbrush":
+        this.shown = [{ kind: "trail", points, width: 2 * settings.brushRadius }];
+        break;
+      case "translate":
+        this.shown = [{ kind: "arrow", points, width: 0 }];
+        break;
+      case "region":
+        this.shown = [{ kind: "loop", points, width: 0 }];
+        break;
+      default:
+        this.shown = [{ kind: "line", points, width: 0 }];
     }
   }
 
@@ -81,14 +94,22 @@ export class StrokeInput {
     if (tool === "brush" || tool === "unbrush") return { do: tool, points, radius: settings.brushRadius, ...view };
     if (lengthOf(points) < kLeastLength) return null;
     switch (tool) {
-      case "pen": return {
-        do: "draw", points, ...mirror,
-        ...(settings.stabiliser > 0 ? { stabiliser: settings.stabiliser } : {}),
-        ...(settings.weight > 0 ? { weight: settings.weight } : {}),
-        ...(settings.weight > 0 && isPen ? { pressure: pressureOf(this.path) } : {}),
-      };
-      case "translate": case "pull": case "region": case "gesture": return { do: tool, points, ...view };
-      default: return null;
+      case "pen":
+        return {
+          do: "draw",
+          points,
+          ...mirror,
+          ...(settings.stabiliser > 0 ? { stabiliser: settings.stabiliser } : {}),
+          ...(settings.weight > 0 ? { weight: settings.weight } : {}),
+          ...(settings.weight > 0 && isPen ? { pressure: pressureOf(this.path) } : {}),
+        };
+      case "translate":
+      case "pull":
+      case "region":
+      case "gesture":
+        return { do: tool, points, ...view };
+      default:
+        return null;
     }
   }
 }
