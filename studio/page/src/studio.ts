@@ -186,7 +186,9 @@ export class StudioPage implements Studio, TrayOwner {
       target instanceof HTMLSelectElement ||
       (target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type)) ||
       Boolean(target?.isContentEditable);
-    if (typing || document.querySelector("dialog[open]")) return;
+    // Arrows move a slider or the choice of a group that has the focus.
+    const moves = target instanceof HTMLInputElement && /^(Arrow|Home|End|Page| )/.test(event.key);
+    if (typing || moves || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const command = event.ctrlKey || event.metaKey;
     if (command && !event.altKey && event.key.toLowerCase() === "z") {
       event.preventDefault();

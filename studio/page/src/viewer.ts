@@ -22,6 +22,7 @@ import { readRiggedHead, type RiggedHead } from "./rigged_head";
 const kFieldOfView = 22;
 /** Share of the height of the view that the head fills. */
 const kFill = 0.9;
+const kManyHandles = 150;
 
 export type { RiggedHead } from "./rigged_head";
 export const kViews = { front: [0, 0], side: [-90, 0], "three-quarter": [-35, 5] } as const;
@@ -183,6 +184,8 @@ export class Viewer {
   setHandles(handles: readonly number[], chosen: number | null = null): void {
     this.handles = [...handles];
     this.chosen = chosen;
+    // Many handles are a patch: smaller points let the skin show through.
+    (this.handlePoints.material as PointsMaterial).size = handles.length > kManyHandles ? 2.5 : 5;
     this.placeHandles();
     this.invalidate();
   }

@@ -304,9 +304,9 @@ class DrawTab implements Tab {
     if (!state) return;
     if (bars) this.bars.update(state, this.tool, this.ghosts.length > 0);
     this.paper.element.style.cursor = cursorOf(this.tool);
-    const radius =
-      this.tool === "eraser" ? state.eraser_reach : this.tool === "brush" || this.tool === "unbrush" ? this.settings.brushRadius : 0;
-    this.paper.setRing(radius);
+    const brushes = this.tool === "brush" || this.tool === "unbrush";
+    if (brushes) this.paper.setRing(this.settings.brushRadius, "screen");
+    else this.paper.setRing(this.tool === "eraser" ? state.eraser_reach : 0, "sheet");
   }
 
   // Strokes.
@@ -329,7 +329,9 @@ class DrawTab implements Tab {
     if (needed) this.paper.invalidate("ink");
   }
   private context(state: SessionState): StrokeContext {
-    return { state, tool: this.tool, settings: this.settings, mirrorAxis: this.turn.mirrorAxis, view: this.turn.view };
+    // A brush has its size on the screen: zoom makes it finer on the face.
+    const brushRadius = this.settings.brushRadius / this.paper.view.zoom;
+    return { state, tool: this.tool, settings: this.settings, brushRadius, mirrorAxis: this.turn.mirrorAxis, view: this.turn.view };
   }
   private begin(sample: Sample, event: PointerEvent): void {
     const state = this.session.state;

@@ -25,6 +25,7 @@ export class Paper {
   private underStale = true;
   private faceStale = true;
   private ringRadius = 0;
+  private ringUnit: "sheet" | "screen" = "sheet";
 
   constructor(private readonly host: PaperHost) {
     this.element = el(
@@ -80,9 +81,10 @@ export class Paper {
   zoom(factor: number): void {
     this.moved(() => this.view.zoomMiddle(factor));
   }
-  /** A ring of a radius in sheet pixels around the pen; 0: none. */
-  setRing(radius: number): void {
+  /** A ring around the pen, whose radius is in pixels of the sheet or of the screen; 0: none. */
+  setRing(radius: number, unit: "sheet" | "screen"): void {
     this.ringRadius = radius;
+    this.ringUnit = unit;
     this.sizeRing();
   }
 
@@ -96,7 +98,7 @@ export class Paper {
     this.invalidate("all");
   }
   private sizeRing(): void {
-    const size = Math.max(6, 2 * this.ringRadius * this.view.zoom);
+    const size = Math.max(6, 2 * this.ringRadius * (this.ringUnit === "sheet" ? this.view.zoom : 1));
     this.ring.style.width = this.ring.style.height = `${size}px`;
   }
   private hover(event: PointerEvent | null): void {

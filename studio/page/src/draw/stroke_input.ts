@@ -12,6 +12,8 @@ export interface StrokeContext {
   readonly state: SessionState;
   readonly tool: ToolName;
   readonly settings: PenSettings;
+  /** Sheet pixels. */
+  readonly brushRadius: number;
   /** x of the mirror, sheet pixels. */
   readonly mirrorAxis: number;
   readonly view: View;
@@ -71,7 +73,7 @@ export class StrokeInput {
         break;
       case "brush":
       case "unbrush":
-        this.shown = [{ kind: "trail", points, width: 2 * settings.brushRadius }];
+        this.shown = [{ kind: "trail", points, width: 2 * context.brushRadius }];
         break;
       case "translate":
         this.shown = [{ kind: "arrow", points, width: 0 }];
@@ -91,7 +93,7 @@ export class StrokeInput {
     const mirror = settings.mirror ? { mirror: true } : {};
     const view = { view: context.view };
     if (tool === "eraser") return { do: "erase", points, ...mirror };
-    if (tool === "brush" || tool === "unbrush") return { do: tool, points, radius: settings.brushRadius, ...view };
+    if (tool === "brush" || tool === "unbrush") return { do: tool, points, radius: context.brushRadius, ...view };
     if (lengthOf(points) < kLeastLength) return null;
     switch (tool) {
       case "pen":

@@ -7,6 +7,7 @@ export interface PenSettings {
   stabiliser: number;
   weight: number;
   mirror: boolean;
+  /** Pixels of the screen. */
   brushRadius: number;
 }
 
@@ -184,7 +185,7 @@ export class ToolBars {
       max: 60,
       step: 1,
       value: this.host.settings.brushRadius,
-      "aria-label": "Radius of the brush, sheet pixels",
+      "aria-label": "Radius of the brush, pixels of the screen",
       title: "Radius of the brush",
     });
     field.addEventListener("input", () => {
