@@ -14,7 +14,10 @@ export class AdaptiveResolution {
   private timer = 0;
   private isRest = false;
 
-  constructor(private readonly renderer: WebGLRenderer, private readonly redraw: () => void) {}
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly redraw: () => void,
+  ) {}
 
   /** Before a drawing. */
   begin(): void {

@@ -1,11 +1,25 @@
 // Client of the server's API: one method a request. Every failure is an ApiError whose message is a sentence for people.
 import type {
-  Example, Face, Head, Info, Job, SessionEntry, SessionEvent, SessionState, Shape, ShapeInfo, SheetCamera, Upload,
+  Example,
+  Face,
+  Head,
+  Info,
+  Job,
+  SessionEntry,
+  SessionEvent,
+  SessionState,
+  Shape,
+  ShapeInfo,
+  SheetCamera,
+  Upload,
 } from "./api_types";
 
 export class ApiError extends Error {
   /** status 0: the server did not respond. */
-  constructor(message: string, readonly status: number) {
+  constructor(
+    message: string,
+    readonly status: number,
+  ) {
     super(message);
   }
 }
@@ -83,17 +97,37 @@ export class Api {
     return arrived.status === 204 ? null : new Float32Array(await arrived.arrayBuffer());
   }
 
-  info(): Promise<Info> { return this.get("/api/info"); }
-  head(): Promise<Head> { return this.get("/api/head"); }
-  async triangles(): Promise<Uint32Array> { return new Uint32Array(await this.bytes("/api/head/triangles")); }
+  info(): Promise<Info> {
+    return this.get("/api/info");
+  }
+  head(): Promise<Head> {
+    return this.get("/api/head");
+  }
+  async triangles(): Promise<Uint32Array> {
+    return new Uint32Array(await this.bytes("/api/head/triangles"));
+  }
 
-  async sessions(): Promise<SessionEntry[]> { return (await this.get<{ sessions: SessionEntry[] }>("/api/sessions")).sessions; }
-  async examples(): Promise<Example[]> { return (await this.get<{ examples: Example[] }>("/api/examples")).examples; }
-  createSession(options: { begin: string; name?: string; example?: string }): Promise<SessionState> { return this.post("/api/sessions", options); }
-  session(id: string): Promise<SessionState> { return this.get(`/api/sessions/${id}`); }
-  renameSession(id: string, name: string): Promise<SessionState> { return this.patch(`/api/sessions/${id}`, { name }); }
-  deleteSession(id: string): Promise<unknown> { return this.remove(`/api/sessions/${id}`); }
-  sendEvent(id: string, event: SessionEvent): Promise<SessionState> { return this.post(`/api/sessions/${id}/events`, event); }
+  async sessions(): Promise<SessionEntry[]> {
+    return (await this.get<{ sessions: SessionEntry[] }>("/api/sessions")).sessions;
+  }
+  async examples(): Promise<Example[]> {
+    return (await this.get<{ examples: Example[] }>("/api/examples")).examples;
+  }
+  createSession(options: { begin: string; name?: string; example?: string }): Promise<SessionState> {
+    return this.post("/api/sessions", options);
+  }
+  session(id: string): Promise<SessionState> {
+    return this.get(`/api/sessions/${id}`);
+  }
+  renameSession(id: string, name: string): Promise<SessionState> {
+    return this.patch(`/api/sessions/${id}`, { name });
+  }
+  deleteSession(id: string): Promise<unknown> {
+    return this.remove(`/api/sessions/${id}`);
+  }
+  sendEvent(id: string, event: SessionEvent): Promise<SessionState> {
+    return this.post(`/api/sessions/${id}/events`, event);
+  }
   /** N x 3 vertices in cm, or null while there is no face. */
   sessionVertices(id: string, revision: number, signal?: AbortSignal): Promise<Float32Array | null> {
     return this.floats(this.request("GET", `/api/sessions/${id}/vertices?revision=${revision}`, undefined, signal));
@@ -105,19 +139,31 @@ export class Api {
     return this.get(`/api/sessions/${id}/camera?yaw=${yaw}&pitch=${pitch}`, signal);
   }
 
-  async faces(): Promise<Face[]> { return (await this.get<{ faces: Face[] }>("/api/faces")).faces; }
-  pinFace(body: { name?: string } & ({ session: string } | { shape: unknown })): Promise<Face> { return this.post("/api/faces", body); }
+  async faces(): Promise<Face[]> {
+    return (await this.get<{ faces: Face[] }>("/api/faces")).faces;
+  }
+  pinFace(body: { name?: string } & ({ session: string } | { shape: unknown })): Promise<Face> {
+    return this.post("/api/faces", body);
+  }
   faceVertices(id: string, signal?: AbortSignal): Promise<Float32Array | null> {
     return this.floats(this.request("GET", `/api/faces/${id}/vertices`, undefined, signal));
   }
-  thumbnail(id: string): Promise<Blob> { return this.blob(`/api/faces/${id}/thumbnail.png`); }
-  deleteFace(id: string): Promise<unknown> { return this.remove(`/api/faces/${id}`); }
+  thumbnail(id: string): Promise<Blob> {
+    return this.blob(`/api/faces/${id}/thumbnail.png`);
+  }
+  deleteFace(id: string): Promise<unknown> {
+    return this.remove(`/api/faces/${id}`);
+  }
 
-  shapeInfo(): Promise<ShapeInfo> { return this.get("/api/shape"); }
+  shapeInfo(): Promise<ShapeInfo> {
+    return this.get("/api/shape");
+  }
   shapeVertices(shape: Shape, signal?: AbortSignal): Promise<Float32Array | null> {
     return this.floats(this.request("POST", "/api/shape", { json: shape }, signal));
   }
-  randomShape(seed: number, spread: number): Promise<{ controls: Record<string, number> }> { return this.post("/api/shape/random", { seed, spread }); }
+  randomShape(seed: number, spread: number): Promise<{ controls: Record<string, number> }> {
+    return this.post("/api/shape/random", { seed, spread });
+  }
 
   async upload(file: Blob, name: string): Promise<Upload> {
     const response = await this.request("POST", `/api/uploads?name=${encodeURIComponent(name)}`, { bytes: file });

@@ -65,7 +65,10 @@ export type View = [number, number];
 export type SessionEvent =
   | { do: "draw"; points: Point[]; mirror?: boolean; stabiliser?: number; weight?: number; pressure?: number[] }
   | { do: "erase"; points: Point[]; mirror?: boolean }
-  | { do: "follow_up" } | { do: "refine" } | { do: "undo" } | { do: "redo" }
+  | { do: "follow_up" }
+  | { do: "refine" }
+  | { do: "undo" }
+  | { do: "redo" }
   | { do: "region" | "translate" | "pull" | "gesture"; points: Point[]; view?: View }
   | { do: "brush" | "unbrush"; points: Point[]; radius: number; view?: View }
   | { do: "roll"; level: number; view?: View };

@@ -5,7 +5,11 @@ type Handlers = { [K in keyof HTMLElementEventMap as `on${K}`]?: (event: HTMLEle
 type Attributes = Handlers & { [name: string]: unknown };
 
 /** An element with attributes (on... are listeners; true: present; false, null, undefined: absent) and children. */
-export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+export function el<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === false || value === null || value === undefined) continue;
@@ -31,8 +35,14 @@ export function iconButton(icon: IconName, label: string, action: () => void, ke
 
 /** A slider with a typed number. input: while it moves; change: at the end. */
 export function slider(options: {
-  label: string; min: number; max: number; step: number; value: number; unit?: string;
-  input?: (value: number) => void; change?: (value: number) => void;
+  label: string;
+  min: number;
+  max: number;
+  step: number;
+  value: number;
+  unit?: string;
+  input?: (value: number) => void;
+  change?: (value: number) => void;
 }): { element: HTMLElement; set(value: number): void; get(): number } {
   const name = options.unit ? `${options.label} (${options.unit})` : options.label;
   const range = el("input", { type: "range", min: options.min, max: options.max, step: options.step, "aria-label": name });
@@ -41,7 +51,8 @@ export function slider(options: {
     range.value = String(value);
     number.value = String(Math.round(value * 1000) / 1000);
   };
-  const clamped = (text: string) => Math.min(options.max, Math.max(options.min, Number.isFinite(Number(text)) && text !== "" ? Number(text) : options.value));
+  const clamped = (text: string) =>
+    Math.min(options.max, Math.max(options.min, Number.isFinite(Number(text)) && text !== "" ? Number(text) : options.value));
   range.addEventListener("input", () => {
     number.value = range.value;
     options.input?.(Number(range.value));
@@ -71,7 +82,12 @@ export function toggle(label: string, value: boolean, change: (value: boolean) =
 }
 
 /** A select with a label. */
-export function choice(label: string, options: readonly { value: string; title: string }[], value: string, change: (value: string) => void): HTMLLabelElement {
+export function choice(
+  label: string,
+  options: readonly { value: string; title: string }[],
+  value: string,
+  change: (value: string) => void,
+): HTMLLabelElement {
   const list = el("select", { onchange: () => change(list.value) });
   for (const option of options) list.append(el("option", { value: option.value, selected: option.value === value }, option.title));
   return el("label", { class: "field" }, el("span", {}, label), list);
@@ -83,6 +99,12 @@ export function download(blob: Blob, name: string): void {
   const link = el("a", { href: address, download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
+
+/** With a capital letter and a full stop. */
+export function sentence(text: string): string {
+  const trimmed = text.trim();
+  return trimmed.charAt(0).toUpperCase() + trimmed.slice(1) + (/[.?!]$/.test(trimmed) ? "" : ".");
 }
 
 const kIcons = {
@@ -104,7 +126,8 @@ const kIcons = {
   folder: "M3 7a1 1 0 0 1 1-1h5l2 2h9a1 1 0 0 1 1 1v9a1 1 0 0 1-1 1H4a1 1 0 0 1-1-1z",
   close: "M6 6l12 12M18 6 6 18",
   brush: "M20 4c-5 2-9 6-10.500 9.500l2 2C15 14 18 9 20 4M9 14c-2 0-3.500 1.500-3.500 3.500 0 1-.7 1.800-1.500 2.500 4 .5 7-.8 7-3.500",
-  lasso: "M8 15.500c-3-1-4-2.800-4-4.800C4 7 7.500 5 12 5s8 2 8 5.500-3.500 6-8 6c-1.500 0-2.500-.2-4-1M8 15.500a2 2 0 1 0-2 2.500c1.500 0 2-1 2-2.500M6 18c0 1.500.5 2.500 1.500 3.500",
+  lasso:
+    "M8 15.500c-3-1-4-2.800-4-4.800C4 7 7.500 5 12 5s8 2 8 5.500-3.500 6-8 6c-1.500 0-2.500-.2-4-1M8 15.500a2 2 0 1 0-2 2.500c1.500 0 2-1 2-2.500M6 18c0 1.500.5 2.500 1.500 3.500",
   move: "M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3",
   roll: "M3 18h18M6 18a6 6 0 0 1 12 0M12 8V3M9.500 5.500 12 3l2.500 2.500",
   pull: "M5 21c0-6 6-6 6-11 0-3-2-5-6-7M14 12h7M18 9l3 3-3 3",

@@ -23,7 +23,12 @@ export class Tray implements FaceTray {
   private readonly thumbnails = new Map<string, string>();
 
   constructor(private readonly owner: TrayOwner) {
-    this.pinButton = el("button", { type: "button", class: "tray-pin", onclick: () => void this.pin() }, iconOf("pin"), el("span", {}, "Pin this face"));
+    this.pinButton = el(
+      "button",
+      { type: "button", class: "tray-pin", onclick: () => void this.pin() },
+      iconOf("pin"),
+      el("span", {}, "Pin this face"),
+    );
     this.element = el("section", { class: "tray", "aria-label": "Pinned faces" }, this.pinButton, this.list);
   }
 
@@ -67,13 +72,24 @@ export class Tray implements FaceTray {
       this.update();
       return;
     }
-    this.list.replaceChildren(...this.faces.map((face) => {
-      const picture = el("img", { alt: "", width: 56, height: 56 });
-      void this.fill(picture, face.id);
-      const use = el("button", { type: "button", class: "tray-face", "data-name": face.name, onclick: () => this.owner.faceAction()?.use(face) },
-        picture, el("span", {}, face.name));
-      return el("li", {}, use, iconButton("close", `Delete ${face.name}`, () => void this.remove(face)));
-    }));
+    this.list.replaceChildren(
+      ...this.faces.map((face) => {
+        const picture = el("img", { alt: "", width: 56, height: 56 });
+        void this.fill(picture, face.id);
+        const use = el(
+          "button",
+          { type: "button", class: "tray-face", "data-name": face.name, onclick: () => this.owner.faceAction()?.use(face) },
+          picture,
+          el("span", {}, face.name),
+        );
+        return el(
+          "li",
+          {},
+          use,
+          iconButton("close", `Delete ${face.name}`, () => void this.remove(face)),
+        );
+      }),
+    );
     this.update();
   }
   private async fill(picture: HTMLImageElement, id: string): Promise<void> {

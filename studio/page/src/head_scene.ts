@@ -1,7 +1,18 @@
 // The display head as a three.js scene: one mesh of the server's groups, a rig of lights that follows the camera.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DynamicDrawUsage, Group, HemisphereLight, Mesh, MeshPhysicalMaterial, Scene,
-  SRGBColorSpace, type Camera, type Object3D,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  DynamicDrawUsage,
+  Group,
+  HemisphereLight,
+  Mesh,
+  MeshPhysicalMaterial,
+  Scene,
+  SRGBColorSpace,
+  type Camera,
+  type Object3D,
 } from "three";
 import type { Head } from "./api_types";
 
@@ -12,7 +23,10 @@ export class HeadScene {
   private readonly lights = new Group();
   private rigged: Object3D | null = null;
 
-  constructor(readonly head: Head, triangles: Uint32Array) {
+  constructor(
+    readonly head: Head,
+    triangles: Uint32Array,
+  ) {
     const positions = new BufferAttribute(new Float32Array(3 * head.num_vertices), 3);
     positions.setUsage(DynamicDrawUsage);
     this.geometry.setAttribute("position", positions);
@@ -52,7 +66,8 @@ export class HeadScene {
   }
 
   setVertices(vertices: Float32Array): void {
-    if (vertices.length !== this.positions.length) throw new Error(`The face has ${vertices.length / 3} vertices (expected ${this.head.num_vertices}).`);
+    if (vertices.length !== this.positions.length)
+      throw new Error(`The face has ${vertices.length / 3} vertices (expected ${this.head.num_vertices}).`);
     this.positions.set(vertices);
     this.geometry.getAttribute("position").needsUpdate = true;
     this.geometry.computeVertexNormals();
@@ -76,7 +91,7 @@ export class HeadScene {
     this.mesh.visible = object === null && this.filled;
   }
 
-  /** The lights stand where the camera does, so that every view is lit from the front. */
+  /** The lights move with the camera, so that every view is lit from the front. */
   lightFrom(camera: Camera): void {
     this.lights.quaternion.copy(camera.quaternion);
   }

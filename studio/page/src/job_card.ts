@@ -8,7 +8,8 @@ export class JobCard {
   readonly element = el("div", { class: "p-job", hidden: true });
   private running: AbortController | null = null;
 
-  constructor(private readonly api: Api) {}
+  /** `withCommand`: a job that failed shows its command line, which a person may run by hand. */
+  constructor(private readonly api: Api, private readonly withCommand = true) {}
 
   get isBusy(): boolean {
     return this.running !== null;
@@ -54,8 +55,16 @@ export class JobCard {
     const begin = performance.now();
     this.element.className = "p-job";
     this.element.hidden = false;
-    this.element.replaceChildren(label, bar, el("div", { class: "p-row p-spread" }, detail, button("Cancel", cancel)));
+    let cancelled = false;
+    const stop = button("Cancel", () => {
+      cancelled = true;
+      stop.disabled = true;
+      detail.replaceChildren("Cancelling");
+      cancel();
+    });
+    this.element.replaceChildren(label, bar, el("div", { class: "p-row p-spread" }, detail, stop));
     return (job) => {
+      if (cancelled) return;
       const share = /(\d+)\s*\/\s*(\d+)/.exec(job.progress);
       if (share && Number(share[2]) > 0) {
         bar.max = Number(share[2]);
@@ -77,7 +86,7 @@ export class JobCard {
       return;
     }
     const message = error instanceof Error ? error.message : String(error);
-    const command = job?.command ? commandField(job.command) : null;
+    const command = this.withCommand && job?.command ? commandField(job.command) : null;
     this.element.replaceChildren(el("div", { class: "p-error", role: "alert" }, el("p", {}, message)), ...(command ? [command] : []));
   }
 }
@@ -94,7 +103,7 @@ export function commandField(command: string): HTMLElement {
       () => copied.replaceChildren("Press Ctrl+C."),
     );
   }, { icon: "copy", name: "Copy the command line" });
-  return el("div", { class: "p-command-field" }, el("label", { for: id }, "The same by hand"), el("div", { class: "p-row" }, field, copy), copied);
+  return el("div", { class: "p-command-field" }, el("label", { for: id }, "The same by the command line"), el("div", { class: "p-row" }, field, copy), copied);
 }
 
 /** Sentences of a job that went well but for something. */

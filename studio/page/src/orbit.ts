@@ -20,7 +20,10 @@ export class Orbit {
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private spread = 0;
 
-  constructor(private readonly element: HTMLElement, private readonly changed: () => void) {
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly changed: () => void,
+  ) {
     element.addEventListener("pointerdown", (event) => this.down(event));
     element.addEventListener("pointermove", (event) => this.move(event));
     for (const name of ["pointerup", "pointercancel", "lostpointercapture"] as const) {
@@ -30,10 +33,14 @@ export class Orbit {
       });
     }
     element.addEventListener("contextmenu", (event) => event.preventDefault());
-    element.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      this.scale(Math.exp(-0.0015 * event.deltaY));
-    }, { passive: false });
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.scale(Math.exp(-0.0015 * event.deltaY));
+      },
+      { passive: false },
+    );
     element.addEventListener("keydown", (event) => this.key(event));
   }
 

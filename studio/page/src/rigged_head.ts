@@ -10,7 +10,11 @@ export class RiggedHead {
   /** Centre and half height at rest, in the units of the file. */
   readonly frame: { centre: Vector3; halfHeight: number };
 
-  constructor(readonly object: Object3D, readonly clips: readonly AnimationClip[], private readonly changed: () => void) {
+  constructor(
+    readonly object: Object3D,
+    readonly clips: readonly AnimationClip[],
+    private readonly changed: () => void,
+  ) {
     const names = new Set<string>();
     object.traverse((node) => {
       const mesh = node as Mesh;

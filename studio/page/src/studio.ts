@@ -1,7 +1,7 @@
 // The frame of the page: the bar of tabs, messages, undo, theme, help and files dropped anywhere.
-import { Api, isAbort } from "./api";
+import { type Api, ApiError, isAbort } from "./api";
 import type { Face } from "./api_types";
-import { el, iconButton } from "./dom";
+import { el, iconButton, sentence } from "./dom";
 import { Tray, type TrayOwner } from "./face_tray";
 import { makeHelp } from "./help";
 import type { Studio, Subject, Tab } from "./tab";
@@ -9,7 +9,8 @@ import { Theme } from "./theme";
 import { Viewer } from "./viewer";
 
 const kStore = "daumier-studio";
-const kMessageMs = 6000;
+const kMessageMs = 4000;
+const kMsPerLetter = 50;
 
 export class StudioPage implements Studio, TrayOwner {
   readonly viewer = new Viewer();
@@ -32,11 +33,28 @@ export class StudioPage implements Studio, TrayOwner {
     const theme = new Theme(this);
     this.undoButton = iconButton("undo", "Undo", () => this.current?.undo?.(), "Ctrl+Z");
     this.redoButton = iconButton("redo", "Redo", () => this.current?.redo?.(), "Ctrl+Shift+Z");
-    this.element = el("div", { class: "studio" },
-      el("header", { class: "bar" }, el("h1", { class: "brand" }, "Daumier", el("span", {}, " studio")), this.bar,
-        el("div", { class: "bar-actions" }, this.undoButton, this.redoButton, theme.button, iconButton("help", "Help", () => this.showHelp(), "?"))),
+    this.element = el(
+      "div",
+      { class: "studio" },
+      el(
+        "header",
+        { class: "bar" },
+        el("h1", { class: "brand" }, "Daumier", el("span", {}, " studio")),
+        this.bar,
+        el(
+          "div",
+          { class: "bar-actions" },
+          this.undoButton,
+          this.redoButton,
+          theme.button,
+          iconButton("help", "Help", () => this.showHelp(), "?"),
+        ),
+      ),
       el("main", { class: "workspace", id: "workspace", tabindex: -1 }, this.panel, this.viewer.element),
-      this.faces.element, this.messages, this.help);
+      this.faces.element,
+      this.messages,
+      this.help,
+    );
     document.addEventListener("keydown", (event) => this.key(event));
     this.acceptFiles();
   }
@@ -56,18 +74,30 @@ export class StudioPage implements Studio, TrayOwner {
     tab.element.setAttribute("aria-labelledby", `tab-${tab.id}`);
     tab.element.hidden = true;
     this.panel.append(tab.element);
-    this.bar.append(el("button", {
-      type: "button", role: "tab", id: `tab-${tab.id}`, "aria-controls": `panel-${tab.id}`, "aria-selected": "false", tabindex: -1, onclick: () => this.open(tab.id),
-      onkeydown: (event) => {
-        const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-        if (step === 0) return;
-        event.preventDefault();
-        const next = this.tabs[(this.tabs.indexOf(tab) + step + this.tabs.length) % this.tabs.length];
-        if (!next) return;
-        this.open(next.id);
-        document.getElementById(`tab-${next.id}`)?.focus();
-      },
-    }, tab.title));
+    this.bar.append(
+      el(
+        "button",
+        {
+          type: "button",
+          role: "tab",
+          id: `tab-${tab.id}`,
+          "aria-controls": `panel-${tab.id}`,
+          "aria-selected": "false",
+          tabindex: -1,
+          onclick: () => this.open(tab.id),
+          onkeydown: (event) => {
+            const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+            if (step === 0) return;
+            event.preventDefault();
+            const next = this.tabs[(this.tabs.indexOf(tab) + step + this.tabs.length) % this.tabs.length];
+            if (!next) return;
+            this.open(next.id);
+            document.getElementById(`tab-${next.id}`)?.focus();
+          },
+        },
+        tab.title,
+      ),
+    );
   }
 
   open(id: Tab["id"]): void {
@@ -89,7 +119,10 @@ export class StudioPage implements Studio, TrayOwner {
     this.viewer.setHandles([]);
     this.remember("tab", id);
     this.refresh();
-    Promise.resolve(next.show()).then(() => this.refresh(), (error) => this.fail(error));
+    Promise.resolve(next.show()).then(
+      () => this.refresh(),
+      (error) => this.fail(error),
+    );
   }
 
   refresh(): void {
@@ -101,7 +134,10 @@ export class StudioPage implements Studio, TrayOwner {
   faceAction(): { label: string; use: (face: Face) => void } | null {
     const tab = this.current;
     if (!tab?.useFace) return null;
-    return { label: tab.useFaceLabel ?? "Use", use: (face) => void Promise.resolve(tab.useFace?.(face)).catch((error) => this.fail(error)) };
+    return {
+      label: tab.useFaceLabel ?? "Use",
+      use: (face) => void Promise.resolve(tab.useFace?.(face)).catch((error) => this.fail(error)),
+    };
   }
 
   say(message: string, kind: "info" | "warning" | "error" = "info"): void {
@@ -110,13 +146,15 @@ export class StudioPage implements Studio, TrayOwner {
     box.append(iconButton("close", "Dismiss", () => box.remove()));
     this.messages.append(box);
     // An error stays until it is dismissed.
-    if (kind !== "error") setTimeout(() => box.remove(), kMessageMs);
+    if (kind !== "error") setTimeout(() => box.remove(), kMessageMs + kMsPerLetter * message.length);
     while (this.messages.children.length > 4) this.messages.firstElementChild?.remove();
   }
   fail(error: unknown): void {
     if (isAbort(error)) return;
-    console.error(error);
-    this.say(error instanceof Error ? error.message : String(error), "error");
+    // A refused request is a slip of a person, all else a failure of the program.
+    const isRefused = error instanceof ApiError && error.status >= 400 && error.status < 500 && error.status !== 401;
+    if (!isRefused) console.error(error);
+    this.say(sentence(error instanceof Error ? error.message : String(error)), isRefused ? "warning" : "error");
   }
 
   private readStore(): Record<string, unknown> {
@@ -143,9 +181,14 @@ export class StudioPage implements Studio, TrayOwner {
   }
   private key(event: KeyboardEvent): void {
     const target = event.target as HTMLElement | null;
-    const typing = target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement ||
-      (target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type)) || Boolean(target?.isContentEditable);
-    if (typing || document.querySelector("dialog[open]")) return;
+    const typing =
+      target instanceof HTMLTextAreaElement ||
+      target instanceof HTMLSelectElement ||
+      (target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type)) ||
+      Boolean(target?.isContentEditable);
+    // Arrows move a slider or the choice of a group that has the focus.
+    const moves = target instanceof HTMLInputElement && /^(Arrow|Home|End|Page| )/.test(event.key);
+    if (typing || moves || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const command = event.ctrlKey || event.metaKey;
     if (command && !event.altKey && event.key.toLowerCase() === "z") {
       event.preventDefault();
@@ -168,7 +211,9 @@ export class StudioPage implements Studio, TrayOwner {
       this.element.classList.toggle("dropping", on);
     };
     addEventListener("dragover", (event) => over(event, true));
-    addEventListener("dragleave", (event) => { if (event.relatedTarget === null) over(event, false); });
+    addEventListener("dragleave", (event) => {
+      if (event.relatedTarget === null) over(event, false);
+    });
     addEventListener("drop", (event) => {
       over(event, false);
       for (const file of event.dataTransfer?.files ?? []) void this.takeFile(file);

@@ -2,7 +2,7 @@
 import type { Api } from "./api";
 import type { Viewer } from "./viewer";
 
-/** One of Draw, Shape, Avatar, Take away. A tab owns its element and the panel beside the 3-D view while it is shown. */
+/** One of Draw, Shape, Avatar, Take away. A tab owns its element, the panel next to the 3-D view, while it is shown. */
 export interface Tab {
   readonly id: "draw" | "shape" | "avatar" | "take-away";
   readonly title: string;

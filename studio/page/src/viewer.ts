@@ -1,6 +1,16 @@
-// The 3-D view beside the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
+// The 3-D view next to the tabs: the display head or a rigged one, turned by a person, drawn only when something changed.
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, DynamicDrawUsage, PerspectiveCamera, Points, PointsMaterial, Raycaster, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  DynamicDrawUsage,
+  PerspectiveCamera,
+  Points,
+  PointsMaterial,
+  Raycaster,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from "three";
 import { AdaptiveResolution } from "./adaptive_resolution";
 import type { Head } from "./api_types";
@@ -12,12 +22,13 @@ import { readRiggedHead, type RiggedHead } from "./rigged_head";
 const kFieldOfView = 22;
 /** Share of the height of the view that the head fills. */
 const kFill = 0.9;
+const kManyHandles = 150;
 
 export type { RiggedHead } from "./rigged_head";
 export const kViews = { front: [0, 0], side: [-90, 0], "three-quarter": [-35, 5] } as const;
 
 export class Viewer {
-  /** The view with its buttons; main puts it beside the tab. */
+  /** The view with its buttons; the page puts it next to the tab. */
   readonly element: HTMLElement;
   readonly orbit: Orbit;
   private readonly stage: HTMLElement;
@@ -26,23 +37,44 @@ export class Viewer {
   private readonly camera = new PerspectiveCamera(kFieldOfView, 1, 1, 1000);
   private readonly handlePoints: Points;
   private readonly chosenPoint: Points;
+  private readonly regionPoints: Points;
+  private region: readonly number[] = [];
   private readonly listeners: (() => void)[] = [];
   private rig: RiggedHead | null = null;
   private head: HeadScene | null = null;
   private handles: number[] = [];
   private chosen: number | null = null;
+  /** Why nothing is ever seen. */
+  private fault: string | null = null;
   private frame = 0;
   /** Vertices that arrived before the head. */
   private early: Float32Array | null = null;
 
   constructor() {
     this.note = el("p", { class: "view-note", hidden: true });
-    this.stage = el("div", {
-      class: "view-stage", tabindex: 0, role: "application", "aria-label": "3-D view of the face. Arrow keys turn it, plus and minus zoom, 0 shows the front.",
-    }, this.note);
+    this.stage = el(
+      "div",
+      {
+        class: "view-stage",
+        tabindex: 0,
+        role: "application",
+        "aria-label": "3-D view of the face. Arrow keys turn it, plus and minus zoom, 0 shows the front.",
+      },
+      this.note,
+    );
     const look = (label: string, name: keyof typeof kViews) => button(label, () => this.lookFrom(name));
-    this.element = el("section", { class: "view", "aria-label": "3-D view" }, this.stage,
-      el("div", { class: "view-buttons", role: "group", "aria-label": "View from" }, look("Front", "front"), look("¾", "three-quarter"), look("Side", "side")));
+    this.element = el(
+      "section",
+      { class: "view", "aria-label": "3-D view" },
+      this.stage,
+      el(
+        "div",
+        { class: "view-buttons", role: "group", "aria-label": "View from" },
+        look("Front", "front"),
+        look("¾", "three-quarter"),
+        look("Side", "side"),
+      ),
+    );
     this.element.querySelectorAll(".view-buttons button")[1]?.setAttribute("aria-label", "Three-quarter");
     this.orbit = new Orbit(this.stage, () => {
       this.invalidate();
@@ -50,30 +82,45 @@ export class Viewer {
     });
     const disc = discTexture();
     const points = (colour: number, size: number) => {
-      const made = new Points(new BufferGeometry(), new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }));
+      const made = new Points(
+        new BufferGeometry(),
+        new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }),
+      );
       made.frustumCulled = false;
       made.renderOrder = 1;
       return made;
     };
-    this.handlePoints = points(0x1d6fd6, 7);
+    this.handlePoints = points(0x1d6fd6, 5);
     this.chosenPoint = points(0xe0572a, 11);
+    this.regionPoints = points(0x2f9e8f, 2.5);
     new ResizeObserver(() => this.resize()).observe(this.stage);
   }
 
   /** The head's topology, once, before all else. */
   setHead(head: Head, triangles: Uint32Array): void {
     // WebGL begins here and not with the page: it takes a part of a second, in which the page is to be seen.
-    const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    const renderer = this.makeRenderer();
+    this.head = new HeadScene(head, triangles);
+    this.head.scene.add(this.regionPoints, this.handlePoints, this.chosenPoint);
+    if (renderer) this.stage.prepend(renderer.domElement);
+    this.resize();
+    if (this.early) this.setVertices(this.early);
+    this.early = null;
+  }
+  private makeRenderer(): WebGLRenderer | null {
+    let renderer: WebGLRenderer;
+    try {
+      renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    } catch {
+      this.fault = "This browser shows no 3-D: WebGL is off. Drawing and files work without it.";
+      this.say(null);
+      return null;
+    }
     renderer.setClearColor(0, 0);
     renderer.domElement.setAttribute("aria-hidden", "true");
     renderer.domElement.addEventListener("webglcontextrestored", () => this.invalidate());
     this.drawing = { renderer, resolution: new AdaptiveResolution(renderer, () => this.invalidate()) };
-    this.stage.prepend(renderer.domElement);
-    this.head = new HeadScene(head, triangles);
-    this.head.scene.add(this.handlePoints, this.chosenPoint);
-    renderer.setSize(this.stage.clientWidth, this.stage.clientHeight, false);
-    if (this.early) this.setVertices(this.early);
-    this.early = null;
+    return renderer;
   }
   /** The scene, for a second view of the same head. */
   get scene(): HeadScene {
@@ -110,8 +157,9 @@ export class Viewer {
   }
   /** A sentence over the view, such as "Working …"; null removes it. */
   say(text: string | null): void {
-    this.note.hidden = text === null;
-    this.note.textContent = text ?? "";
+    const shown = this.fault ?? text;
+    this.note.hidden = shown === null;
+    this.note.textContent = shown ?? "";
   }
 
   get view(): { yaw: number; pitch: number } {
@@ -136,6 +184,15 @@ export class Viewer {
   setHandles(handles: readonly number[], chosen: number | null = null): void {
     this.handles = [...handles];
     this.chosen = chosen;
+    // Many handles are a patch: smaller points let the skin show through.
+    (this.handlePoints.material as PointsMaterial).size = handles.length > kManyHandles ? 2.5 : 5;
+    this.placeHandles();
+    this.invalidate();
+  }
+  /** Vertices that may move, as fine points; empty: none are shown. */
+  setRegion(vertices: readonly number[]): void {
+    if (vertices.length === 0 && this.region.length === 0) return;
+    this.region = vertices;
     this.placeHandles();
     this.invalidate();
   }
@@ -146,7 +203,8 @@ export class Viewer {
       vertices.forEach((vertex, i) => {
         // Half a millimetre above the surface, so that the surface does not hide half of the point.
         for (let k = 0; k < 3; ++k) {
-          at[3 * i + k] = (this.scene.positions[3 * vertex + k] ?? 0) + 0.05 * (this.scene.geometry.getAttribute("normal").array[3 * vertex + k] ?? 0);
+          at[3 * i + k] =
+            (this.scene.positions[3 * vertex + k] ?? 0) + 0.05 * (this.scene.geometry.getAttribute("normal").array[3 * vertex + k] ?? 0);
         }
       });
       points.geometry.dispose();
@@ -154,7 +212,11 @@ export class Viewer {
       points.geometry.setAttribute("position", new BufferAttribute(at, 3).setUsage(DynamicDrawUsage));
       points.visible = vertices.length > 0;
     };
-    place(this.handlePoints, this.handles.filter((vertex) => vertex !== this.chosen));
+    place(
+      this.handlePoints,
+      this.handles.filter((vertex) => vertex !== this.chosen),
+    );
+    place(this.regionPoints, this.region);
     place(this.chosenPoint, this.chosen === null ? [] : [this.chosen]);
   }
 
@@ -262,6 +324,7 @@ export class Viewer {
     this.head.lightFrom(this.camera);
     const shown = this.rig === null && this.head.hasFace;
     this.handlePoints.visible = shown && this.handles.length > 0;
+    this.regionPoints.visible = shown && this.region.length > 0;
     this.chosenPoint.visible = shown && this.chosen !== null;
     resolution.begin();
     renderer.render(this.head.scene, this.camera);

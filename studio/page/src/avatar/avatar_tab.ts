@@ -1,19 +1,14 @@
 // The tab Avatar: a portrait or a drawing becomes a head with expressions, which is played in the 3-D view.
 import type { Job, Point, ShapeInfo } from "../api_types";
 import { el } from "../dom";
-import { fileButton } from "../file_choice";
-import { hairChoice } from "../head_options";
-import { JobCard, warningList } from "../job_card";
-import { slider } from "../slider";
+import { JobCard } from "../job_card";
 import type { Studio, Tab } from "../tab";
-import type { RiggedHead } from "../viewer";
-import { button, section, segments } from "../widgets";
+import { button, section } from "../widgets";
+import { optionsPart } from "./options_part";
 import { PicturePart } from "./picture_part";
-import { PlayPart } from "./play_part";
-import { StagesStrip } from "./stages_strip";
-import { avatarBody, kAvatarKey, kAvatarSubjectKey, kFirstOptions, type AvatarSource, type AvatarState } from "./state";
-
-const kPictures = ".png,.jpg,.jpeg,.bmp,.webp,.svg,.gif,.tif,.tiff";
+import { ResultPart } from "./result_part";
+import { kPictures, startView } from "./start_view";
+import { avatarBody, isPortrait, kAvatarKey, kAvatarSubjectKey, kFirstOptions, type AvatarSource, type AvatarState } from "./state";
 
 export function createAvatarTab(studio: Studio): Tab {
   return new AvatarTab(studio);
@@ -25,27 +20,28 @@ class AvatarTab implements Tab {
   readonly element = el("div", { class: "p-panel p-avatar" });
   private state: AvatarState | null;
   private readonly picture: PicturePart;
-  private readonly stages: StagesStrip;
+  private readonly pictureSection = section("picture", true);
   private readonly landmarksJob: JobCard;
   private readonly avatarJob: JobCard;
   private readonly make: HTMLButtonElement;
-  private readonly result = el("div", { class: "p-result", hidden: true });
-  private readonly pictureSection = section("picture and landmarks", true);
-  private play: PlayPart | null = null;
+  private readonly result: ResultPart;
   private info: ShapeInfo | null = null;
-  private bytes: ArrayBuffer | null = null;
-  private rig: RiggedHead | null = null;
+  /** The network found no face, and a person has placed no points. */
+  private noFace = false;
   private shown = false;
   private restored = false;
 
   constructor(private readonly studio: Studio) {
     this.state = studio.recall<AvatarState | null>(kAvatarKey, null);
     this.picture = new PicturePart(studio, (points) => this.setLandmarks(points));
-    this.stages = new StagesStrip(studio.api);
-    this.landmarksJob = new JobCard(studio.api);
+    this.landmarksJob = new JobCard(studio.api, false);
     this.avatarJob = new JobCard(studio.api);
-    this.pictureSection.body.append(this.picture.element, this.landmarksJob.element);
-    this.make = button("Make the head", () => void this.makeHead(), { kind: "primary" });
+    this.result = new ResultPart(studio, () => {
+      this.markLast();
+      studio.open("take-away");
+    });
+    this.pictureSection.body.append(this.landmarksJob.element, this.picture.element);
+    this.make = button("Make the head", () => this.run(this.makeHead()), { kind: "primary" });
   }
 
   async show(): Promise<void> {
@@ -57,11 +53,11 @@ class AvatarTab implements Tab {
     } else if (!this.state) {
       await this.showStart();
     }
-    if (this.shown) await this.showHead();
+    if (this.shown) await this.result.show();
   }
   hide(): void {
     this.shown = false;
-    this.play?.stop();
+    this.result.hide();
   }
   undo(): void {
     this.picture.undo();
@@ -80,8 +76,7 @@ class AvatarTab implements Tab {
     const isClip = /\.(csv|jsonl)$/i.test(file.name) || (/\.json$/i.test(file.name) && /lendshape|categoryName|jawOpen/.test(await file.text()));
     if (isClip) {
       if (!this.shown) this.studio.open("avatar");
-      if (this.play && this.rig) await this.play.openClip(file);
-      else this.studio.say("Make a head first, then drop the recording to play it.", "warning");
+      if (!this.result.openClip(file)) this.studio.say("Make a head first, then drop the recording to play it.", "warning");
       return true;
     }
     if (!/^image\//.test(file.type) && !kPictures.split(",").some((end) => file.name.toLowerCase().endsWith(end))) return false;
@@ -90,44 +85,30 @@ class AvatarTab implements Tab {
     return true;
   }
 
+  private run(work: Promise<void>): void {
+    work.catch((error) => this.studio.fail(error));
+  }
+
   // The beginning: a file or a drawing.
 
   private async showStart(): Promise<void> {
-    const sessions = await this.studio.api.sessions().catch(() => []);
-    const choose = fileButton("Choose a picture", kPictures, (file) => void this.takeFile(file).catch((error) => this.studio.fail(error)), { kind: "primary" });
-    const current = this.studio.subject?.body;
-    const own = sessions.find((session) => current && "session" in current && current.session === session.id) ?? sessions[0];
-    const drawing = own && button(`Use the drawing “${own.name}”`, () => void this.takeSource({ kind: "session", id: own.id, name: own.name }).catch((error) => this.studio.fail(error)), { icon: "pen" });
-    const info = await this.studio.api.info();
-    const noPortraits = !info.can.portraits && el("p", { class: "p-hint" }, "This program was built without portraits. Drawings work.");
-    this.element.replaceChildren(
-      el(
-        "div",
-        { class: "p-scroll p-start" },
-        el(
-          "div",
-          { class: "p-drop" },
-          el("h2", {}, "A head from a picture"),
-          el("p", {}, "Drop a portrait here: a cartoon, a caricature, a photograph or a line drawing."),
-          choose,
-          drawing && el("p", { class: "p-or" }, "or"),
-          drawing,
-          noPortraits,
-        ),
-        el(
-          "ol",
-          { class: "p-steps" },
-          el("li", {}, el("b", {}, "Check"), " the points that were found, and move those that are wrong."),
-          el("li", {}, el("b", {}, "Make"), " the head: shape, 52 expressions, texture, hair."),
-          el("li", {}, el("b", {}, "Play"), " its expressions, a recording or a live stream."),
-        ),
-      ),
-    );
-    if (this.shown) this.studio.viewer.clear("The head appears here.");
+    const view = await startView(this.studio, (file) => this.run(this.takeFile(file)), (source) => this.run(this.takeSource(source)));
+    // A file may have been dropped meanwhile.
+    if (this.state) return;
+    this.element.replaceChildren(view);
+    if (this.shown) await this.result.show();
+  }
+  private async startAgain(): Promise<void> {
+    this.cancelJobs();
+    this.result.forget();
+    this.state = null;
+    this.keep();
+    await this.showStart();
   }
 
   private async takeFile(file: File): Promise<void> {
-    if (this.avatarJob.isBusy || this.landmarksJob.isBusy) this.cancelJobs();
+    this.restored = true;
+    this.cancelJobs();
     this.element.replaceChildren(el("p", { class: "p-state", role: "status" }, `Loading ${file.name} …`));
     try {
       const upload = await this.studio.api.upload(file, file.name);
@@ -135,6 +116,7 @@ class AvatarTab implements Tab {
       const as = upload.kind === "drawing" || upload.looks_like === "drawing" ? "drawing" : "portrait";
       await this.takeSource({ kind: "upload", id: upload.id, name: upload.name, as }, file);
     } catch (error) {
+      // What was shown before is shown again.
       if (this.state) await this.showWork();
       else await this.showStart();
       throw error;
@@ -142,24 +124,34 @@ class AvatarTab implements Tab {
   }
 
   private async takeSource(source: AvatarSource, bytes?: Blob): Promise<void> {
-    const options = { ...kFirstOptions, ...this.state?.options };
-    this.state = { source, options, found: null, landmarks: null, job: null, made: null };
-    this.forgetHead();
+    const before = this.state;
+    this.state = { source, options: { ...kFirstOptions, ...before?.options }, found: null, landmarks: null, job: null, made: null };
+    try {
+      await this.showWork(bytes);
+    } catch (error) {
+      this.state = before;
+      throw error;
+    }
+    this.result.forget();
     this.pictureSection.element.open = true;
-    await this.showWork(bytes);
+    if (this.shown) await this.result.show();
     this.keep();
     await this.findLandmarks();
   }
 
   private async findLandmarks(): Promise<void> {
     const { state } = this;
-    if (!state || state.source.kind !== "upload" || state.source.as !== "portrait" || state.found) return;
+    if (!state || !isPortrait(state.source) || state.source.kind !== "upload" || state.landmarks) return;
     const job = await this.landmarksJob.run({ do: "landmarks", upload: state.source.id }, "Looking for the face");
+    if (state !== this.state || state.landmarks || !isPortrait(state.source)) return;
     const points = job?.result?.["landmarks"];
-    if (state !== this.state || !Array.isArray(points)) return;
-    state.found = points as Point[];
-    state.landmarks = state.found;
-    this.picture.setLandmarks(state.found, state.landmarks);
+    if (Array.isArray(points)) {
+      state.found = state.landmarks = points as Point[];
+      this.picture.setLandmarks(state.found, state.landmarks);
+    } else {
+      this.noFace = true;
+      this.picture.offerByHand();
+    }
     this.keep();
   }
 
@@ -168,165 +160,88 @@ class AvatarTab implements Tab {
   private async showWork(bytes?: Blob): Promise<void> {
     const { state } = this;
     if (!state) return;
-    const { source, options } = state;
+    const { source } = state;
+    this.noFace = false;
+    this.cancelJobs();
     if (source.kind === "session") {
       this.picture.setDrawing(await this.studio.api.session(source.id));
     } else {
       await this.picture.setPicture(source.name, bytes ?? (await this.studio.api.blob(`/api/uploads/${source.id}`)));
-      if (source.as === "portrait") this.picture.setLandmarks(state.found, state.landmarks);
+      if (isPortrait(source)) this.picture.setLandmarks(state.found, state.landmarks);
     }
-    const isPortrait = source.kind === "upload" && source.as === "portrait";
-    const readAs =
-      source.kind === "upload" &&
-      segments("Read as", [{ value: "portrait", label: "Portrait" }, { value: "drawing", label: "Line drawing" }] as const, source.as, (as) => {
-        source.as = as;
-        this.keep();
-        this.showWork(bytes).then(() => this.findLandmarks()).catch((error) => this.studio.fail(error));
-      });
-    const style = segments("Style", [{ value: "none", label: "As it is" }, { value: "toon", label: "Toon" }] as const, options.style, (value) => {
-      options.style = value;
+    const readAgain = async () => {
       this.keep();
-    });
-    const caricature = slider({
-      name: "caricature",
-      label: "Caricature",
-      least: 0,
-      greatest: 2,
-      step: 0.05,
-      change: (value) => {
-        options.caricature = value;
-        this.keep();
-      },
-    });
-    caricature.set(options.caricature);
-    const hair = hairChoice(isPortrait, options.hair === "auto" && !isPortrait ? "none" : options.hair, (value) => {
-      options.hair = value;
-      this.keep();
-    });
-    const other = button("Another picture", () => void this.startAgain(), { kind: "quiet" });
-    const choices = el("div", { class: "p-options" }, readAs && readAs.element, isPortrait && style.element, caricature.element, hair.element);
+      await this.showWork(bytes);
+      await this.findLandmarks();
+    };
+    const options = optionsPart(state, () => this.keep(), () => this.run(readAgain()));
+    const other = button("Another picture", () => this.run(this.startAgain()), { kind: "quiet" });
+    const heading = el("div", { class: "p-row p-spread p-heading" }, el("h2", { title: source.name }, source.name), other);
+    const make = el("div", { class: "p-make" }, this.make);
     this.element.replaceChildren(
-      el(
-        "div",
-        { class: "p-scroll" },
-        el("div", { class: "p-row p-spread p-heading" }, el("h2", { title: source.name }, source.name), other),
-        this.pictureSection.element,
-        choices,
-        el("div", { class: "p-make" }, this.make),
-        this.avatarJob.element,
-        this.result,
-      ),
+      el("div", { class: "p-scroll" }, heading, this.pictureSection.element, options, make, this.avatarJob.element, this.result.element),
     );
     this.showMake();
   }
 
-  private async startAgain(): Promise<void> {
-    this.cancelJobs();
-    this.forgetHead();
-    this.state = null;
-    this.keep();
-    await this.showStart();
-  }
   private cancelJobs(): void {
     this.landmarksJob.cancel();
     this.avatarJob.cancel();
   }
-
   private setLandmarks(points: Point[]): void {
     if (!this.state) return;
-    this.state.landmarks = points;
+    this.state.landmarks = points.length ? points : null;
     this.keep();
   }
   private keep(): void {
     this.studio.remember(kAvatarKey, this.state);
     this.showMake();
   }
+  /** Take away begins with this head until a person works on another face. */
+  private markLast(): void {
+    this.studio.remember(kAvatarSubjectKey, JSON.stringify(this.studio.subject));
+  }
+
   private showMake(): void {
-    const { state } = this;
+    const { state, make } = this;
     if (!state) return;
-    const now = JSON.stringify(avatarBody(state));
-    const refit = state.made !== null && JSON.stringify(avatarBody(state).landmarks) !== JSON.stringify((JSON.parse(state.made) as { landmarks?: Point[] }).landmarks);
-    this.make.replaceChildren(!state.job ? "Make the head" : refit ? "Refit the head" : state.made === now ? "Make the head again" : "Make it with these choices");
-    this.make.classList.toggle("p-primary", state.made !== now);
-    this.make.classList.toggle("p-plain", state.made === now);
-    this.make.disabled = this.avatarJob.isBusy;
+    const body = avatarBody(state);
+    const isMade = state.made === JSON.stringify(body);
+    const before = state.made === null ? null : (JSON.parse(state.made) as { landmarks?: Point[] });
+    const moved = before !== null && JSON.stringify(body.landmarks) !== JSON.stringify(before.landmarks);
+    make.replaceChildren(before === null ? "Make the head" : moved ? "Refit the head" : isMade ? "Make the head again" : "Make it with these choices");
+    make.classList.toggle("p-primary", !isMade);
+    make.classList.toggle("p-plain", isMade);
+    make.disabled = this.avatarJob.isBusy || (this.noFace && !state.landmarks);
   }
 
   private async makeHead(): Promise<void> {
     const { state } = this;
-    if (!state || this.avatarJob.isBusy) return;
-    // Found landmarks are in the picture's file already; the search for them need not end first.
+    if (!state || !this.info || this.avatarJob.isBusy) return;
+    // The job finds the landmarks itself: their search need not end first.
     this.landmarksJob.cancel();
     const body = avatarBody(state);
-    const run = this.avatarJob.run(body, state.job ? "Making the head again" : "Making the head");
+    const work = this.avatarJob.run(body, state.job ? "Making the head again" : "Making the head");
     this.showMake();
     this.avatarJob.element.scrollIntoView({ block: "nearest" });
-    const job = await run;
+    const job = await work;
     if (state !== this.state) return;
     if (job) {
+      // The first head of a picture is seen as the picture shows it; later ones stay as they were turned.
+      if (state.job === null && this.shown) this.studio.viewer.lookFrom("front");
       state.job = job.id;
       state.made = JSON.stringify(body);
-      this.keep();
       this.markLast();
-      await this.takeJob(job);
-      await this.showHead();
+      await this.takeJob(job, this.info);
+      if (this.shown) await this.result.show();
+      await this.findLandmarks();
     }
-    this.showMake();
+    this.keep();
   }
-
-  // The head.
-
-  private async takeJob(job: Job): Promise<void> {
-    const file = job.files.find((each) => each.name.endsWith(".glb"));
-    if (!file || !this.info) throw new Error("The job wrote no head.");
-    this.bytes = await (await this.studio.api.jobFile(job.id, file.name)).arrayBuffer();
-    this.rig = null;
-    this.play = new PlayPart(this.studio, this.info);
-    const playing = section("Play", true);
-    playing.body.append(this.play.element);
-    const stages = section("Stages", false, (open) => {
-      if (open && this.stages.element.hidden) this.stages.show(job).catch((error) => this.studio.fail(error));
-    });
-    this.stages.clear();
-    stages.body.append(this.stages.element);
-    const take = button("Take this head away", () => {
-      this.markLast();
-      this.studio.open("take-away");
-    }, { icon: "download" });
-    const warnings = warningList(job.warnings);
+  private async takeJob(job: Job, info: ShapeInfo): Promise<void> {
+    await this.result.takeJob(job, info);
     // The picture makes room for what can be played.
     this.pictureSection.element.open = false;
-    this.result.hidden = false;
-    this.result.replaceChildren(
-      el("div", { class: "p-row p-spread" }, el("p", { role: "status" }, `The head is made, in ${job.seconds.toFixed(1)} s.`), take),
-      ...(warnings ? [warnings] : []),
-      playing.element,
-      stages.element,
-    );
-  }
-  private markLast(): void {
-    this.studio.remember(kAvatarSubjectKey, JSON.stringify(this.studio.subject));
-  }
-  private async showHead(): Promise<void> {
-    if (!this.shown) return;
-    const { viewer } = this.studio;
-    if (!this.bytes) {
-      viewer.clear("The head appears here.");
-      return;
-    }
-    this.rig = await viewer.loadGlb(this.bytes);
-    if (this.shown) this.play?.setHead(this.rig);
-  }
-  private forgetHead(): void {
-    this.play?.stop();
-    this.play = null;
-    this.rig = null;
-    this.bytes = null;
-    this.result.hidden = true;
-    this.avatarJob.clear();
-    this.landmarksJob.clear();
-    this.stages.clear();
-    if (this.shown) this.studio.viewer.clear("The head appears here.");
   }
 
   /** Shows what an earlier page worked on, where the server still has it. */
@@ -345,16 +260,15 @@ class AvatarTab implements Tab {
       return;
     }
     const { state } = this;
-    if (!state.job) {
-      void this.findLandmarks().catch((error) => this.studio.fail(error));
-      return;
+    if (state.job && this.info) {
+      try {
+        await this.takeJob(await this.studio.api.get<Job>(`/api/jobs/${state.job}`), this.info);
+      } catch {
+        // Jobs end with the server that ran them.
+        state.job = state.made = null;
+        this.keep();
+      }
     }
-    try {
-      await this.takeJob(await this.studio.api.get<Job>(`/api/jobs/${state.job}`));
-    } catch {
-      // Jobs end with the server that ran them.
-      state.job = state.made = null;
-      this.keep();
-    }
+    this.run(this.findLandmarks());
   }
 }

@@ -3,33 +3,24 @@ import type { Point } from "../api_types";
 import { el } from "../dom";
 import { button, newId } from "../widgets";
 import { kLandmarkParts, landmarkTitle } from "./landmarks";
+import { PictureBox } from "./picture_box";
 
 const kSvg = "http://www.w3.org/2000/svg";
 const kReach = { mouse: 14, touch: 26 };
-const kGreatestZoom = 24;
-
-interface Box {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
-
 export class LandmarkEditor {
   readonly element: HTMLElement;
   private readonly stage: HTMLElement;
   private readonly svg = document.createElementNS(kSvg, "svg");
   private readonly image = document.createElementNS(kSvg, "image");
+  /** Paper below a drawing, whose ground may be transparent. */
+  private readonly paper = document.createElementNS(kSvg, "rect");
   private readonly lines = kLandmarkParts.map((part) => document.createElementNS(kSvg, part.closed ? "polygon" : "polyline"));
   private readonly dots: SVGCircleElement[] = [];
   private readonly tools: HTMLElement;
   private readonly list: HTMLSelectElement;
   private readonly fields: [HTMLInputElement, HTMLInputElement];
   private readonly pointers = new Map<number, Point>();
-  private size: [number, number] = [1, 1];
-  private box: Box = { x: 0, y: 0, width: 1, height: 1 };
-  /** Whether the whole picture is shown, whatever size the frame takes. */
-  private whole = true;
+  private readonly box = new PictureBox();
   private points: readonly Point[] = [];
   private selected: number | null = null;
 
@@ -37,12 +28,13 @@ export class LandmarkEditor {
   constructor(private readonly change: (points: Point[], done: boolean) => void) {
     for (const line of this.lines) line.setAttribute("class", "p-landmark-line");
     this.svg.setAttribute("aria-hidden", "true");
-    this.svg.append(this.image, ...this.lines);
+    this.paper.setAttribute("fill", "#fff");
+    this.svg.append(this.paper, this.image, ...this.lines);
     this.stage = el("div", {
       class: "p-landmarks",
       tabindex: 0,
       role: "application",
-      "aria-label": "Picture with landmarks. Page Up and Page Down choose a landmark, arrow keys move it, plus and minus zoom, 0 shows all.",
+      "aria-label": "Picture with landmarks. Page Up and Page Down choose a landmark, arrow keys move it, with Alt all of them; plus and minus zoom, 0 shows all.",
     });
     this.stage.append(this.svg);
     const id = newId("landmark");
@@ -83,13 +75,20 @@ export class LandmarkEditor {
     new ResizeObserver(() => this.showBox()).observe(this.stage);
   }
 
-  setPicture(address: string, size: [number, number]): void {
-    this.size = size;
+  setPicture(address: string, size: Point): void {
     this.image.setAttribute("href", address);
-    this.image.setAttribute("width", String(size[0]));
-    this.image.setAttribute("height", String(size[1]));
+    for (const each of [this.paper, this.image]) {
+      each.setAttribute("width", String(size[0]));
+      each.setAttribute("height", String(size[1]));
+    }
     this.stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
-    this.fit();
+    this.box.setPicture(size);
+    this.showBox();
+  }
+  /** Shows the face large where it is a small part of the picture. */
+  showFace(): void {
+    if (this.points.length > 0) this.box.frame(this.points);
+    this.showBox();
   }
 
   /** Shows points without calling `change`; none hides the tools. */
@@ -111,7 +110,9 @@ export class LandmarkEditor {
   }
 
   private showPoints(): void {
-    const pixel = this.pixel();
+    // Dots of a small face do not hide it.
+    const xs = this.points.map((point) => point[0]);
+    const radius = Math.min(3, Math.max(1, (Math.max(...xs) - Math.min(...xs)) / this.pixel() / 50)) * this.pixel();
     kLandmarkParts.forEach((part, index) => {
       const own = this.points.slice(part.first, part.last + 1);
       this.lines[index]?.setAttribute("points", own.map((point) => point.join(",")).join(" "));
@@ -121,7 +122,8 @@ export class LandmarkEditor {
       const chosen = index === this.selected;
       dot?.setAttribute("cx", String(point[0]));
       dot?.setAttribute("cy", String(point[1]));
-      dot?.setAttribute("r", String((chosen ? 6 : 3) * pixel));
+      dot?.setAttribute("r", String(chosen ? 2 * radius : radius));
+      dot?.setAttribute("stroke-width", String(0.5 * radius));
       dot?.setAttribute("class", chosen ? "p-landmark p-chosen" : "p-landmark");
     });
     const own = this.selected === null ? undefined : this.points[this.selected];
@@ -136,17 +138,20 @@ export class LandmarkEditor {
     this.selected = index;
     this.showPoints();
     const own = index === null ? undefined : this.points[index];
-    if (!show || !own) return;
-    const inside = own[0] > this.box.x && own[0] < this.box.x + this.box.width && own[1] > this.box.y && own[1] < this.box.y + this.box.height;
-    if (inside) return;
-    this.box = { ...this.box, x: own[0] - this.box.width / 2, y: own[1] - this.box.height / 2 };
+    if (!show || !own || this.box.holds(own)) return;
+    this.box.moveTo(own);
     this.showBox();
   }
 
-  private move(to: Point, done: boolean): void {
-    if (this.selected === null) return;
-    const points = this.points.map((point): Point => [...point]);
-    points[this.selected] = to;
+  /** Moves the chosen landmark to a place, and with it its part or all others. */
+  private move(to: Point, done: boolean, which: "one" | "part" | "all" = "one", from: readonly Point[] = this.points): void {
+    const chosen = this.selected;
+    const own = chosen === null ? undefined : from[chosen];
+    if (chosen === null || !own) return;
+    const part = kLandmarkParts.find((each) => chosen >= each.first && chosen <= each.last);
+    const goes = (index: number) =>
+      which === "all" || index === chosen || (which === "part" && part !== undefined && index >= part.first && index <= part.last);
+    const points = from.map((point, index): Point => (goes(index) ? [point[0] + to[0] - own[0], point[1] + to[1] - own[1]] : [...point]));
     this.points = points;
     this.showPoints();
     this.change(points, done);
@@ -159,37 +164,22 @@ export class LandmarkEditor {
   private pictureAt(event: MouseEvent): Point {
     const frame = this.stage.getBoundingClientRect();
     return [
-      this.box.x + ((event.clientX - frame.left) / frame.width) * this.box.width,
-      this.box.y + ((event.clientY - frame.top) / frame.height) * this.box.height,
+      this.box.left + ((event.clientX - frame.left) / frame.width) * this.box.width,
+      this.box.top + ((event.clientY - frame.top) / frame.height) * this.box.height,
     ];
   }
-  /** The box that holds the whole picture has the shape of the frame. */
-  private get wholeWidth(): number {
-    return Math.max(this.size[0], this.size[1] * this.aspect);
-  }
-  private get aspect(): number {
-    return (this.stage.clientWidth || 1) / (this.stage.clientHeight || 1);
-  }
   private fit(): void {
-    this.whole = true;
+    this.box.fit();
     this.showBox();
   }
-  private zoom(factor: number, at?: Point): void {
+  private zoom(factor: number, about?: Point): void {
     const own = this.selected === null ? undefined : this.points[this.selected];
-    const centre = at ?? own ?? [this.box.x + this.box.width / 2, this.box.y + this.box.height / 2];
-    const width = Math.min(this.wholeWidth, Math.max(this.wholeWidth / kGreatestZoom, this.box.width / factor));
-    const share = width / this.box.width;
-    this.whole = width >= this.wholeWidth;
-    this.box = { x: centre[0] - (centre[0] - this.box.x) * share, y: centre[1] - (centre[1] - this.box.y) * share, width, height: 1 };
+    this.box.zoom(factor, about ?? own ?? this.box.centre);
     this.showBox();
   }
   private showBox(): void {
-    const width = this.whole ? this.wholeWidth : Math.min(this.wholeWidth, this.box.width);
-    const height = width / this.aspect;
-    // The picture never leaves the frame; a side that it does not fill has it in the middle.
-    const within = (at: number, length: number, most: number) => (length >= most ? (most - length) / 2 : Math.min(most - length, Math.max(0, at)));
-    this.box = { x: within(this.box.x, width, this.size[0]), y: within(this.box.y, height, this.size[1]), width, height };
-    this.svg.setAttribute("viewBox", `${this.box.x} ${this.box.y} ${width} ${height}`);
+    this.box.setFrame(this.stage.clientWidth, this.stage.clientHeight);
+    this.svg.setAttribute("viewBox", `${this.box.left} ${this.box.top} ${this.box.width} ${this.box.height}`);
     this.showPoints();
   }
 
@@ -213,7 +203,9 @@ export class LandmarkEditor {
     this.stage.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
     const begin = this.pictureAt(event);
-    const own = grabbed === null ? undefined : this.points[grabbed];
+    const from = this.points;
+    const own = grabbed === null ? undefined : from[grabbed];
+    const which = event.altKey ? "all" : event.shiftKey ? "part" : "one";
     let moved = false;
     const place = (next: PointerEvent): Point => {
       const at = this.pictureAt(next);
@@ -224,7 +216,7 @@ export class LandmarkEditor {
       if (next.pointerId !== event.pointerId || !last) return;
       if (own) {
         moved ||= Math.hypot(next.clientX - event.clientX, next.clientY - event.clientY) > 1;
-        if (moved) this.move(place(next), false);
+        if (moved) this.move(place(next), false, which, from);
         return;
       }
       this.pinch(next, last);
@@ -236,7 +228,7 @@ export class LandmarkEditor {
       this.stage.removeEventListener("pointermove", move);
       this.stage.removeEventListener("pointerup", end);
       this.stage.removeEventListener("pointercancel", end);
-      if (own && moved) this.move(place(next), true);
+      if (own && moved) this.move(place(next), true, which, from);
     };
     this.stage.addEventListener("pointermove", move);
     this.stage.addEventListener("pointerup", end);
@@ -252,19 +244,18 @@ export class LandmarkEditor {
       if (before > 0) this.zoom(after / before, this.pictureAt(next));
       return;
     }
-    this.box.x -= (next.clientX - last[0]) * this.pixel();
-    this.box.y -= (next.clientY - last[1]) * this.pixel();
+    this.box.shift(-(next.clientX - last[0]) * this.pixel(), -(next.clientY - last[1]) * this.pixel());
     this.showBox();
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey) return;
     const own = this.selected === null ? undefined : this.points[this.selected];
     const step = event.shiftKey ? 10 : 1;
     const moves: Record<string, Point> = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] };
     const by = moves[event.key];
     const count = this.points.length;
-    if (by && own) this.move([own[0] + by[0], own[1] + by[1]], true);
+    if (by && own) this.move([own[0] + by[0], own[1] + by[1]], true, event.altKey ? "all" : "one");
     else if (event.key === "PageDown" && count) this.select(this.selected === null ? 0 : (this.selected + 1) % count, true);
     else if (event.key === "PageUp" && count) this.select(this.selected === null ? count - 1 : (this.selected + count - 1) % count, true);
     else if (event.key === "+" || event.key === "=") this.zoom(1.25);

@@ -38,6 +38,29 @@ export function landmarkTitle(index: number): string {
   return `${index}: ${part?.name ?? ""}${corner ? `, ${corner}` : ""}`;
 }
 
+/** 68 points of a face from the front in the middle of a picture, where the network finds none. */
+export function placedLandmarks(width: number, height: number): Point[] {
+  const unit = 0.3 * Math.min(width, height);
+  const points: Point[] = [];
+  // On an ellipse, in half widths of the face, from one angle to another; degrees, clockwise on the screen, from the right.
+  const arc = (x: number, y: number, rx: number, ry: number, count: number, from: number, to: number) => {
+    for (let i = 0; i < count; ++i) {
+      const angle = ((from + ((to - from) * i) / (count - 1)) * Math.PI) / 180;
+      points.push([width / 2 + unit * (x + rx * Math.cos(angle)), height / 2 + unit * (y + ry * Math.sin(angle))]);
+    }
+  };
+  arc(0, -0.1, 1, 1.2, 17, 180, 0);
+  arc(-0.47, -0.45, 0.32, 0.14, 5, 190, 350);
+  arc(0.47, -0.45, 0.32, 0.14, 5, 190, 350);
+  for (let i = 0; i < 4; ++i) points.push([width / 2, height / 2 + unit * (-0.27 + 0.17 * i)]);
+  arc(0, 0.33, 0.22, 0.07, 5, 180, 0);
+  arc(-0.44, -0.24, 0.18, 0.08, 6, 180, 480);
+  arc(0.44, -0.24, 0.18, 0.08, 6, 180, 480);
+  arc(0, 0.66, 0.36, 0.15, 12, 180, 510);
+  arc(0, 0.66, 0.27, 0.06, 8, 180, 495);
+  return points;
+}
+
 /** A .pts file, version 1. */
 export function writePts(points: readonly Point[]): string {
   const rows = points.map(([x, y]) => `${x.toFixed(3)} ${y.toFixed(3)}`);

@@ -2,11 +2,11 @@
 import type { Point, SessionState } from "../api_types";
 import { download, el } from "../dom";
 import { fileButton } from "../file_choice";
-import { History } from "../shape/history";
+import { History } from "../history";
 import type { Studio } from "../tab";
 import { button } from "../widgets";
 import { LandmarkEditor } from "./landmark_editor";
-import { readPts, writePts } from "./landmarks";
+import { placedLandmarks, readPts, writePts } from "./landmarks";
 
 const kSvg = "http://www.w3.org/2000/svg";
 
@@ -15,7 +15,10 @@ export class PicturePart {
   private readonly editor = new LandmarkEditor((points, done) => this.moved(points, done));
   private readonly note = el("p", { class: "p-hint" });
   private readonly again: HTMLButtonElement;
+  private readonly save: HTMLButtonElement;
+  private readonly place: HTMLButtonElement;
   private readonly tools: HTMLElement;
+  private size: [number, number] = [1, 1];
   private history = new History<Point[]>({ past: [], present: [], future: [] });
   private found: readonly Point[] = [];
   private name = "";
@@ -27,12 +30,13 @@ export class PicturePart {
       icon: "reset",
       title: "The landmarks as the network found them",
     });
-    const save = button("Save .pts", () => download(new Blob([writePts(this.points)], { type: "text/plain" }), this.name.replace(/\.\w+$/, "") + ".pts"), {
+    this.save = button("Save .pts", () => download(new Blob([writePts(this.points)], { type: "text/plain" }), this.name.replace(/\.\w+$/, "") + ".pts"), {
       kind: "quiet",
       icon: "download",
     });
     const open = fileButton("Open .pts", ".pts,.txt", (file) => void this.openPts(file), { kind: "quiet" });
-    this.tools = el("div", { class: "p-row" }, this.again, save, open);
+    this.place = button("Place the points by hand", () => this.moved(placedLandmarks(...this.size), true), { icon: "point" });
+    this.tools = el("div", { class: "p-row" }, this.place, this.again, this.save, open);
   }
 
   get points(): Point[] {
@@ -64,6 +68,7 @@ export class PicturePart {
       throw new Error(`The browser cannot show ${name}. Choose a PNG or a JPEG picture.`);
     }
     const size: [number, number] = [image.naturalWidth || 512, image.naturalHeight || 512];
+    this.size = size;
     this.element.replaceChildren(this.editor.element, this.note, this.tools);
     this.editor.setPicture(this.address, size);
     this.setLandmarks(null, null);
@@ -74,7 +79,15 @@ export class PicturePart {
     this.found = found ?? [];
     this.history = new History<Point[]>({ past: [], present: (now ?? this.found).map((point): Point => [...point]), future: [] });
     this.editor.setPoints(this.points);
+    this.editor.showFace();
     this.tools.hidden = this.points.length === 0;
+    this.showNote();
+    this.studio.refresh();
+  }
+  /** The network found no face: a person can place the points, or open a file of them. */
+  offerByHand(): void {
+    this.element.prepend(this.tools);
+    this.tools.hidden = false;
     this.showNote();
   }
   /** A drawing has no landmarks to move: its lines are shown. */
@@ -91,6 +104,7 @@ export class PicturePart {
     }
     this.history = new History<Point[]>({ past: [], present: [], future: [] });
     this.element.replaceChildren(svg);
+    this.studio.refresh();
   }
 
   private moved(points: Point[], done: boolean): void {
@@ -99,6 +113,7 @@ export class PicturePart {
     else this.showNote();
   }
   private show(): void {
+    this.element.append(this.tools);
     this.editor.setPoints(this.points);
     this.showNote();
     this.changed(this.points);
@@ -106,10 +121,14 @@ export class PicturePart {
   }
   private showNote(): void {
     const moved = this.points.filter((point, index) => point[0] !== this.found[index]?.[0] || point[1] !== this.found[index]?.[1]).length;
+    this.save.hidden = this.points.length === 0;
+    this.place.hidden = this.points.length > 0;
     this.again.hidden = moved === 0 || this.found.length === 0;
     this.note.hidden = this.points.length === 0;
     this.note.replaceChildren(
-      moved ? `${moved} of ${this.points.length} landmarks moved by hand.` : "Does a point sit wrong? Drag it to its place before the head is made.",
+      this.found.length === 0
+        ? "Drag each point to its place. With Alt all of them move, with Shift those of the same part."
+        : moved ? `${moved} of ${this.points.length} landmarks moved by hand.` : "Does a point sit wrong? Drag it to its place before the head is made.",
     );
   }
   private async openPts(file: File): Promise<void> {

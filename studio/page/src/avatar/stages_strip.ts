@@ -10,9 +10,13 @@ export class StagesStrip {
 
   constructor(private readonly api: Api) {}
 
+  get isEmpty(): boolean {
+    return this.element.childElementCount === 0;
+  }
+
   async show(job: Job): Promise<void> {
     this.clear();
-    const files = job.files.filter((file) => /\.(png|jpg)$/i.test(file.name)).sort((a, b) => rank(a.name).localeCompare(rank(b.name)));
+    const files = job.files.filter((file) => /^(stages\/.*|head)\.(png|jpg)$/i.test(file.name)).sort((a, b) => rank(a.name).localeCompare(rank(b.name)));
     this.element.hidden = files.length === 0;
     for (const file of files) {
       const title = stageTitle(file.name);

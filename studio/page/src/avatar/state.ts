@@ -33,11 +33,16 @@ export interface AvatarBody {
   landmarks?: Point[];
 }
 
+/** A portrait has landmarks and a texture of its own; a drawing has neither. */
+export function isPortrait(source: AvatarSource): boolean {
+  return source.kind === "upload" && source.as === "portrait";
+}
+
 /** The body of POST /api/jobs. Landmarks are sent only where a person moved one. */
 export function avatarBody(state: AvatarState): AvatarBody {
   const { source, options, landmarks, found } = state;
-  const isPortrait = source.kind === "upload" && source.as === "portrait";
-  const hair = options.hair === "auto" && !isPortrait ? "none" : options.hair;
+  const portrait = isPortrait(source);
+  const hair = options.hair === "auto" && !portrait ? "none" : options.hair;
   const body: AvatarBody = { do: "avatar", options: { hair } };
   if (source.kind === "session") {
     body.session = source.id;
@@ -45,7 +50,7 @@ export function avatarBody(state: AvatarState): AvatarBody {
     body.upload = source.id;
     body.options["as"] = source.as;
   }
-  if (isPortrait) {
+  if (portrait) {
     body.options["style"] = options.style;
     if (landmarks && JSON.stringify(landmarks) !== JSON.stringify(found)) body.landmarks = landmarks;
   }

@@ -25,12 +25,21 @@ export class Paper {
   private underStale = true;
   private faceStale = true;
   private ringRadius = 0;
+  private ringUnit: "sheet" | "screen" = "sheet";
 
   constructor(private readonly host: PaperHost) {
-    this.element = el("div", {
-      class: "paper", tabindex: 0, role: "application",
-      "aria-label": "Paper. Draw with a pen, a mouse or a finger. Plus and minus zoom, 0 shows all of it.",
-    }, this.under, this.ink, this.ring);
+    this.element = el(
+      "div",
+      {
+        class: "paper",
+        tabindex: 0,
+        role: "application",
+        "aria-label": "Paper. Draw with a pen, a mouse or a finger. Plus and minus zoom, 0 shows all of it.",
+      },
+      this.under,
+      this.ink,
+      this.ring,
+    );
     this.pointer = new PaperPointer(this.element, {
       toSheet: (x, y) => this.toSheet(x, y),
       begin: (sample, event) => host.begin(sample, event),
@@ -66,12 +75,16 @@ export class Paper {
   fit(): void {
     this.moved(() => this.view.fit());
   }
+  fitBox(box: readonly [number, number, number, number]): void {
+    this.moved(() => this.view.fit(box));
+  }
   zoom(factor: number): void {
     this.moved(() => this.view.zoomMiddle(factor));
   }
-  /** A ring of a radius in sheet pixels around the pen; 0: none. */
-  setRing(radius: number): void {
+  /** A ring around the pen, whose radius is in pixels of the sheet or of the screen; 0: none. */
+  setRing(radius: number, unit: "sheet" | "screen"): void {
     this.ringRadius = radius;
+    this.ringUnit = unit;
     this.sizeRing();
   }
 
@@ -85,7 +98,7 @@ export class Paper {
     this.invalidate("all");
   }
   private sizeRing(): void {
-    const size = Math.max(6, 2 * this.ringRadius * this.view.zoom);
+    const size = Math.max(6, 2 * this.ringRadius * (this.ringUnit === "sheet" ? this.view.zoom : 1));
     this.ring.style.width = this.ring.style.height = `${size}px`;
   }
   private hover(event: PointerEvent | null): void {

@@ -3,7 +3,16 @@ import type { Point, SessionState } from "../api_types";
 import type { PaperView } from "./paper_view";
 
 /** The paper is light in both themes, so ink has one set of colours. */
-const kInk = { stroke: "#23282d", curve: "#1f5a68", wrinkle: "#8a4b2a", gap: "#c2500b", guide: "#155e6366", trail: "#c2500b55", arrow: "#1d6fd6", ghost: "#c2500b38" };
+const kInk = {
+  stroke: "#23282d",
+  curve: "#1f5a68",
+  wrinkle: "#8a4b2a",
+  gap: "#c2500b",
+  guide: "#155e6366",
+  trail: "#c2500b55",
+  arrow: "#1d6fd6",
+  ghost: "#c2500b38",
+};
 /** Width in sheet pixels of a line without a weight, at a sheet of 512. */
 const kWidth = 2.6 / 512;
 
@@ -45,7 +54,13 @@ export function drawUnder(context: CanvasRenderingContext2D, view: PaperView, co
     if (reference) {
       const scale = Math.min(width / reference.width, height / reference.height);
       context.globalAlpha = reference.opacity;
-      context.drawImage(reference.picture, (width - scale * reference.width) / 2, (height - scale * reference.height) / 2, scale * reference.width, scale * reference.height);
+      context.drawImage(
+        reference.picture,
+        (width - scale * reference.width) / 2,
+        (height - scale * reference.height) / 2,
+        scale * reference.width,
+        scale * reference.height,
+      );
       context.globalAlpha = 1;
     }
   }
@@ -118,10 +133,25 @@ function gaps(context: CanvasRenderingContext2D, view: PaperView, content: Paper
   }
 }
 /** Thin lines from the stroke's ends to those of the gap that they would snap to. */
-function snapLines(context: CanvasRenderingContext2D, view: PaperView, ends: readonly [Point, Point], reach: number, begin: Point | null, pen: Point | null): void {
+function snapLines(
+  context: CanvasRenderingContext2D,
+  view: PaperView,
+  ends: readonly [Point, Point],
+  reach: number,
+  begin: Point | null,
+  pen: Point | null,
+): void {
   if (!begin || !pen) return;
   const straight = distance(begin, ends[0]) + distance(pen, ends[1]) <= distance(begin, ends[1]) + distance(pen, ends[0]);
-  const pairs: [Point, Point][] = straight ? [[begin, ends[0]], [pen, ends[1]]] : [[begin, ends[1]], [pen, ends[0]]];
+  const pairs: [Point, Point][] = straight
+    ? [
+        [begin, ends[0]],
+        [pen, ends[1]],
+      ]
+    : [
+        [begin, ends[1]],
+        [pen, ends[0]],
+      ];
   context.lineWidth = 1.2 / view.zoom;
   context.setLineDash([2 / view.zoom, 4 / view.zoom]);
   for (const [from, to] of pairs) if (distance(from, to) <= reach) path(context, [from, to]);
@@ -155,7 +185,10 @@ function arrow(context: CanvasRenderingContext2D, view: PaperView, points: reado
   context.lineWidth = 3 / view.zoom;
   path(context, [from, to]);
   const angle = Math.atan2(to[1] - from[1], to[0] - from[0]);
-  const wing = (turn: number): Point => [to[0] - (12 / view.zoom) * Math.cos(angle + turn), to[1] - (12 / view.zoom) * Math.sin(angle + turn)];
+  const wing = (turn: number): Point => [
+    to[0] - (12 / view.zoom) * Math.cos(angle + turn),
+    to[1] - (12 / view.zoom) * Math.sin(angle + turn),
+  ];
   path(context, [wing(0.5), to, wing(-0.5)]);
 }
 

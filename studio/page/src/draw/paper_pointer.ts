@@ -24,18 +24,26 @@ export class PaperPointer {
   private penSeen = false;
   private began = 0;
 
-  constructor(private readonly element: HTMLElement, private readonly host: PointerHost) {
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly host: PointerHost,
+  ) {
     element.addEventListener("pointerdown", (event) => this.down(event));
     element.addEventListener("pointermove", (event) => this.move(event));
     element.addEventListener("pointerup", (event) => this.up(event, false));
     element.addEventListener("pointercancel", (event) => this.up(event, true));
     element.addEventListener("pointerleave", () => this.host.hover(null));
     element.addEventListener("contextmenu", (event) => event.preventDefault());
-    element.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      if (event.ctrlKey || event.deltaMode !== 0 || Math.abs(event.deltaX) < 1) this.host.zoomAt(event.clientX, event.clientY, Math.exp(-0.0016 * event.deltaY));
-      else this.host.pan(-event.deltaX, -event.deltaY);
-    }, { passive: false });
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        if (event.ctrlKey || event.deltaMode !== 0 || Math.abs(event.deltaX) < 1)
+          this.host.zoomAt(event.clientX, event.clientY, Math.exp(-0.0016 * event.deltaY));
+        else this.host.pan(-event.deltaX, -event.deltaY);
+      },
+      { passive: false },
+    );
   }
 
   get drawing(): boolean {
@@ -86,7 +94,10 @@ export class PaperPointer {
         this.drag.y = event.clientY;
       } else {
         const events = event.getCoalescedEvents();
-        this.host.extend((events.length > 0 ? events : [event]).map((each) => this.sample(each)), event);
+        this.host.extend(
+          (events.length > 0 ? events : [event]).map((each) => this.sample(each)),
+          event,
+        );
       }
     }
     if (event.pointerType !== "touch") this.host.hover(event);

@@ -1,21 +1,33 @@
 // Where the sheet lies on the screen: css pixel = offset + zoom * sheet pixel.
+const kLeastZoom = 0.1;
+const kGreatestZoom = 24;
+
 export class PaperView {
   zoom = 1;
   x = 0;
   y = 0;
   private fitted = true;
 
-  constructor(public sheet: [number, number], private width = 1, private height = 1) {}
+  constructor(
+    public sheet: [number, number],
+    private width = 1,
+    private height = 1,
+  ) {}
 
-  /** The whole sheet with a margin. */
-  fit(): void {
+  /** A rectangle of the sheet, or all of it, with a margin. */
+  fit([left, top, width, height]: readonly [number, number, number, number] = [0, 0, ...this.sheet]): void {
     const kMargin = 14;
-    this.zoom = Math.max(0.05, Math.min((this.width - 2 * kMargin) / this.sheet[0], (this.height - 2 * kMargin) / this.sheet[1]));
-    this.x = (this.width - this.zoom * this.sheet[0]) / 2;
-    this.y = (this.height - this.zoom * this.sheet[1]) / 2;
-    this.fitted = true;
+    this.zoom = Math.min(
+      kGreatestZoom,
+      Math.max(kLeastZoom, Math.min((this.width - 2 * kMargin) / width, (this.height - 2 * kMargin) / height)),
+    );
+    this.x = this.width / 2 - this.zoom * (left + width / 2);
+    this.y = this.height / 2 - this.zoom * (top + height / 2);
+    this.fitted = left === 0 && top === 0 && width === this.sheet[0];
   }
   resize(width: number, height: number): void {
+    // A tab that is hidden has no size: the view waits for its return.
+    if (width < 1 || height < 1) return;
     const dx = (width - this.width) / 2;
     const dy = (height - this.height) / 2;
     this.width = width;
@@ -31,7 +43,7 @@ export class PaperView {
     this.y = Math.min(this.height - kLeast, Math.max(kLeast - this.zoom * this.sheet[1], this.y + dy));
   }
   zoomAt(x: number, y: number, factor: number): void {
-    const next = Math.min(16, Math.max(0.2, this.zoom * factor));
+    const next = Math.min(kGreatestZoom, Math.max(kLeastZoom, this.zoom * factor));
     const ratio = next / this.zoom;
     this.zoom = next;
     this.fitted = false;

@@ -33,7 +33,10 @@ export class SessionClient {
   private nextPreview: { points: Point[]; endedAt: number | null } | null = null;
   private recorded = -1;
 
-  constructor(private readonly api: Api, private readonly listener: SessionListener) {}
+  constructor(
+    private readonly api: Api,
+    private readonly listener: SessionListener,
+  ) {}
 
   get state(): SessionState | null {
     return this.current;
@@ -99,7 +102,7 @@ export class SessionClient {
       if (!isAbort(error)) this.listener.fail(error);
     }
   }
-  /** Of the faces of one stroke the first one counts as the answer to it. */
+  /** Of the faces of one stroke the first one is recorded. */
   private recordTime(endedAt: number, isFinal: boolean): void {
     const record = (times: number[]) => {
       times.push(performance.now() - endedAt);

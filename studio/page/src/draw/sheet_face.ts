@@ -13,8 +13,15 @@ export class SheetFace {
   private size: [number, number] = [0, 0];
   private rows: SheetCamera["pixel_from_cm"] | null = null;
 
-  constructor(private readonly viewer: Viewer, redraw: () => void) {
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+  constructor(
+    private readonly viewer: Viewer,
+    redraw: () => void,
+  ) {
+    try {
+      this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    } catch {
+      throw new Error("The face cannot be shown on the paper: WebGL is off in this browser.");
+    }
     this.resolution = new AdaptiveResolution(this.renderer, redraw);
     this.renderer.setClearColor(0, 0);
     this.camera.matrixAutoUpdate = false;
@@ -26,6 +33,28 @@ export class SheetFace {
 
   setCamera(camera: SheetCamera): void {
     this.rows = camera.pixel_from_cm;
+  }
+
+  get hasCamera(): boolean {
+    return this.rows !== null;
+  }
+  /** The rectangle of the face on the sheet: least x, least y, width, height. */
+  box(): [number, number, number, number] | null {
+    if (!this.rows || !this.viewer.hasFace) return null;
+    const [rowX, rowY] = this.rows;
+    const positions = this.viewer.vertices;
+    let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let i = 0; i + 2 < positions.length; i += 3) {
+      const at = (r: number[]) =>
+        (r[0] ?? 0) * (positions[i] ?? 0) + (r[1] ?? 0) * (positions[i + 1] ?? 0) + (r[2] ?? 0) * (positions[i + 2] ?? 0) + (r[3] ?? 0);
+      const x = at(rowX);
+      const y = at(rowY);
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      top = Math.min(top, y);
+      bottom = Math.max(bottom, y);
+    }
+    return [left, top, right - left, bottom - top];
   }
 
   /** Draws the face where the view has the sheet. */
@@ -52,7 +81,12 @@ export class SheetFace {
     const kNear = -100;
     const kFar = 100;
     const middle = depth[3] ?? 0;
-    const row = (r: number[], scale: number, offset: number) => [scale * (r[0] ?? 0), scale * (r[1] ?? 0), scale * (r[2] ?? 0), scale * (r[3] ?? 0) + offset];
+    const row = (r: number[], scale: number, offset: number) => [
+      scale * (r[0] ?? 0),
+      scale * (r[1] ?? 0),
+      scale * (r[2] ?? 0),
+      scale * (r[3] ?? 0) + offset,
+    ];
     const clipX = row(x, (2 * view.zoom) / width, (2 * view.x) / width - 1);
     const clipY = row(y, (-2 * view.zoom) / height, 1 - (2 * view.y) / height);
     const clipZ = row(depth, 2 / (kFar - kNear), (-2 * middle) / (kFar - kNear));

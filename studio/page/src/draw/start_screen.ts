@@ -10,6 +10,8 @@ export interface StartHost {
   /** The session was deleted or renamed. */
   changed(id: string, name: string | null): void;
   close(): void;
+  /** The screen has come or gone. */
+  shown(is: boolean): void;
   fail(error: unknown): void;
 }
 
@@ -17,15 +19,18 @@ export interface StartHost {
 const kExamples: Readonly<Record<string, { title: string; doodle: string }>> = {
   front: {
     title: "A portrait, drawn and corrected",
-    doodle: "M20 34c0 20 8 34 20 34s20-14 20-34S52 12 40 12 20 20 20 34M28 36c3-3 6-3 9 0M43 36c3-3 6-3 9 0M39 40c-1 5-3 8-2 9s4 1 5 0M33 57c4 3 10 3 14 0",
+    doodle:
+      "M20 34c0 20 8 34 20 34s20-14 20-34S52 12 40 12 20 20 20 34M28 36c3-3 6-3 9 0M43 36c3-3 6-3 9 0M39 40c-1 5-3 8-2 9s4 1 5 0M33 57c4 3 10 3 14 0",
   },
   side: {
     title: "A profile, pulled in 3-D",
-    doodle: "M46 12c-14 0-20 9-20 18 0 4 1 6 0 9l-6 9c0 2 5 1 5 3l-1 4c3 2 0 3 1 5 1 4 5 4 10 3 2 3 2 6 2 9M33 32c3-2 5-2 7 0M52 40c4-3 7 0 6 4s-4 6-6 5",
+    doodle:
+      "M46 12c-14 0-20 9-20 18 0 4 1 6 0 9l-6 9c0 2 5 1 5 3l-1 4c3 2 0 3 1 5 1 4 5 4 10 3 2 3 2 6 2 9M33 32c3-2 5-2 7 0M52 40c4-3 7 0 6 4s-4 6-6 5",
   },
   wrinkles: {
     title: "Wrinkles of an old face",
-    doodle: "M21 33c-1 21 9 36 19 36s20-15 19-36C58 18 50 12 40 12S22 18 21 33M28 38c3-3 6-3 9 0M43 38c3-3 6-3 9 0M39 41c-2 5-4 8-2 9s5 1 6 0M32 58c5 2 11 2 16 0M30 24c6-3 14-3 20 0M32 29c5-2 11-2 16 0M29 49c0 4 1 6 2 8M51 49c0 4-1 6-2 8",
+    doodle:
+      "M21 33c-1 21 9 36 19 36s20-15 19-36C58 18 50 12 40 12S22 18 21 33M28 38c3-3 6-3 9 0M43 38c3-3 6-3 9 0M39 41c-2 5-4 8-2 9s5 1 6 0M32 58c5 2 11 2 16 0M30 24c6-3 14-3 20 0M32 29c5-2 11-2 16 0M29 49c0 4 1 6 2 8M51 49c0 4-1 6-2 8",
   },
 };
 const kNumExamples = 3;
@@ -34,27 +39,48 @@ export class StartScreen {
   readonly element: HTMLElement;
   private readonly examples = el("div", { class: "start-examples" });
   private readonly sessions = el("ul", { class: "start-sessions" });
-  private readonly earlier = el("section", { class: "start-earlier", "aria-label": "Earlier drawings", hidden: true }, el("h3", {}, "Earlier drawings"), this.sessions);
+  private readonly earlier = el(
+    "section",
+    { class: "start-earlier", "aria-label": "Earlier drawings", hidden: true },
+    el("h3", {}, "Earlier drawings"),
+    this.sessions,
+  );
+  private numDrawings = 0;
   private readonly closeButton: HTMLButtonElement;
 
   constructor(private readonly host: StartHost) {
     this.closeButton = iconButton("close", "Back to the drawing", () => host.close(), "Escape");
     this.closeButton.classList.add("start-close");
-    this.element = el("div", { class: "start" }, this.closeButton,
-      el("div", { class: "start-inner" },
+    this.element = el(
+      "div",
+      { class: "start" },
+      this.closeButton,
+      el(
+        "div",
+        { class: "start-inner" },
         el("h2", {}, "Draw a face"),
-        el("p", { class: "start-lead" }, "A few lines are enough: the 3-D face beside the paper follows every stroke. Try an example, or begin with an empty sheet."),
+        el(
+          "p",
+          { class: "start-lead" },
+          "A few lines are enough: the 3-D face on the right follows every stroke. Try an example, or begin with an empty sheet.",
+        ),
         this.examples,
-        el("div", { class: "start-begin" },
-          button("Empty sheet", () => host.begin({ begin: "blank" }), { class: "primary" }),
+        el(
+          "div",
+          { class: "start-begin" },
+          button("Empty sheet", () => host.begin({ begin: "blank", name: `Drawing ${this.numDrawings + 1}` }), { class: "primary" }),
           button("A mean face to redraw", () => host.begin({ begin: "mean", name: "From the mean face" })),
-          el("span", {}, "or click a pinned face below")),
-        this.earlier));
+          el("span", {}, "or click a pinned face below"),
+        ),
+        this.earlier,
+      ),
+    );
   }
 
   /** canClose: a drawing lies below. */
   async show(canClose: boolean): Promise<void> {
     this.element.hidden = false;
+    this.host.shown(true);
     this.closeButton.hidden = !canClose;
     try {
       const [examples, sessions] = await Promise.all([this.host.api.examples(), this.host.api.sessions()]);
@@ -66,26 +92,49 @@ export class StartScreen {
   }
   hide(): void {
     this.element.hidden = true;
+    this.host.shown(false);
   }
 
   private showExamples(examples: readonly Example[]): void {
     const described = examples.filter((example) => example.name in kExamples);
     const shown = [...described, ...examples.filter((example) => !(example.name in kExamples))].slice(0, kNumExamples);
-    this.examples.replaceChildren(...shown.map((example) => {
-      const { title, doodle } = kExamples[example.name] ?? { title: example.title, doodle: kExamples["front"]?.doodle ?? "" };
-      return el("button", {
-        type: "button", class: "start-example", onclick: () => this.host.begin({ begin: "blank", example: example.name, name: title }),
-      }, drawing(doodle), el("span", {}, title));
-    }));
+    this.examples.replaceChildren(
+      ...shown.map((example) => {
+        const { title, doodle } = kExamples[example.name] ?? { title: example.title, doodle: kExamples["front"]?.doodle ?? "" };
+        return el(
+          "button",
+          {
+            type: "button",
+            class: "start-example",
+            onclick: () => this.host.begin({ begin: "blank", example: example.name, name: title }),
+          },
+          drawing(doodle),
+          el("span", {}, title),
+        );
+      }),
+    );
   }
   private showSessions(sessions: readonly SessionEntry[]): void {
+    // Of drawings that were numbered here: a number that was deleted comes back only as the last one.
+    this.numDrawings = Math.max(0, ...sessions.map((session) => Number(/^Drawing (\d+)$/.exec(session.name)?.[1] ?? 0)));
     this.earlier.hidden = sessions.length === 0;
     this.sessions.replaceChildren(...sessions.map((session) => this.row(session)));
   }
   private row(session: SessionEntry): HTMLElement {
-    const open = el("button", { type: "button", class: "start-open", onclick: () => this.host.openSession(session.id) },
-      iconOf("folder"), el("span", { class: "start-name" }, session.name), el("span", { class: "start-when" }, `${count(session.events)}, ${ago(session.changed)}`));
-    const row = el("li", {}, open, iconButton("rename", `Rename ${session.name}`, () => this.rename(session, row)), iconButton("trash", `Delete ${session.name}`, () => void this.remove(session)));
+    const open = el(
+      "button",
+      { type: "button", class: "start-open", onclick: () => this.host.openSession(session.id) },
+      iconOf("folder"),
+      el("span", { class: "start-name" }, session.name),
+      el("span", { class: "start-when" }, `${count(session.events)}, ${ago(session.changed)}`),
+    );
+    const row = el(
+      "li",
+      {},
+      open,
+      iconButton("rename", `Rename ${session.name}`, () => this.rename(session, row)),
+      iconButton("trash", `Delete ${session.name}`, () => void this.remove(session)),
+    );
     return row;
   }
   private rename(session: SessionEntry, row: HTMLElement): void {
@@ -106,7 +155,10 @@ export class StartScreen {
       if (event.key === "Enter") void save();
       if (event.key === "Escape") row.replaceWith(this.row(session));
     });
-    row.replaceChildren(field, button("Save", () => void save()));
+    row.replaceChildren(
+      field,
+      button("Save", () => void save()),
+    );
     field.select();
   }
   private async remove(session: SessionEntry): Promise<void> {

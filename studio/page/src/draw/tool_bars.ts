@@ -1,12 +1,13 @@
 // The bars around the paper: modes above, tools on the left, hint and zoom below, settings of the pen in a pop-up.
 import type { Mode, SessionState } from "../api_types";
-import { button, el, iconButton, slider, toggle } from "../dom";
+import { button, el, iconButton, iconOf, sentence, slider, toggle } from "../dom";
 import { hintOf, kModes, toolsOf, type ToolName } from "./tools";
 
 export interface PenSettings {
   stabiliser: number;
   weight: number;
   mirror: boolean;
+  /** Pixels of the screen. */
   brushRadius: number;
 }
 
@@ -19,11 +20,16 @@ export interface BarsHost {
   look(yaw: number): void;
   roll(level: number): void;
   menu(): void;
+  /** Shows a long remark as a message. */
+  remark(text: string): void;
   rename(name: string): void;
   zoom(factor: number): void;
   fit(): void;
   reference: { choose(): void; remove(): void; opacity(value: number): void; readonly present: boolean; readonly value: number };
 }
+
+/** Lines of a drawing from which on its warnings are worth a remark. */
+const kFewLines = 4;
 
 export class ToolBars {
   readonly top: HTMLElement;
@@ -33,31 +39,65 @@ export class ToolBars {
   private readonly name: HTMLInputElement;
   private readonly modes = new Map<Mode, HTMLButtonElement>();
   private readonly hint = el("p", { class: "draw-hint" });
-  private readonly warnings = el("ul", { class: "draw-warnings", role: "status", "aria-live": "polite" });
+  private readonly warnings = el("div", { class: "draw-warnings", role: "status", "aria-live": "polite" });
   private readonly busy = el("span", { class: "draw-busy", hidden: true }, "Working …");
   private readonly mirror: HTMLButtonElement;
   private readonly settingsPanel: HTMLElement;
   private shown = "";
 
   constructor(private readonly host: BarsHost) {
-    this.name = el("input", { type: "text", class: "draw-name", "aria-label": "Name of the drawing", maxlength: 80, onchange: () => host.rename(this.name.value.trim()) });
-    this.name.addEventListener("keydown", (event) => { if (event.key === "Enter") this.name.blur(); });
+    this.name = el("input", {
+      type: "text",
+      class: "draw-name",
+      "aria-label": "Name of the drawing",
+      maxlength: 80,
+      onchange: () => host.rename(this.name.value.trim()),
+    });
+    this.name.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") this.name.blur();
+    });
     const group = el("div", { class: "draw-modes", role: "group", "aria-label": "Mode" });
     for (const { mode, label, key, about } of kModes) {
       const made = button(label, () => host.setMode(mode), { title: `${about} (${key})`, "aria-pressed": "false" });
       this.modes.set(mode, made);
       group.append(made);
     }
-    this.top = el("div", { class: "draw-top" }, iconButton("folder", "Drawings: new, open", () => host.menu()), this.name, group);
-    this.mirror = toggle("Mirror", host.settings.mirror, (on) => {
-      host.settings.mirror = on;
-      host.settingsChanged();
-    }, "mirror", "M");
+    this.top = el(
+      "div",
+      { class: "draw-top" },
+      el(
+        "button",
+        { type: "button", class: "draw-menu", title: "New drawing, earlier drawings", onclick: () => host.menu() },
+        iconOf("folder"),
+        el("span", {}, "Drawings"),
+      ),
+      this.name,
+      group,
+    );
+    this.mirror = toggle(
+      "Mirror",
+      host.settings.mirror,
+      (on) => {
+        host.settings.mirror = on;
+        host.settingsChanged();
+      },
+      "mirror",
+      "M",
+    );
     this.settingsPanel = this.makeSettings();
-    this.bottom = el("div", { class: "draw-bottom" },
-      el("div", { class: "draw-words" }, this.hint, this.warnings), this.busy,
-      el("div", { class: "draw-zoom", role: "group", "aria-label": "Zoom" },
-        iconButton("minus", "Zoom out", () => host.zoom(1 / 1.25), "−"), iconButton("fit", "Show all", () => host.fit(), "0"), iconButton("plus", "Zoom in", () => host.zoom(1.25), "+")));
+    this.bottom = el(
+      "div",
+      { class: "draw-bottom" },
+      el("div", { class: "draw-words" }, this.hint, this.warnings),
+      this.busy,
+      el(
+        "div",
+        { class: "draw-zoom", role: "group", "aria-label": "Zoom" },
+        iconButton("minus", "Zoom out", () => host.zoom(1 / 1.25), "−"),
+        iconButton("fit", "Show all", () => host.fit(), "0"),
+        iconButton("plus", "Zoom in", () => host.zoom(1.25), "+"),
+      ),
+    );
   }
 
   flipMirror(): void {
@@ -67,16 +107,23 @@ export class ToolBars {
     this.busy.hidden = !busy;
   }
 
-  update(state: SessionState, tool: ToolName): void {
+  update(state: SessionState, tool: ToolName, erased: boolean): void {
     if (document.activeElement !== this.name) this.name.value = state.name;
     for (const [mode, made] of this.modes) made.setAttribute("aria-pressed", String(mode === state.mode));
-    this.hint.textContent = hintOf(state, tool);
-    const warnings = [...new Set(state.warnings)];
-    if (warnings.join("\n") !== this.shown) {
-      this.shown = warnings.join("\n");
-      this.warnings.replaceChildren(...warnings.map((warning) => el("li", {}, warning)));
-    }
+    this.hint.textContent = hintOf(state, tool, erased);
+    this.updateWarnings(state);
     this.updateRail(state, tool);
+  }
+
+  /** One line below the hint, so that the paper stays where it is; a click shows all of it. */
+  private updateWarnings(state: SessionState): void {
+    // A face of the first lines is one of many anyway.
+    const isBeginning = state.mode === "draw" && state.lines.length < kFewLines;
+    const text = isBeginning ? "" : [...new Set(state.warnings)].map(sentence).join(" ");
+    if (text === this.shown) return;
+    this.shown = text;
+    this.warnings.replaceChildren();
+    if (text !== "") this.warnings.append(button(text, () => this.host.remark(text), { title: text }));
   }
 
   private updateRail(state: SessionState, tool: ToolName): void {
@@ -99,12 +146,29 @@ export class ToolBars {
     if (this.float.hidden) return;
     const focused = this.float.contains(document.activeElement) ? document.activeElement?.getAttribute("aria-label") : null;
     const word = (label: string, name: string, act: () => void) => button(label, act, { "aria-label": name, title: name });
-    const group = (name: string, ...content: (HTMLElement | string)[]) => el("div", { class: "float-group", role: "group", "aria-label": name }, ...content);
-    const groups = [group("Look from", word("Right", "Its right side", () => this.host.look(-90)), word("Front", "Front view", () => this.host.look(0)), word("Left", "Its left side", () => this.host.look(90)))];
+    const group = (name: string, ...content: (HTMLElement | string)[]) =>
+      el("div", { class: "float-group", role: "group", "aria-label": name }, ...content);
+    const groups = [
+      group(
+        "Look from",
+        word("Right", "Its right side", () => this.host.look(-90)),
+        word("Front", "Front view", () => this.host.look(0)),
+        word("Left", "Its left side", () => this.host.look(90)),
+      ),
+    ];
     if (state.handles.length > 0) {
       const roll = (label: string, name: string, level: number) => word(label, name, () => this.host.roll(level));
-      groups.push(group("Bulge or hollow the handles", el("span", {}, "Bulge"), roll("++", "Bulge by 4 mm", 2), roll("+", "Bulge by 2 mm", 1),
-        roll("−", "Hollow by 2 mm", -1), roll("−−", "Hollow by 4 mm", -2), el("span", {}, "Hollow")));
+      groups.push(
+        group(
+          "Bulge or hollow the handles",
+          el("span", {}, "Bulge"),
+          roll("++", "Bulge by 4 mm", 2),
+          roll("+", "Bulge by 2 mm", 1),
+          roll("−", "Hollow by 2 mm", -1),
+          roll("−−", "Hollow by 4 mm", -2),
+          el("span", {}, "Hollow"),
+        ),
+      );
     }
     if (tool === "brush" || tool === "unbrush") {
       const size = group("Brush", el("span", {}, "Brush"), this.brushSize());
@@ -115,7 +179,15 @@ export class ToolBars {
     if (focused) this.float.querySelector<HTMLElement>(`[aria-label="${focused}"]`)?.focus();
   }
   private brushSize(): HTMLElement {
-    const field = el("input", { type: "range", min: 4, max: 60, step: 1, value: this.host.settings.brushRadius, "aria-label": "Radius of the brush, sheet pixels", title: "Radius of the brush" });
+    const field = el("input", {
+      type: "range",
+      min: 4,
+      max: 60,
+      step: 1,
+      value: this.host.settings.brushRadius,
+      "aria-label": "Radius of the brush, pixels of the screen",
+      title: "Radius of the brush",
+    });
     field.addEventListener("input", () => {
       this.host.settings.brushRadius = Number(field.value);
       this.host.settingsChanged();
@@ -131,16 +203,52 @@ export class ToolBars {
       reference.remove();
       show();
     });
-    const opacity = slider({ label: "Picture", min: 0.05, max: 1, step: 0.05, value: reference.value, input: (value) => reference.opacity(value) });
+    const opacity = slider({
+      label: "Picture",
+      min: 0.05,
+      max: 1,
+      step: 0.05,
+      value: reference.value,
+      input: (value) => reference.opacity(value),
+    });
     const show = () => {
       removeButton.hidden = !reference.present;
       opacity.element.hidden = !reference.present;
     };
     panel.append(
-      slider({ label: "Stabiliser", unit: "pixels", min: 0, max: 60, step: 1, value: settings.stabiliser, input: (value) => { settings.stabiliser = value; this.host.settingsChanged(); } }).element,
-      slider({ label: "Line weight", unit: "pixels, 0 is thin", min: 0, max: 24, step: 0.5, value: settings.weight, input: (value) => { settings.weight = value; this.host.settingsChanged(); } }).element,
+      slider({
+        label: "Stabiliser",
+        unit: "pixels",
+        min: 0,
+        max: 60,
+        step: 1,
+        value: settings.stabiliser,
+        input: (value) => {
+          settings.stabiliser = value;
+          this.host.settingsChanged();
+        },
+      }).element,
+      slider({
+        label: "Line weight",
+        unit: "pixels, 0 is thin",
+        min: 0,
+        max: 24,
+        step: 0.5,
+        value: settings.weight,
+        input: (value) => {
+          settings.weight = value;
+          this.host.settingsChanged();
+        },
+      }).element,
       el("p", { class: "pop-note" }, "The stabiliser takes the tremor out of a slow hand. The weight changes the line, not the face."),
-      el("div", { class: "pop-row" }, button("Picture under the paper …", () => reference.choose()), removeButton), opacity.element);
+      el(
+        "div",
+        { class: "pop-row" },
+        button("Picture under the paper …", () => reference.choose()),
+        removeButton,
+      ),
+      opacity.element,
+    );
     const open = iconButton("settings", "Pen and paper", () => {
       panel.hidden = !panel.hidden;
       open.setAttribute("aria-expanded", String(!panel.hidden));

@@ -34,30 +34,53 @@ export function toolsOf(mode: Mode, gestures: boolean): readonly Tool[] {
   return tools;
 }
 
-/** What a person can do now, in one or two sentences. */
-export function hintOf(state: SessionState, tool: ToolName): string {
+/** The tool that a person needs first in a mode. */
+export function firstTool(state: SessionState): ToolName {
+  if (state.mode === "draw") return "pen";
+  if (state.mode === "refine") return "brush";
+  return state.open_ends.length > 0 ? "pen" : "eraser";
+}
+
+/** What a person can do now, in one or two sentences. erased: lines of the face wait to be drawn again. */
+export function hintOf(state: SessionState, tool: ToolName, erased: boolean): string {
   if (state.mode === "draw") {
     if (tool === "eraser") return "Rub over lines to cut them.";
-    if (state.lines.length === 0) return "Draw the outline of a face, then eyes, nose and mouth. The face beside it follows every stroke.";
-    return state.has_face ? "Go on: brows, lips, ears. When the face is near, choose Redraw to correct single lines."
+    if (state.lines.length === 0)
+      return "Draw the outline of a face, then eyes, nose and mouth. The face on the right follows every stroke.";
+    return state.has_face
+      ? "Add brows, lips, ears. When the face is near, choose Redraw to correct single lines."
       : "These lines are no face yet. Add the outline, eyes, nose or mouth.";
   }
   if (state.mode === "follow_up") {
     const gaps = state.open_ends.length;
-    if (tool === "eraser") return gaps > 0 ? "A gap is open. Take the pen (B) and draw its new path, or erase more."
-      : "Rub over the part of a line that you want to change. Then draw its new path.";
-    return gaps > 0 ? "Draw from one orange end to the other: the line snaps to them and the face follows."
-      : "Draw an erased line again near its old place. Elsewhere on the skin a stroke becomes a wrinkle.";
+    if (tool === "eraser")
+      return gaps > 0 || erased
+        ? "Take the pen (B) and draw the new path of what is erased, or erase more."
+        : "Rub over the part of a line that you want to change. Then draw its new path.";
+    return gaps > 0
+      ? "Draw from one orange end to the other: the line snaps to them and the face follows."
+      : erased
+        ? "Draw the erased line again, near its old place."
+        : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
   }
   const handles = state.handles.length;
   switch (tool) {
-    case "turn": return "Drag to turn the face, or choose a side. The arrow keys turn it, too.";
-    case "brush": return "Paint over the skin that you want to move.";
-    case "unbrush": return "Paint over handles to release them.";
-    case "translate": return handles > 0 ? "Drag: the handles move as far as the pen does." : "There are no handles. Paint some with the brush (B) first.";
-    case "pull": return "Draw a new outline near the old one: chin, cheek, or the profile in a side view.";
-    case "region": return "Draw a closed line: only what lies inside moves. Enclose nothing but paper to free the whole head.";
-    default: return "Closed line: region. Straight line: move or pull. Arrow left or right: undo or redo. Loops that rise or fall: bulge or hollow.";
+    case "turn":
+      return "Drag to turn the face, or choose a side. The arrow keys turn it, too.";
+    case "brush":
+      return handles > 0
+        ? "Paint more, move the blue handles (V), or bulge them with the buttons on the right."
+        : "Paint over the skin that you want to move.";
+    case "unbrush":
+      return "Paint over handles to release them.";
+    case "translate":
+      return handles > 0 ? "Drag: the handles move as far as the pen does." : "There are no handles. Paint some with the brush (B) first.";
+    case "pull":
+      return "Draw a new outline close to the old one: jaw, cheek, or the profile in a side view. The old one moves to it.";
+    case "region":
+      return "Draw a closed line: only what lies inside moves. Undo frees the whole head again.";
+    default:
+      return "Closed line: region. Straight line: move or pull. Arrow left or right: undo or redo. Loops that rise or fall: bulge or hollow.";
   }
 }
 
@@ -66,4 +89,18 @@ export function cursorOf(tool: ToolName): string {
   if (tool === "turn") return "grab";
   if (tool === "eraser" || tool === "brush" || tool === "unbrush") return "none";
   return tool === "translate" ? "move" : "crosshair";
+}
+
+/** What the server has recognised in a free gesture, in words. */
+export function gestureWords(gesture: string): string {
+  const roll = /^(up|down)_roll_(\d)$/.exec(gesture);
+  if (roll) return roll[1] === "up" ? `Bulged, level ${roll[2]} of 3.` : `Hollowed, level ${roll[2]} of 3.`;
+  const words: Record<string, string> = {
+    line: "A line: handles are moved, or the nearest outline is pulled.",
+    region: "A region: only what it encloses moves.",
+    left_arrow: "An arrow to the left: undo.",
+    right_arrow: "An arrow to the right: redo.",
+    none: "No gesture was recognised. Try a closed line, a straight line, an arrow, or loops.",
+  };
+  return words[gesture] ?? `Understood: ${gesture}.`;
 }

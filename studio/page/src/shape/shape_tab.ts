@@ -8,7 +8,7 @@ import { isPlain, tidy } from "./document";
 import type { Editor, Part } from "./editor";
 import { expressionsPart, type Stored } from "./expressions_part";
 import { handlesPart } from "./handles_part";
-import { History, type HistoryState } from "./history";
+import { History, type HistoryState } from "../history";
 import { Latest } from "./latest";
 import { SurfaceDrag } from "./surface_drag";
 import { wholePart, type WholePart } from "./whole_part";

@@ -4,7 +4,7 @@ import { download, el } from "../dom";
 import { commandField, JobCard, warningList } from "../job_card";
 import type { Studio } from "../tab";
 import { button, choice, fileSize, icon, newId } from "../widgets";
-import type { Format } from "./formats";
+import type { Choice, Format } from "./formats";
 import { targetKey, whyNot, type FormatId, type Target } from "./targets";
 import { zipOf } from "./zip";
 
@@ -19,26 +19,24 @@ export class FormatCard {
   private readonly options: HTMLElement;
   private readonly result = el("div", { class: "p-files", hidden: true });
   private readonly chosen: Record<string, string>;
+  private readonly fields: { choice: Choice; element: HTMLElement }[];
   private target: Target | null = null;
 
   constructor(private readonly studio: Studio, private readonly format: Format) {
     this.job = new JobCard(studio.api);
     this.chosen = studio.recall<Record<string, string>>(`take-away.${format.id}`, {});
     this.make = button(format.make, () => void this.run().catch((error) => studio.fail(error)), { kind: format.id === "glb" ? "primary" : "plain" });
-    this.options = el(
-      "div",
-      { class: "p-card-options" },
-      ...format.choices.map((each) => {
-        const field = choice(each.label, (value) => {
-          this.chosen[each.key] = value;
-          studio.remember(`take-away.${format.id}`, this.chosen);
-          this.stale();
-        });
-        field.set(each.values.map((value) => ({ ...value })), this.chosen[each.key] ?? each.values[0]?.value ?? "");
-        field.select.setAttribute("aria-label", `${each.label} of ${format.title}`);
-        return field.element;
-      }),
-    );
+    this.fields = format.choices.map((each) => {
+      const field = choice(each.label, (value) => {
+        this.chosen[each.key] = value;
+        studio.remember(`take-away.${format.id}`, this.chosen);
+        this.stale();
+      });
+      field.set(each.values.map((value) => ({ ...value })), this.chosen[each.key] ?? each.values[0]?.value ?? "");
+      field.select.setAttribute("aria-label", `${each.label} of ${format.title}`);
+      return { choice: each, element: field.element };
+    });
+    this.options = el("div", { class: "p-card-options" }, ...this.fields.map((field) => field.element));
     const id = newId("card");
     this.element = el(
       "article",
@@ -60,6 +58,7 @@ export class FormatCard {
     this.no.hidden = no === null;
     this.make.hidden = no !== null;
     this.options.hidden = no !== null;
+    for (const field of this.fields) field.element.hidden = target?.kind === "avatar" && field.choice.notOfAvatars === true;
     this.element.classList.toggle("p-not", no !== null);
     if (before !== null && before !== (target && targetKey(target))) this.stale();
   }
@@ -99,7 +98,7 @@ export class FormatCard {
     this.result.hidden = false;
     this.result.replaceChildren(
       el("p", { role: "status" }, `${name}, ${fileSize(bytes.size)}, is in your downloads.`),
-      commandField(`daumier predict --session ${name}`),
+      commandField(`daumier predict --session ${name} --out drawing`),
     );
   }
 

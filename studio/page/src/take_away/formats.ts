@@ -6,6 +6,8 @@ import { targetBody, type FormatId, type Target } from "./targets";
 
 export interface Choice {
   key: string;
+  /** Jobs of avatars have no such option. */
+  notOfAvatars?: boolean;
   label: string;
   values: readonly { value: string; label: string }[];
 }
@@ -43,9 +45,10 @@ const kHair: Choice = {
 };
 const kTriangles: Choice = {
   key: "triangles",
+  notOfAvatars: true,
   label: "Triangles",
   values: [
-    { value: "", label: "All (25,254)" },
+    { value: "", label: "All" },
     { value: "8000", label: "At most 8,000" },
     { value: "4000", label: "At most 4,000" },
     { value: "2000", label: "At most 2,000" },
@@ -56,7 +59,7 @@ const kTriangles: Choice = {
 function head(target: Target, chosen: Readonly<Record<string, string>>, more: Record<string, unknown>): Record<string, unknown> {
   const options: Record<string, unknown> = { ...more };
   for (const key of ["names", "hair"]) if (chosen[key]) options[key] = chosen[key];
-  if (chosen["triangles"]) options["triangles"] = Number(chosen["triangles"]);
+  if (chosen["triangles"] && target.kind !== "avatar") options["triangles"] = Number(chosen["triangles"]);
   if (target.kind !== "avatar") return { do: "head", ...targetBody(target), options };
   const body = avatarBody(target.state);
   return { ...body, options: { ...body.options, ...options } };

@@ -2,7 +2,7 @@
 import type { SessionEntry, Shape } from "../api_types";
 import { kAvatarKey, kAvatarSubjectKey, type AvatarState } from "../avatar/state";
 import { el } from "../dom";
-import type { HistoryState } from "../shape/history";
+import type { HistoryState } from "../history";
 import type { Studio, Tab } from "../tab";
 import { button, choice } from "../widgets";
 import { FormatCard } from "./format_card";
@@ -25,6 +25,7 @@ class TakeAwayTab implements Tab {
   private targets: Target[] = [];
   private chosen: Target | null = null;
   private sessions: SessionEntry[] = [];
+  private avatar: AvatarState | null = null;
   private shown = false;
 
   constructor(private readonly studio: Studio) {
@@ -49,7 +50,7 @@ class TakeAwayTab implements Tab {
 
   async show(): Promise<void> {
     this.shown = true;
-    this.sessions = await this.studio.api.sessions();
+    [this.sessions, this.avatar] = await Promise.all([this.studio.api.sessions(), this.lastAvatar()]);
     if (!this.shown) return;
     this.targets = this.allTargets();
     this.chosen = this.firstTarget();
@@ -63,13 +64,19 @@ class TakeAwayTab implements Tab {
     this.choose(face.id);
   }
 
+  /** The last avatar, where the server still has its files: jobs end with the server that ran them. */
+  private async lastAvatar(): Promise<AvatarState | null> {
+    const avatar = this.studio.recall<AvatarState | null>(kAvatarKey, null);
+    if (!avatar?.job) return null;
+    return this.studio.api.get(`/api/jobs/${avatar.job}`).then(() => avatar, () => null);
+  }
   private allTargets(): Target[] {
     const shape = this.studio.recall<HistoryState<Shape> | null>("shape.history", null);
-    const avatar = this.studio.recall<AvatarState | null>(kAvatarKey, null);
+    const { avatar } = this;
     return [
       ...this.sessions.map((session): Target => ({ kind: "session", id: session.id, title: session.name })),
       ...(shape ? [{ kind: "shape", shape: shape.present, title: "The shape" } as const] : []),
-      ...(avatar?.job ? [{ kind: "avatar", state: avatar, title: avatar.source.name } as const] : []),
+      ...(avatar ? [{ kind: "avatar", state: avatar, title: avatar.source.name } as const] : []),
       ...this.studio.faces.faces.map((face): Target => ({ kind: "face", id: face.id, title: face.name })),
     ];
   }
