@@ -19,7 +19,7 @@ struct ChildOptions {
   std::filesystem::path folder = {};  ///< It is in this folder; empty: in ours.
   Task task = {};                     ///< If it is cancelled, the child gets SIGTERM, and SIGKILL after kGrace seconds.
 
-  static constexpr double kGrace = 3;
+  static constexpr double kGrace = 1;
 };
 
 /// Runs a program, found on PATH, with these arguments (no shell) until it ends; what it prints passes through the files

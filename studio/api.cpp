@@ -115,9 +115,12 @@ ApiReply Call(const std::vector<Route>& routes, std::string_view method, std::st
 Json OpenApiOf(const std::vector<Route>& routes) {
   Json paths = Json::object();
   for (const Route& route : routes) {
+    std::string path;
+    for (const std::string_view part : PartsOf(route.path))
+      path += IsVariable(part) ? fmt::format("/{{{}}}", NameOfVariable(part)) : fmt::format("/{}", part);
     std::string method = route.method;
     std::ranges::transform(method, method.begin(), [](char c) { return char(std::tolower(c)); });
-    Json& call = paths[route.path][method];
+    Json& call = paths[path][method];
     call["summary"] = route.summary;
     for (const std::string_view part : PartsOf(route.path))
       if (IsVariable(part))

@@ -36,6 +36,10 @@ std::string TitleOf(std::string name) {
   return name;
 }
 
+bool AreEqual(const geometry::Points& first, const geometry::Points& second) {
+  return first.rows() == second.rows() && first == second;
+}
+
 /// Expressions by the part of the face that their names begin with.
 Json ExpressionGroups() {
   constexpr std::array<std::pair<const char*, const char*>, 8> kGroups = {{{"brow", "brows"},
@@ -156,7 +160,7 @@ geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& n
   const std::scoped_lock lock(mutex_);
   Made made{.shape = shape.Neutral(), .base = face_of(shape.base), .toward = {}, .before_handles = {}, .face = {}};
   if (shape.toward) made.toward = face_of(shape.toward->face);
-  const bool has_base = last_ && last_->base == made.base && last_->toward == made.toward;
+  const bool has_base = last_ && AreEqual(last_->base, made.base) && AreEqual(last_->toward, made.toward);
   if (!has_base || last_->shape != made.shape) {
     const bool has_start = has_base && last_->shape.WithoutHandles() == made.shape.WithoutHandles();
     made.before_handles =

@@ -91,7 +91,10 @@ std::string FaceTray::NameOf(std::string_view id) const {
   const std::scoped_lock lock(mutex_);
   const fs::path record = folders_.Of(id) / kRecord;
   if (!fs::is_regular_file(record)) throw NotFound(fmt::format("there is no face '{}'", id));
-  return ReadJson(record).value("name", std::string(id));
+  const Json json = ReadJson(record);
+  const Json name = json.is_object() ? json.value("name", Json()) : Json();
+  DAUMIER_CHECK(name.is_string(), "{}: it has no name. Remove the face, or write {{\"name\": ...}}", record.string());
+  return name.get<std::string>();
 }
 
 void FaceTray::Remove(std::string_view id) {

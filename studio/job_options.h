@@ -13,7 +13,7 @@ inline std::vector<std::string> HairWords(std::vector<std::string> words) {
   return words;
 }
 
-/// Of rigged heads: the options of `daumier rig` by the same names.
+/// Of rigged heads: the options of `daumier rig` and `avatar` by the same names.
 struct HeadJobOptions {
   std::string names = "arkit", hair = "none", hair_colour, clip;
   bool vrm = false, print = false;
@@ -22,8 +22,8 @@ struct HeadJobOptions {
   template <class V>
   void Visit(V&& visit) {
     visit("names", names, Choices{{"arkit", "rpm", "vrm", "unreal", "mediapipe"}}, "Names of targets and nodes.");
-    visit("hair", hair, Choices{HairWords({"none"})}, "Hair.");
-    visit("hair_colour", hair_colour, Text{}, "Its colour, as #804020 or a name of CSS; empty: a plain one.");
+    visit("hair", hair, Choices{HairWords({"none", "auto"})}, "Hair; auto: as the picture of an avatar shows it.");
+    visit("hair_colour", hair_colour, Text{}, "Its colour, as #804020 or a name of CSS; empty: the picture's, or a plain one.");
     visit("clip", clip, Text{}, "Upload of a clip that the head plays; empty: one that shows what it can do.");
     visit("vrm", vrm, Flag{}, "Write a .vrm as well.");
     visit("print", print, Flag{}, "Write a closed STL as well.");
@@ -31,22 +31,18 @@ struct HeadJobOptions {
   }
 };
 
-/// Of avatars: the options of `daumier avatar`.
+/// Of avatars: those of heads, and what the picture is made into.
 struct AvatarJobOptions {
-  std::string as = "auto", style = "none", names = "arkit", hair = "none", hair_colour, clip;
+  std::string as = "auto", style = "none";
   double caricature = 0;
-  bool vrm = false;
+  HeadJobOptions head;
 
   template <class V>
   void Visit(V&& visit) {
     visit("as", as, Choices{{"auto", "portrait", "drawing"}}, "What the picture is read as.");
     visit("style", style, Choices{{"none", "toon"}}, "What it is made into first.");
-    visit("names", names, Choices{{"arkit", "rpm", "vrm", "unreal", "mediapipe"}}, "Names of targets and nodes.");
-    visit("hair", hair, Choices{HairWords({"none", "auto"})}, "Hair; auto: as the picture shows it.");
-    visit("hair_colour", hair_colour, Text{}, "Its colour, as #804020 or a name of CSS; empty: that of the picture.");
-    visit("clip", clip, Text{}, "Upload of a clip that the head plays.");
     visit("caricature", caricature, Range{0.0, 2.0}, "Share by which the face is exaggerated.");
-    visit("vrm", vrm, Flag{}, "Write a .vrm as well.");
+    head.Visit(visit);
   }
 };
 

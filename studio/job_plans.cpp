@@ -5,6 +5,7 @@
 #include "core/files.h"
 #include "geometry/obj.h"
 #include "geometry/ply.h"
+#include "render/image.h"
 #include "render/svg.h"
 #include "studio/api.h"
 #include "studio/job_options.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace daumier::studio {
@@ -75,8 +77,8 @@ class VerbRun {
     DAUMIER_CHECK(child.has_value(), "{} is not there any more. Start the studio again", program.string());
     if (child->exit_code == 0) return child->out;
     std::string why = ProgressOf(folder / kJobScratch);  // Its last line.
-    constexpr std::string_view kError = "error: ";
-    if (const size_t place = why.find(kError); place != std::string::npos) why = why.substr(place + kError.size());
+    for (const std::string_view prefix : {"daumier: ", "error: "})
+      if (why.starts_with(prefix)) why = why.substr(prefix.size());
     throw Error(why.empty() ? "the program ended without a result" : why);
   }
 
@@ -84,8 +86,15 @@ class VerbRun {
   std::vector<std::string> words_;
 };
 
+/// The name of a copy of a file in a job's folder, next to what the job writes there.
+std::string NameOfCopy(const fs::path& file) {
+  static const std::set<std::string> written = {"head", "stages", "landmarks", "predicted", "face", "drawing"};
+  const std::string name = file.filename().string();
+  return written.contains(file.stem().string()) ? "input_" + name : name;
+}
+
 void CopyInto(const fs::path& folder, const fs::path& file) {
-  fs::copy_file(file, folder / file.filename(), fs::copy_options::overwrite_existing);
+  fs::copy_file(file, folder / NameOfCopy(file), fs::copy_options::overwrite_existing);
 }
 
 void WriteFace(const fs::path& file, const geometry::Points& face, const JobMaterial& material) {
@@ -112,16 +121,21 @@ Json PointsOf(const std::vector<float>& numbers) {
   return points;
 }
 
+Json SizeOf(const fs::path& picture) {
+  const render::Image image = render::ReadImage(picture);
+  return {image.width, image.height};
+}
+
 NewJob FindLandmarks(const Json& body, const JobMaterial& material) {
   const fs::path picture = material.uploads.FileOf(TextIn(body, "upload"));
-  VerbRun run({"predict", picture.filename().string(), "--weights", "landmarks", "--out", "landmarks"});
+  VerbRun run({"predict", NameOfCopy(picture), "--weights", "landmarks", "--out", "landmarks"});
   return {"landmarks", run.CommandLine(),
           [run, picture, program = material.program](const fs::path& folder, const Task& task) {
             CopyInto(folder, picture);
             run.Run(program, folder, task);
             for (const fs::directory_entry& entry : fs::directory_iterator(folder / "landmarks"))
               if (entry.path().extension() == ".pts")
-                return Json{{"landmarks", PointsOf(portrait::ReadLandmarks(entry.path()))}};
+                return Json{{"landmarks", PointsOf(portrait::ReadLandmarks(entry.path()))}, {"size", SizeOf(picture)}};
             throw Error("no face was found in the picture. Name one in which a face is larger");
           }};
 }
@@ -150,22 +164,30 @@ JobWork RunHead(VerbRun run, HeadSources sources, const JobMaterial& material) {
 void AddClip(VerbRun& run, const std::string& clip, const JobMaterial& material, HeadSources& sources) {
   if (clip.empty()) return;
   sources.copied.push_back(material.uploads.FileOf(clip));
-  run.Add("--animate", sources.copied.back().filename().string());
+  run.Add("--animate", NameOfCopy(sources.copied.back()));
 }
 
-/// `daumier rig` of a face.
-NewJob RigFace(const geometry::Points& face, const HeadJobOptions& options, const JobMaterial& material,
-               const std::string& what) {
-  VerbRun run({"rig", kFaceFile, "--out", kHeadFile, "--names", options.names});
-  HeadSources sources{.copied = {}, .write = [face, &material](const fs::path& folder) {
-                        WriteFace(folder / kFaceFile, face, material);
-                      }};
+/// What rig and avatar have in common.
+void AddHeadOptions(VerbRun& run, const HeadJobOptions& options, const JobMaterial& material, HeadSources& sources) {
+  run.Add("--names", options.names);
   AddHair(run, options.hair, options.hair_colour);
   run.AddFlag("--vrm", options.vrm);
   run.AddFlag("--print", options.print);
   if (options.triangles > 0) run.Add("--triangles", std::to_string(options.triangles));
   AddClip(run, options.clip, material, sources);
   run.AddFlag("--json", true);
+}
+
+/// `daumier rig` of a face.
+NewJob RigFace(const geometry::Points& face, const HeadJobOptions& options, const JobMaterial& material,
+               const std::string& what) {
+  if (options.hair == "auto")
+    throw UsageError("hair 'auto' reads the hair of a picture. Name that of a face without one, for example 'short'");
+  VerbRun run({"rig", kFaceFile, "--out", kHeadFile});
+  HeadSources sources{.copied = {}, .write = [face, &material](const fs::path& folder) {
+                        WriteFace(folder / kFaceFile, face, material);
+                      }};
+  AddHeadOptions(run, options, material, sources);
   std::string command = run.CommandLine();
   return {what, std::move(command), RunHead(std::move(run), std::move(sources), material)};
 }
@@ -176,49 +198,43 @@ NewJob MakeHead(const Json& body, const JobMaterial& material) {
 
 /// Of a session that still is a drawing the drawing is read; of one whose face was changed since, that face is rigged.
 NewJob MakeAvatar(const Json& body, const JobMaterial& material) {
-  const AvatarJobOptions options = OptionsIn<AvatarJobOptions>(body);
+  AvatarJobOptions options = OptionsIn<AvatarJobOptions>(body);
+  const bool has_landmarks = body.contains("landmarks") && !body.at("landmarks").is_null();
   HeadSources sources;
   std::string input = kDrawing, kind = options.as;
   if (body.contains("session")) {
     const std::string id = TextIn(body, "session");
+    if (has_landmarks) throw UsageError("landmarks are those of a picture, and a session has none");
+    if (options.head.hair == "auto") options.head.hair = "none";
     const std::vector<render::WeightedStroke> strokes = material.desk.DrawnStrokes(id);
     if (strokes.empty())
-      return RigFace(FaceOfRequest(body, material),
-                     {.names = options.names,
-                      .hair = options.hair == "auto" ? "none" : options.hair,
-                      .hair_colour = options.hair_colour,
-                      .clip = options.clip,
-                      .vrm = options.vrm},
-                     material, "avatar");
+      return RigFace(FaceOfRequest(body, material), options.head, material, "avatar");
     kind = "drawing";
     sources.write = [strokes](const fs::path& folder) {
       render::WriteWeightedSvg(folder / kDrawing, strokes, {"line"});
     };
   } else {
     const fs::path file = material.uploads.FileOf(TextIn(body, "upload"));
-    input = file.filename().string();
+    input = NameOfCopy(file);
     sources.copied.push_back(file);
   }
-  VerbRun run({"avatar", input, "--out", kHeadFile, "--as", kind, "--names", options.names, "--stages", kStages});
+  VerbRun run({"avatar", input, "--out", kHeadFile, "--as", kind, "--stages", kStages});
   if (options.style != "none") run.Add("--style", options.style);
   if (options.caricature > 0) run.Add("--caricature", fmt::format("{:g}", options.caricature));
-  AddHair(run, options.hair, options.hair_colour);
-  run.AddFlag("--vrm", options.vrm);
-  AddClip(run, options.clip, material, sources);
-  if (body.contains("landmarks") && !body.at("landmarks").is_null()) {
+  if (has_landmarks) {
     run.Add("--landmarks", kLandmarksFile);
     sources.write = [pts = portrait::LandmarksAsPts(LandmarksIn(body.at("landmarks")))](const fs::path& folder) {
       WriteFileAtomically(folder / kLandmarksFile, pts);
     };
   }
-  run.AddFlag("--json", true);
+  AddHeadOptions(run, options.head, material, sources);
   std::string command = run.CommandLine();
   return {"avatar", std::move(command), RunHead(std::move(run), std::move(sources), material)};
 }
 
 NewJob ReadDrawing(const Json& body, const JobMaterial& material) {
   const fs::path drawing = material.uploads.FileOf(TextIn(body, "upload"));
-  VerbRun run({"predict", drawing.filename().string(), "--out", "predicted"});
+  VerbRun run({"predict", NameOfCopy(drawing), "--out", "predicted"});
   std::string command = run.CommandLine();
   return {"drawing", std::move(command), [run, drawing, &material](const fs::path& folder, const Task& task) {
             CopyInto(folder, drawing);
@@ -294,6 +310,14 @@ geometry::Points FaceOfRequest(const Json& body, const JobMaterial& material) {
 }
 
 NewJob PlanJob(const Json& body, const JobMaterial& material) {
+  static const std::set<std::string> keys = {"do",    "upload", "session",   "face",
+                                             "shape", "format", "landmarks", "options"};
+  for (const auto& [key, value] : body.items())
+    if (!keys.contains(key)) {
+      const std::string nearest = NearestWord(key, keys);
+      throw UsageError(fmt::format("a job has no '{}'{}", key.substr(0, 40),
+                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+    }
   const std::string what = TextIn(body, "do");
   const auto plan = Plans().find(what);
   if (plan != Plans().end()) return plan->second(body, material);

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "core/stopwatch.h"
 #include "studio/api.h"
 
 #include <fmt/format.h>
@@ -118,27 +117,27 @@ void JobQueue::Run(std::stop_token stop) {
 
 void JobQueue::Do(Job& job, std::unique_lock<std::mutex>& lock) {
   job.state = "running";
-  const Stopwatch watch;
+  job.watch.emplace();
   std::string state = "done", error;
   Json result = Json::object();
+  std::vector<std::string> files;
   lock.unlock();
   try {
     MakeDirectory(job.folder / kJobScratch);
     result = job.job.work(job.folder, Task(job.stop.get_token()));
+    files = ResultFiles(job.folder);
   } catch (const Cancelled&) {
     state = "cancelled";
   } catch (const std::exception& failure) {
     state = "failed";
-    error = failure.what();
+    error = WithoutFolder(failure.what(), job.folder);
   }
-  std::vector<std::string> files;
-  if (state == "done") files = ResultFiles(job.folder);
   lock.lock();
   job.files = std::move(files);
   job.state = std::move(state);
   job.error = std::move(error);
   job.result = std::move(result);
-  job.seconds = watch.seconds();
+  job.seconds = job.watch->seconds();
 }
 
 const JobQueue::Job& JobQueue::Find(std::string_view id) const {
@@ -159,7 +158,7 @@ Json JobQueue::Describe(std::string_view id) const {
   return {{"id", id},
           {"do", job.job.what},
           {"state", job.state},
-          {"seconds", job.seconds},
+          {"seconds", job.state == "running" ? job.watch->seconds() : job.seconds},
           {"progress", job.state == "running" ? ProgressOf(job.folder / kJobScratch) : ""},
           {"command", job.job.command},
           {"error", job.error},

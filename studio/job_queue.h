@@ -1,5 +1,6 @@
 #pragma once
 #include "core/json.h"
+#include "core/stopwatch.h"
 #include "core/task.h"
 
 #include <condition_variable>
@@ -26,7 +27,7 @@ struct NewJob {
 };
 
 /// Jobs one after the other, on a thread of their own, each in a folder j-NNNN below `folder`, which is emptied first: results are
-/// there until kMostKept later jobs have begun, or the program ends. Thread-safe.
+/// there until kMostKept later jobs have been added, or the program ends. Thread-safe.
 class JobQueue {
  public:
   static constexpr size_t kMostKept = 24, kMostWaiting = 16;
@@ -53,6 +54,7 @@ class JobQueue {
     std::string state = "queued", error;
     std::filesystem::path folder;
     std::stop_source stop;
+    std::optional<Stopwatch> watch = {};  ///< Since it began.
     double seconds = 0;
     Json result = Json::object();
     std::vector<std::string> files = {};

@@ -8,6 +8,7 @@
 #include <httplib.h>
 #include <sys/socket.h>
 
+#include <chrono>
 #include <thread>
 #include <utility>
 
@@ -16,8 +17,10 @@ namespace {
 
 constexpr char kAddress[] = "127.0.0.1";
 constexpr size_t kThreads = 16;
-constexpr size_t kRequestsOfConnection = 100'000;
-constexpr time_t kIdleSeconds = 60;
+/// A refused request is not read to its end: what is left of it must not be taken for another one.
+constexpr size_t kRequestsOfConnection = 1;
+
+constexpr std::chrono::milliseconds kPause(20);
 
 /// The page needs nothing from elsewhere, and no other page may hold it in a frame.
 constexpr char kPolicy[] =
@@ -79,13 +82,14 @@ Server::Server(Studio& studio, int port) : token_(RandomToken()), connection_(st
   http.set_socket_options(TakePortAlone);
   http.set_tcp_nodelay(true);
   http.set_keep_alive_max_count(kRequestsOfConnection);
-  http.set_keep_alive_timeout(kIdleSeconds);
   http.set_payload_max_length(kMostUpload);
   http.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
     SetHeaders(response);
     const RequestHeaders headers{request.get_header_value("Host"), request.get_header_value("Origin"),
                                  request.get_header_value("Authorization")};
-    const std::optional<Refusal> refusal = RefusalOf(headers, request.path, port_, token_);
+    std::optional<Refusal> refusal = RefusalOf(headers, request.path, port_, token_);
+    if (!refusal && request.has_header("Content-Encoding"))  // Its size would be known after it is unpacked.
+      refusal = {415, "packed requests are refused"};
     if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
     SetReply(Refused(refusal->status, refusal->sentence), response);
     return httplib::Server::HandlerResponse::Handled;
@@ -129,13 +133,19 @@ void Server::AddApi(Studio& studio) {
   constexpr char kApi[] = "/api/.*";
   connection_->http.Get(kApi, call);
   connection_->http.Post(kApi, call);
+  connection_->http.Put(kApi, call);
   connection_->http.Patch(kApi, call);
   connection_->http.Delete(kApi, call);
 }
 
 void Server::Serve(std::stop_token stop) {
-  const std::stop_callback stopper(std::move(stop), [this] { connection_->http.stop(); });
-  connection_->http.listen_after_bind();
+  httplib::Server& http = connection_->http;
+  const std::jthread stopper([&http, stop](std::stop_token served) {
+    while (!stop.stop_requested() && !served.stop_requested()) std::this_thread::sleep_for(kPause);
+    while (!http.is_running() && !served.stop_requested()) std::this_thread::sleep_for(kPause);  // A stop before has no effect.
+    http.stop();
+  });
+  http.listen_after_bind();
 }
 
 }  // namespace daumier::studio

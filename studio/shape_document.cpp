@@ -34,7 +34,8 @@ ShapeHandle HandleFrom(const Json& json) {
   const Json move = json.is_object() ? json.value("move", Json()) : Json();
   if (!move.is_array() || move.size() != 3 || !json.value("vertex", Json()).is_number_integer())
     throw UsageError("'handles' is a list of {\"vertex\": number, \"move\": [x, y, z]}");
-  ShapeHandle handle{.vertex = json.at("vertex").get<int>(), .move = {}};
+  constexpr double kMostVertex = 1e9;
+  ShapeHandle handle{.vertex = int(NumberFrom(json.at("vertex"), "vertex", {0, kMostVertex})), .move = {}};
   for (int axis = 0; axis < 3; ++axis)
     handle.move[axis] = NumberFrom(move[size_t(axis)], "move", {-kMostMove, kMostMove});
   return handle;

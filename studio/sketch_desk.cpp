@@ -8,6 +8,7 @@
 #include "studio/sketch_state_json.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <utility>
 
@@ -22,9 +23,30 @@ Json AboutOf(const std::string& name, const sketch::SessionScript& script) {
   return {{"name", name}, {"sheet", {script.width, script.height}}, {"begin", script.begin}};
 }
 
-int64_t SecondsOf(const fs::path& file) {
-  const auto changed = std::chrono::file_clock::to_sys(fs::last_write_time(file));
-  return std::chrono::duration_cast<std::chrono::seconds>(changed.time_since_epoch()).count();
+int64_t SecondsOf(fs::file_time_type changed) {
+  const auto time = std::chrono::file_clock::to_sys(changed);
+  return std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
+}
+
+size_t NumPoints(const sketch::SessionEvent& event) {
+  return event.points.size() + event.operation.points.size();
+}
+
+/// What about.json holds.
+struct SessionAbout {
+  std::string name;
+  std::array<double, 2> sheet;
+  std::string begin;
+};
+
+SessionAbout ReadAbout(const fs::path& file) {
+  const Json json = ReadJson(file);
+  try {
+    return {json.at("name").get<std::string>(), json.at("sheet").get<std::array<double, 2>>(),
+            json.at("begin").get<std::string>()};
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{}: {}. Remove the session", file.string(), TextOf(error)));
+  }
 }
 
 void WriteJson(const fs::path& file, const Json& json) {
@@ -39,20 +61,20 @@ SketchDesk::SketchDesk(const fs::path& folder, std::shared_ptr<const sketch::Ske
 
 Json SketchDesk::List() const {
   const std::scoped_lock lock(mutex_);
-  std::vector<std::pair<int64_t, Json>> sessions;
+  std::vector<std::pair<fs::file_time_type, Json>> sessions;
   for (const std::string& id : folders_.Names()) {
     const fs::path about = folders_.Of(id) / kAbout, session = folders_.Of(id) / kSession;
     if (!fs::is_regular_file(about)) continue;
     const Json json = TryParseJson(ReadFile(about)).value_or(Json());
     if (!json.is_object() || !json.value("name", Json()).is_string()) continue;
     const bool has_events = fs::is_regular_file(session);
-    const int64_t changed = SecondsOf(has_events ? session : about);
+    const fs::file_time_type changed = fs::last_write_time(has_events ? session : about);
     const Json recorded = has_events ? TryParseJson(ReadFile(session)).value_or(Json()) : Json();
     const size_t events = recorded.is_object() ? recorded.value("events", Json::array()).size() : 0;
-    sessions.emplace_back(changed,
-                          Json{{"id", id}, {"name", json.at("name")}, {"events", events}, {"changed", changed}});
+    sessions.emplace_back(
+        changed, Json{{"id", id}, {"name", json.at("name")}, {"events", events}, {"changed", SecondsOf(changed)}});
   }
-  std::ranges::stable_sort(sessions, std::ranges::greater(), &std::pair<int64_t, Json>::first);
+  std::ranges::stable_sort(sessions, std::ranges::greater(), &std::pair<fs::file_time_type, Json>::first);
   Json list = Json::array();
   for (auto& [changed, session] : sessions) list.push_back(std::move(session));
   return list;
@@ -70,12 +92,19 @@ std::unique_ptr<sketch::SketchSession> SketchDesk::Begin(const sketch::SessionSc
 
 std::string SketchDesk::Add(const NewSession& begin) {
   auto open = std::make_shared<OpenSession>();
+  const std::string& recorded_begin = begin.recorded.begin;
+  DAUMIER_CHECK(recorded_begin.empty() || recorded_begin == "mean",
+                "the session begins with the face of a file, '{}', which is not in it. Begin with that face, or replay it "
+                "by `daumier predict --session`",
+                recorded_begin.substr(0, 40));
   open->name = KeptName(begin.name, kUntitled);
   open->script = begin.recorded;
   if (open->script.width == 0) open->script.width = open->script.height = kSheet;
   open->script.begin = begin.begin.rows() > 0 ? kBegin : begin.begins_with_mean ? "mean" : begin.recorded.begin;
   open->session = Begin(open->script, begin.begin);
   sketch::Resume(open->script, *open->session);
+  open->revision = int64_t(open->script.events.size());
+  for (const sketch::SessionEvent& event : open->script.events) open->num_points += NumPoints(event);
 
   const std::scoped_lock lock(mutex_);
   const std::string id = folders_.Add();
@@ -85,18 +114,18 @@ std::string SketchDesk::Add(const NewSession& begin) {
   if (!open->script.events.empty()) WriteJson(folder / kSession, sketch::SessionToJson(open->script));
   WriteJson(folder / kAbout, AboutOf(open->name, open->script));
   open_.emplace_front(id, std::move(open));
+  CloseOld();
   return id;
 }
 
 std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Read(const fs::path& folder) const {
   auto open = std::make_shared<OpenSession>();
-  const Json about = ReadJson(folder / kAbout);
-  open->name = about.value("name", kUntitled);
+  const SessionAbout about = ReadAbout(folder / kAbout);
+  open->name = about.name;
   if (fs::is_regular_file(folder / kSession)) {
     open->script = sketch::ReadSession(folder / kSession);
   } else {
-    const auto sheet = about.at("sheet").get<std::array<double, 2>>();
-    open->script = {.width = sheet[0], .height = sheet[1], .begin = about.value("begin", ""), .events = {}};
+    open->script = {.width = about.sheet[0], .height = about.sheet[1], .begin = about.begin, .events = {}};
   }
   geometry::Points begin;
   if (open->script.begin == kBegin)
@@ -105,6 +134,7 @@ std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Read(const fs::path& folder
   open->session = Begin(open->script, begin);
   sketch::Resume(open->script, *open->session);
   open->revision = int64_t(open->script.events.size());
+  for (const sketch::SessionEvent& event : open->script.events) open->num_points += NumPoints(event);
   return open;
 }
 
@@ -116,8 +146,16 @@ std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Open(std::string_view id) {
     open_.splice(open_.begin(), open_, found);
   else
     open_.emplace_front(id, Read(folder));
-  if (open_.size() > kMostOpen) open_.pop_back();
-  return open_.front().second;
+  const std::shared_ptr<OpenSession> open = open_.front().second;
+  CloseOld();
+  return open;
+}
+
+void SketchDesk::CloseOld() {
+  for (auto place = open_.end(); place != open_.begin() && open_.size() > kMostOpen;) {
+    --place;
+    if (place->second.use_count() == 1) place = open_.erase(place);
+  }
 }
 
 bool SketchDesk::Has(std::string_view id) const {
@@ -167,10 +205,14 @@ Json SketchDesk::Do(std::string_view id, const Json& json) {
   const std::scoped_lock lock(open->mutex);
   DAUMIER_CHECK(open->script.events.size() < sketch::kMostEvents,
                 "the session has {} events, which is the most. Begin another one with this face", sketch::kMostEvents);
+  DAUMIER_CHECK(open->num_points + NumPoints(event) <= sketch::kMostSessionPoints,
+                "the session has {} points, and the stroke is too long for it. Begin another one with this face",
+                open->num_points);
   const auto before = open->session->state();
   const auto gesture = sketch::Do(event, *open->session);
   const bool is_changed = open->session->state() != before;
   if (is_changed) {
+    open->num_points += NumPoints(event);
     open->script.events.push_back(std::move(event));
     ++open->revision;
     const fs::path folder = [&] {

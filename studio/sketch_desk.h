@@ -39,7 +39,7 @@ class SketchDesk {
 
   /// [{id, name, events, changed}, ...], changed in seconds since 1970, the last changed first.
   Json List() const;
-  /// Returns the id. @throws Error if the face or an event is wrong; nothing is left then.
+  /// Returns the id. @throws Error if the face or an event is wrong, or the recorded session begins with a file; nothing is left then.
   std::string Add(const NewSession& begin);
   bool Has(std::string_view id) const;
   void Remove(std::string_view id);                           ///< @throws NotFound.
@@ -50,7 +50,7 @@ class SketchDesk {
   Json State(std::string_view id);
   /// Does an event, appends it to the file, and returns the state with `changed` (whether there was anything to act on),
   /// `gesture` (of a gesture, what it was) and `milliseconds`. @throws NotFound; Error as sketch::EventFromJson and sketch::Do,
-  /// or if the session is full (sketch::kMostEvents).
+  /// or if the session is full (sketch::kMostEvents, kMostSessionPoints).
   Json Do(std::string_view id, const Json& event);
 
   /// V x 3, cm; no rows while there is no face. @throws NotFound.
@@ -67,11 +67,14 @@ class SketchDesk {
     std::mutex mutex;
     std::string name;
     sketch::SessionScript script;
+    size_t num_points = 0;  ///< Of all events.
     std::unique_ptr<sketch::SketchSession> session;
     int64_t revision = 0;
   };
   /// Of an open session, or one that is read and replayed. The last that were used stay open.
   std::shared_ptr<OpenSession> Open(std::string_view id);
+  /// Closes those that were used the longest ago and that no call is at. mutex_ is locked.
+  void CloseOld();
   std::shared_ptr<OpenSession> Read(const std::filesystem::path& folder) const;
   std::unique_ptr<sketch::SketchSession> Begin(const sketch::SessionScript& script,
                                                const geometry::Points& begin) const;

@@ -31,18 +31,15 @@ Json LinesOf(const sketch::SketchState& state) {
   return lines;
 }
 
-/// The points next to a gap. A closed curve's last point is its first one again.
 Json OpenEndsOf(const sketch::SketchState& state) {
   const render::Placement sheet_from_canvas = render::Inverse(state.frame);
   Json all = Json::array();
   for (const sketch::SessionCurve& curve : state.lines.curves) {
-    if (!curve.gap) continue;
-    const size_t count = curve.points.size(), first = curve.gap->first, last = curve.gap->last;
-    const bool opens_at_start = first == 0, opens_at_end = last + 1 >= count;
-    if (opens_at_start && opens_at_end) continue;  // Erased whole: a stroke fills it wherever it ends.
+    const std::optional<sketch::GapEnds> found = sketch::EndsOfGap(curve);
+    if (!found) continue;
     Json ends = Json::array();
-    for (const size_t end : {opens_at_start ? 0 : first - 1, opens_at_end ? count - 1 : last + 1}) {
-      const Eigen::Vector2d point = render::ToCanvas(sheet_from_canvas, curve.points[end]);
+    for (const Eigen::Vector2d& end : {found->first, found->last}) {
+      const Eigen::Vector2d point = render::ToCanvas(sheet_from_canvas, end);
       ends.push_back({Rounded(point.x()), Rounded(point.y())});
     }
     all.push_back(std::move(ends));

@@ -39,6 +39,15 @@ std::string KindOf(const fs::path& file, std::string_view bytes) {
   return std::ranges::count(kPictures, ending) > 0 ? "picture" : "other";
 }
 
+/// Errors name the file and not the folder.
+render::Image ReadPicture(const fs::path& file) {
+  try {
+    return render::ReadImage(file);
+  } catch (const Error& error) {
+    throw UsageError(WithoutFolder(error.what(), file.parent_path()));
+  }
+}
+
 }  // namespace
 
 std::string SafeFileName(std::string_view name) {
@@ -71,7 +80,7 @@ Json Uploads::Add(std::string_view given_name, std::string_view bytes) {
   Json json = {{"id", id}, {"name", name}, {"kind", KindOf(file, bytes)}, {"looks_like", nullptr}};
   if (json["kind"] == "drawing") json["looks_like"] = "drawing";
   if (json["kind"] != "picture") return json;
-  const render::Image picture = render::ReadImage(file);
+  const render::Image picture = ReadPicture(file);
   json["looks_like"] = systems::LineDrawings().suits(picture) > 0 ? "drawing" : "portrait";
   json["size"] = {picture.width, picture.height};
   return json;

@@ -65,7 +65,12 @@ std::string KeptName(std::string_view name, std::string_view otherwise) {
   constexpr size_t kMost = 80;
   std::string kept;
   size_t count = 0;
-  for (const char c : name) {
+  for (size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (c == '\xC2' && i + 1 < name.size() && static_cast<unsigned char>(name[i + 1]) < 0xA0) {
+      ++i;  // Control characters from U+0080 to U+009F.
+      continue;
+    }
     const bool begins_character = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
     if (begins_character && ++count > kMost) break;
     if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F) kept += c;

@@ -31,7 +31,7 @@ class NumberedFolders {
   int last_ = 0;  ///< The greatest number that was given away.
 };
 
-/// A name that a person typed, as it is kept: without control characters, at most 80 characters, cut between them.
+/// A name that a person typed, as it is kept: without control characters of ASCII and Latin 1, at most 80 characters, cut between them.
 /// `otherwise` where nothing is left.
 std::string KeptName(std::string_view name, std::string_view otherwise);
 

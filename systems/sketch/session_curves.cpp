@@ -95,8 +95,9 @@ CanvasPoints LoopLike(const SessionCurve& curve, CanvasPoints stroke) {
 /// How far a stroke's ends are from those of a gap: the larger of both distances; of a curve that is a loop, the least
 /// distance from its beginning.
 double EndDistance(const CanvasPoints& stroke, const SessionCurve& curve) {
-  if (curve.closed && IsErasedWhole(curve)) return datasets::DistanceTo(stroke, curve.points.front());
-  return std::max((stroke.front() - EndBefore(curve).place).norm(), (stroke.back() - EndBehind(curve).place).norm());
+  const std::optional<GapEnds> ends = EndsOfGap(curve);
+  if (!ends) return datasets::DistanceTo(stroke, curve.points.front());
+  return std::max((stroke.front() - ends->first).norm(), (stroke.back() - ends->last).norm());
 }
 
 /// The stroke with its ends on the open ends of the gap.
@@ -294,6 +295,11 @@ std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, cons
   if (ends_moved) MapByEnds(partner->points, first, last, curve.points.front(), curve.points.back());
   if (Uncross(partner->points, curve) || ends_moved) partner->drawn = lines.num_drawn;
   return filled;
+}
+
+std::optional<GapEnds> EndsOfGap(const SessionCurve& curve) {
+  if (!curve.gap || (curve.closed && IsErasedWhole(curve))) return std::nullopt;
+  return GapEnds{EndBefore(curve).place, EndBehind(curve).place};
 }
 
 void KeepWidths(SessionLines& lines, const SessionLines& from) {

@@ -63,6 +63,13 @@ bool Erase(SessionLines& lines, const CanvasPoints& path);
 /// @throws Error as CheckStroke.
 std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, const std::vector<double>& widths = {});
 
+/// Near which points the ends of a stroke that fills a gap have to be.
+struct GapEnds {
+  Eigen::Vector2d first, last;
+};
+/// Those of a curve's gap; nothing without a gap, and of a closed curve that is erased whole.
+std::optional<GapEnds> EndsOfGap(const SessionCurve& curve);
+
 /// Gives curves the widths that those of the same name have in `from`.
 void KeepWidths(SessionLines& lines, const SessionLines& from);
 

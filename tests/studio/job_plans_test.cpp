@@ -94,12 +94,12 @@ TEST_F(JobPlansTest, AHeadsFaceAndClipAreWrittenIntoItsFolder) {
 TEST_F(JobPlansTest, AnAvatarOfAPicture) {
   const std::string upload = Upload("woman 1.jpg");
   EXPECT_EQ(CommandOf({{"do", "avatar"}, {"upload", upload}}),
-            "daumier avatar woman_1.jpg --out head.glb --as auto --names arkit --stages stages --json");
+            "daumier avatar woman_1.jpg --out head.glb --as auto --stages stages --names arkit --json");
   const Json options = {{"as", "portrait"}, {"style", "toon"}, {"caricature", 0.5},          {"hair", "auto"},
                         {"names", "rpm"},   {"vrm", true},     {"clip", Upload("take.bvh")}, {"hair_colour", ""}};
   EXPECT_EQ(CommandOf({{"do", "avatar"}, {"upload", upload}, {"options", options}}),
-            "daumier avatar woman_1.jpg --out head.glb --as portrait --names rpm --stages stages --style toon "
-            "--caricature 0.5 --hair auto --vrm --animate take.bvh --json");
+            "daumier avatar woman_1.jpg --out head.glb --as portrait --stages stages --style toon --caricature 0.5 "
+            "--names rpm --hair auto --vrm --animate take.bvh --json");
   EXPECT_EQ(ReadFile(Written({{"do", "avatar"}, {"upload", upload}}) / "woman_1.jpg"),
             ReadFile(uploads_.FileOf(upload)));
 }
@@ -117,7 +117,7 @@ TEST_F(JobPlansTest, LandmarksOfAPersonAreWrittenIntoTheFolder) {
   const Json body = {{"do", "avatar"}, {"upload", Upload("a.jpg")}, {"landmarks", landmarks}};
   EXPECT_EQ(
       CommandOf(body),
-      "daumier avatar a.jpg --out head.glb --as auto --names arkit --stages stages --landmarks landmarks.pts --json");
+      "daumier avatar a.jpg --out head.glb --as auto --stages stages --landmarks landmarks.pts --names arkit --json");
   const fs::path job = Written(body);
   EXPECT_TRUE(fs::exists(job / "a.jpg"));
   EXPECT_NE(ReadFile(job / "landmarks.pts").find("67.000 167.500"), std::string::npos);
@@ -129,14 +129,14 @@ TEST_F(JobPlansTest, LandmarksOfAPersonAreWrittenIntoTheFolder) {
 TEST_F(JobPlansTest, AnAvatarOfADrawingReadsTheDrawing) {
   const Json body = {{"do", "avatar"}, {"session", DrawnSession()}};
   EXPECT_EQ(CommandOf(body),
-            "daumier avatar drawing.svg --out head.glb --as drawing --names arkit --stages stages --json");
+            "daumier avatar drawing.svg --out head.glb --as drawing --stages stages --names arkit --json");
   EXPECT_NE(ReadFile(Written(body) / "drawing.svg").find("<svg"), std::string::npos);
 }
 
-TEST_F(JobPlansTest, ADrawingIsWrittenThoughLandmarksAreGiven) {
+TEST_F(JobPlansTest, LandmarksOfASessionAreRefused) {
   Json body = {{"do", "avatar"}, {"session", DrawnSession()}, {"landmarks", Json::array()}};
   for (int i = 0; i < 68; ++i) body["landmarks"].push_back({i, i});
-  EXPECT_TRUE(fs::exists(Written(body) / "drawing.svg"));
+  ExpectError([&] { Plan(body); }, "a session has none");
 }
 
 TEST_F(JobPlansTest, AnAvatarOfASessionThatIsNoDrawingAnyMoreIsItsFace) {

@@ -78,18 +78,19 @@ TEST(SketchStateJson, OpenEndsAreThePointsNextToAGap) {
   EXPECT_EQ(SketchStateJson(state)["open_ends"], Json::parse("[[[0.0, 0.0], [60.0, 0.0]]]"));
 }
 
-TEST(SketchStateJson, AClosedCurveThatLacksItsBeginningIsOpenAtItsLastPointButOne) {
+TEST(SketchStateJson, ACurveThatLacksAnEndIsFilledToWhereItWas) {
   SketchState state = FollowUpState();
   sketch::SessionCurve curve = StraightCurve(sketch::CurveGap{0, 1});
   state.lines.curves = {curve};
-  EXPECT_EQ(SketchStateJson(state)["open_ends"], Json::parse("[[[80.0, 0.0], [40.0, 0.0]]]"));
+  EXPECT_EQ(SketchStateJson(state)["open_ends"], Json::parse("[[[0.0, 0.0], [40.0, 0.0]]]"));
   state.lines.curves[0].gap = sketch::CurveGap{3, 4};
-  EXPECT_EQ(SketchStateJson(state)["open_ends"], Json::parse("[[[40.0, 0.0], [0.0, 0.0]]]"));
+  EXPECT_EQ(SketchStateJson(state)["open_ends"], Json::parse("[[[40.0, 0.0], [80.0, 0.0]]]"));
 }
 
-TEST(SketchStateJson, ACurveThatIsErasedWholeHasNoEnds) {
+TEST(SketchStateJson, AClosedCurveThatIsErasedWholeHasNoEnds) {
   SketchState state = FollowUpState();
   state.lines.curves = {StraightCurve(sketch::CurveGap{0, 4})};
+  state.lines.curves[0].closed = true;
   EXPECT_EQ(SketchStateJson(state)["open_ends"], Json::array());
 }
 

@@ -142,7 +142,7 @@ class ShapeTab implements Tab, Editor {
     this.element.replaceChildren(bar, list);
   }
 
-  /** Shows the document and asks for its face. */
+  /** Shows the document and requests its face. */
   private changed(done: boolean): void {
     for (const part of this.parts) part.show(this.document);
     if (this.shown) {

@@ -123,7 +123,7 @@ export const kFormats: readonly Format[] = [
       { key: "size", label: "Size", values: [{ value: "512", label: "512 px" }, { value: "256", label: "256 px" }, { value: "1024", label: "1024 px" }] },
     ],
     body: (target, chosen) =>
-      target.kind === "avatar" ? null : { do: "turntable", ...targetBody(target), frames: Number(chosen["frames"] ?? 24), size: Number(chosen["size"] ?? 512) },
+      target.kind === "avatar" ? null : { do: "turntable", ...targetBody(target), options: { frames: Number(chosen["frames"] ?? 24), size: Number(chosen["size"] ?? 512) } },
   },
   {
     id: "session",

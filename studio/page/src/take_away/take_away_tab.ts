@@ -30,7 +30,7 @@ class TakeAwayTab implements Tab {
 
   constructor(private readonly studio: Studio) {
     this.cards = kFormats.map((format) => new FormatCard(studio, format));
-    // Two columns of their own: a card that grows moves no card beside it.
+    // Two columns of their own: a card that grows moves no card of the other column.
     const column = (ids: readonly FormatId[]) =>
       el("div", { class: "p-column" }, ...this.cards.filter((card) => ids.includes(card.id)).map((card) => card.element));
     this.grid = el("div", { class: "p-cards" }, column(["glb", "obj", "session"]), column(["vrm", "stl", "turntable"]));

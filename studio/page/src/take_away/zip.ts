@@ -8,7 +8,7 @@ export interface ZipEntry {
 const kLocal = 0x04034b50;
 const kCentral = 0x02014b50;
 const kEnd = 0x06054b50;
-/** The first day that the format knows, 1980-01-01: a file is the same each time. */
+/** The first day of the format, 1980-01-01: a file is the same each time. */
 const kDate = 0x21;
 const kUtf8 = 0x0800;
 
