@@ -55,9 +55,9 @@ class FolderOwner {
     descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DAUMIER_CHECK(descriptor_ >= 0, "{}: it cannot be opened", folder.string());
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-      throw UsageError(fmt::format(
-          "{}: another studio has this folder open. Use that one, or name another folder with --folder",
-          folder.string()));
+      throw UsageError(
+          fmt::format("{}: another studio has this folder open. Use that one, or name another folder with --folder",
+                      folder.string()));
   }
   ~FolderOwner() { close(descriptor_); }
   FolderOwner(const FolderOwner&) = delete;
@@ -101,7 +101,8 @@ void OpenBrowser(const std::string& address) {
 void ServeStudio(const StudioArguments& arguments) {
   if (!studio::HasPage())
     throw UsageError(
-        "this program was built without the studio's page, which needs Node.js and npm's packages: ./dev build daumier");
+        "this program was built without the studio's page, which needs Node.js and npm's packages: ./dev build "
+        "daumier");
   const fs::path folder = fs::absolute(arguments.folder.empty() ? DefaultFolder() : arguments.folder);
   const FolderOwner owner(folder);
   studio::Studio studio(folder, WeightsOfStudio(), ExamplesFolder(), fs::read_symlink("/proc/self/exe"));
@@ -116,20 +117,20 @@ void ServeStudio(const StudioArguments& arguments) {
 }  // namespace
 
 Verb StudioVerb() {
-  return {
-      "studio", "A page in the browser on which faces are drawn, shaped, and taken away as heads",
-      [](CLI::App& command) {
-        auto arguments = std::make_shared<StudioArguments>();
-        command.add_option("--folder", arguments->folder,
-                           "Folder in which drawings and faces are kept. Without it: daumier/studio in the user's folder "
-                           "of data ($XDG_DATA_HOME, ~/.local/share)");
-        command.add_option("--port", arguments->port, "Port on 127.0.0.1; 0: a free one")
-            ->check(CLI::Range(0, 65535))
-            ->capture_default_str();
-        command.add_flag("!--no-browser", arguments->opens_browser, "Do not open the browser");
-        return [arguments] { ServeStudio(*arguments); };
-      },
-      /*keeps_freed_memory=*/false};
+  return {"studio", "A page in the browser on which faces are drawn, shaped, and taken away as heads",
+          [](CLI::App& command) {
+            auto arguments = std::make_shared<StudioArguments>();
+            command.add_option(
+                "--folder", arguments->folder,
+                "Folder in which drawings and faces are kept. Without it: daumier/studio in the user's folder "
+                "of data ($XDG_DATA_HOME, ~/.local/share)");
+            command.add_option("--port", arguments->port, "Port on 127.0.0.1; 0: a free one")
+                ->check(CLI::Range(0, 65535))
+                ->capture_default_str();
+            command.add_flag("!--no-browser", arguments->opens_browser, "Do not open the browser");
+            return [arguments] { ServeStudio(*arguments); };
+          },
+          /*keeps_freed_memory=*/false};
 }
 
 }  // namespace daumier::cli

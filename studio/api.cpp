@@ -124,10 +124,8 @@ Json OpenApiOf(const std::vector<Route>& routes) {
     call["summary"] = route.summary;
     for (const std::string_view part : PartsOf(route.path))
       if (IsVariable(part))
-        call["parameters"].push_back({{"name", NameOfVariable(part)},
-                                      {"in", "path"},
-                                      {"required", true},
-                                      {"schema", {{"type", "string"}}}});
+        call["parameters"].push_back(
+            {{"name", NameOfVariable(part)}, {"in", "path"}, {"required", true}, {"schema", {{"type", "string"}}}});
     if (!route.body.is_null())
       call["requestBody"] = {{"required", true}, {"content", {{"application/json", {{"schema", route.body}}}}}};
     call["responses"]["200"] = {{"description", "done"}, {"content", {{route.reply, Json::object()}}}};

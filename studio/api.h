@@ -43,7 +43,7 @@ struct Route {
   std::string path;    ///< "/api/sessions/{id}"
   std::string summary;
   std::function<ApiReply(const ApiRequest&)> call;
-  Json body = {};                           ///< JSON schema of the request; null: it has none.
+  Json body = {};                          ///< JSON schema of the request; null: it has none.
   std::string reply = "application/json";  ///< Type of a successful reply.
 };
 

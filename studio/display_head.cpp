@@ -36,8 +36,7 @@ const char* NameOfMaterial(faces::HeadMaterial material) {
 DisplayHead::DisplayHead(const faces::FaceTemplate& face_template)
     : head_(reports::HeadOf(reports::SurfaceOf(face_template), face_template.neutral)) {
   std::map<faces::HeadMaterial, std::vector<uint32_t>> groups;
-  for (Eigen::Index t = 0; t < head_.skin().rows(); ++t)
-    Append(head_.skin(), t, groups[faces::HeadMaterial::kSkin]);
+  for (Eigen::Index t = 0; t < head_.skin().rows(); ++t) Append(head_.skin(), t, groups[faces::HeadMaterial::kSkin]);
   for (Eigen::Index t = 0; t < head_.parts().rows(); ++t)
     Append(head_.parts(), t, groups[head_.part_materials()[size_t(t)]]);
 

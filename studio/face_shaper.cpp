@@ -43,13 +43,13 @@ bool AreEqual(const geometry::Points& first, const geometry::Points& second) {
 /// Expressions by the part of the face that their names begin with.
 Json ExpressionGroups() {
   constexpr std::array<std::pair<const char*, const char*>, 8> kGroups = {{{"brow", "brows"},
-                                                                            {"eye", "eyes"},
-                                                                            {"nose", "nose and cheeks"},
-                                                                            {"cheek", "nose and cheeks"},
-                                                                            {"jaw", "jaw"},
-                                                                            {"mouth", "mouth"},
-                                                                            {"tongue", "mouth"},
-                                                                            {"", "others"}}};
+                                                                           {"eye", "eyes"},
+                                                                           {"nose", "nose and cheeks"},
+                                                                           {"cheek", "nose and cheeks"},
+                                                                           {"jaw", "jaw"},
+                                                                           {"mouth", "mouth"},
+                                                                           {"tongue", "mouth"},
+                                                                           {"", "others"}}};
   Json groups = Json::object();
   for (const std::string_view name : rig::ArkitNames())
     for (const auto& [prefix, group] : kGroups)
@@ -163,8 +163,7 @@ geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& n
   const bool has_base = last_ && AreEqual(last_->base, made.base) && AreEqual(last_->toward, made.toward);
   if (!has_base || last_->shape != made.shape) {
     const bool has_start = has_base && last_->shape.WithoutHandles() == made.shape.WithoutHandles();
-    made.before_handles =
-        has_start ? last_->before_handles : BeforeHandles(made.shape, made.base, made.toward);
+    made.before_handles = has_start ? last_->before_handles : BeforeHandles(made.shape, made.base, made.toward);
     made.face = shape.handles.empty() ? made.before_handles : WithHandles(made.before_handles, shape.handles);
     last_ = std::move(made);
     targets_.reset();
@@ -172,8 +171,8 @@ geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& n
   if ((weights.array() == 0).all()) return last_->face;
   if (!targets_) targets_ = expressions_.On(last_->face);
   const Eigen::VectorXf offsets = targets_->offsets * weights;
-  return last_->face + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-                           offsets.data(), last_->face.rows(), 3)
+  return last_->face + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(offsets.data(),
+                                                                                                  last_->face.rows(), 3)
                            .cast<double>();
 }
 
@@ -184,8 +183,7 @@ std::map<std::string, double> FaceShaper::RandomControls(uint64_t seed, double s
     const double limit = faces::kGreatestControlValue;
     const double value = std::clamp(spread * rng.Normal(), -limit, limit);
     if (entry.control.sides == faces::FaceControl::Sides::kSideways) continue;
-    for (int i = 0; i < entry.num_values(); ++i)
-      values[controls_.value_names()[size_t(entry.first_value + i)]] = value;
+    for (int i = 0; i < entry.num_values(); ++i) values[controls_.value_names()[size_t(entry.first_value + i)]] = value;
   }
   return values;
 }

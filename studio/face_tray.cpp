@@ -63,8 +63,7 @@ geometry::Points FaceTray::Vertices(std::string_view id) const {
   if (const auto read = read_.find(id); read != read_.end() && folders_.Has(id)) return read->second;
   const fs::path file = folders_.Of(id) / kFace;
   if (!fs::is_regular_file(file)) throw NotFound(fmt::format("the face {} has no mesh any more", id));
-  geometry::Points vertices =
-      geometry::ParseObjVertices(ReadFile(file), file.string(), face_template_->num_vertices());
+  geometry::Points vertices = geometry::ParseObjVertices(ReadFile(file), file.string(), face_template_->num_vertices());
   if (read_.size() == kMostRead) read_.clear();
   read_.emplace(std::string(id), vertices);
   return vertices;

@@ -23,7 +23,8 @@ struct HeadJobOptions {
   void Visit(V&& visit) {
     visit("names", names, Choices{{"arkit", "rpm", "vrm", "unreal", "mediapipe"}}, "Names of targets and nodes.");
     visit("hair", hair, Choices{HairWords({"none", "auto"})}, "Hair; auto: as the picture of an avatar shows it.");
-    visit("hair_colour", hair_colour, Text{}, "Its colour, as #804020 or a name of CSS; empty: the picture's, or a plain one.");
+    visit("hair_colour", hair_colour, Text{},
+          "Its colour, as #804020 or a name of CSS; empty: the picture's, or a plain one.");
     visit("clip", clip, Text{}, "Upload of a clip that the head plays; empty: one that shows what it can do.");
     visit("vrm", vrm, Flag{}, "Write a .vrm as well.");
     visit("print", print, Flag{}, "Write a closed STL as well.");

@@ -43,7 +43,9 @@ Options OptionsIn(const Json& body) {
 
 /// A word of a command line as a shell reads it.
 std::string Quoted(const std::string& word) {
-  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || std::string_view("._-/=,:+%@").find(char(c)) != std::string_view::npos; };
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("._-/=,:+%@").find(char(c)) != std::string_view::npos;
+  };
   if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -207,8 +209,7 @@ NewJob MakeAvatar(const Json& body, const JobMaterial& material) {
     if (has_landmarks) throw UsageError("landmarks are those of a picture, and a session has none");
     if (options.head.hair == "auto") options.head.hair = "none";
     const std::vector<render::WeightedStroke> strokes = material.desk.DrawnStrokes(id);
-    if (strokes.empty())
-      return RigFace(FaceOfRequest(body, material), options.head, material, "avatar");
+    if (strokes.empty()) return RigFace(FaceOfRequest(body, material), options.head, material, "avatar");
     kind = "drawing";
     sources.write = [strokes](const fs::path& folder) {
       render::WriteWeightedSvg(folder / kDrawing, strokes, {"line"});
@@ -288,7 +289,8 @@ template <class Options>
 Json SchemaOf() {
   Json properties = Json::object();
   for (const FieldInfo& field : DescribeFields<Options>())
-    properties[field.key] = {{"description", fmt::format("{} Default: {}. {}", field.help, field.value, field.allowed)}};
+    properties[field.key] = {
+        {"description", fmt::format("{} Default: {}. {}", field.help, field.value, field.allowed)}};
   return {{"type", "object"}, {"properties", std::move(properties)}};
 }
 

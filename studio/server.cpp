@@ -116,7 +116,8 @@ void Server::AddPage() {
   for (const PageFile& file : kPageFiles)
     connection_->http.Get(file.path, [&file](const httplib::Request&, httplib::Response& response) {
       const auto found = EmbeddedFiles().find(file.stem);
-      if (found == EmbeddedFiles().end()) return SetReply(Refused(404, "this program was built without its page"), response);
+      if (found == EmbeddedFiles().end())
+        return SetReply(Refused(404, "this program was built without its page"), response);
       response.set_content(found->second.data(), found->second.size(), file.type);
     });
 }
@@ -142,7 +143,8 @@ void Server::Serve(std::stop_token stop) {
   httplib::Server& http = connection_->http;
   const std::jthread stopper([&http, stop](std::stop_token served) {
     while (!stop.stop_requested() && !served.stop_requested()) std::this_thread::sleep_for(kPause);
-    while (!http.is_running() && !served.stop_requested()) std::this_thread::sleep_for(kPause);  // A stop before has no effect.
+    while (!http.is_running() && !served.stop_requested())
+      std::this_thread::sleep_for(kPause);  // A stop before has no effect.
     http.stop();
   });
   http.listen_after_bind();

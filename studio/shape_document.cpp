@@ -104,9 +104,9 @@ Json ShapeSchema() {
   properties["controls"] = numbers(-3, 3);
   properties["exaggeration"] = number(0, kMostExaggeration);
   properties["caricature"] = number(0, kMostCaricature);
-  properties["handles"] = {{"type", "array"},
-                           {"items",
-                            {{"type", "object"}, {"properties", {{"vertex", {{"type", "integer"}}}, {"move", move}}}}}};
+  properties["handles"] = {
+      {"type", "array"},
+      {"items", {{"type", "object"}, {"properties", {{"vertex", {{"type", "integer"}}}, {"move", move}}}}}};
   properties["expressions"] = numbers(kLeastExpression, kMostExpression);
   properties["gains"] = numbers(0, kMostGain);
   return {{"type", "object"}, {"properties", std::move(properties)}};

@@ -93,10 +93,11 @@ std::unique_ptr<sketch::SketchSession> SketchDesk::Begin(const sketch::SessionSc
 std::string SketchDesk::Add(const NewSession& begin) {
   auto open = std::make_shared<OpenSession>();
   const std::string& recorded_begin = begin.recorded.begin;
-  DAUMIER_CHECK(recorded_begin.empty() || recorded_begin == "mean",
-                "the session begins with the face of a file, '{}', which is not in it. Begin with that face, or replay it "
-                "by `daumier predict --session`",
-                recorded_begin.substr(0, 40));
+  DAUMIER_CHECK(
+      recorded_begin.empty() || recorded_begin == "mean",
+      "the session begins with the face of a file, '{}', which is not in it. Begin with that face, or replay it "
+      "by `daumier predict --session`",
+      recorded_begin.substr(0, 40));
   open->name = KeptName(begin.name, kUntitled);
   open->script = begin.recorded;
   if (open->script.width == 0) open->script.width = open->script.height = kSheet;
@@ -185,7 +186,8 @@ fs::path SketchDesk::FileOf(std::string_view id) const {
 }
 
 Json SketchDesk::StateOf(std::string_view id, const OpenSession& open) const {
-  Json json = {{"id", id}, {"name", open.name}, {"revision", open.revision}, {"sheet", {open.script.width, open.script.height}}};
+  Json json = {
+      {"id", id}, {"name", open.name}, {"revision", open.revision}, {"sheet", {open.script.width, open.script.height}}};
   json.update(SketchStateJson(*open.session->state()));
   json["can_undo"] = open.session->can_undo();
   json["can_redo"] = open.session->can_redo();

@@ -42,9 +42,9 @@ class SketchDesk {
   /// Returns the id. @throws Error if the face or an event is wrong, or the recorded session begins with a file; nothing is left then.
   std::string Add(const NewSession& begin);
   bool Has(std::string_view id) const;
-  void Remove(std::string_view id);                           ///< @throws NotFound.
-  void Rename(std::string_view id, std::string_view name);    ///< @throws NotFound.
-  std::filesystem::path FileOf(std::string_view id) const;    ///< session.json. @throws NotFound, also without events.
+  void Remove(std::string_view id);                         ///< @throws NotFound.
+  void Rename(std::string_view id, std::string_view name);  ///< @throws NotFound.
+  std::filesystem::path FileOf(std::string_view id) const;  ///< session.json. @throws NotFound, also without events.
 
   /// What the page shows of a session (docs/studio.md). @throws NotFound; Error if its file is damaged.
   Json State(std::string_view id);

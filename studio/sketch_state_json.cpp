@@ -50,7 +50,9 @@ Json OpenEndsOf(const sketch::SketchState& state) {
 }  // namespace
 
 Json SketchStateJson(const sketch::SketchState& state) {
-  Json json = {{"mode", state.is_refinement() ? "refine" : state.is_follow_up() ? "follow_up" : "draw"},
+  Json json = {{"mode", state.is_refinement()  ? "refine"
+                        : state.is_follow_up() ? "follow_up"
+                                               : "draw"},
                {"has_face", state.vertices.rows() > 0},
                {"lines", LinesOf(state)},
                {"open_ends", OpenEndsOf(state)},

@@ -100,8 +100,7 @@ ApiReply Studio::VerticesReply(const geometry::Points& face) const {
 void Studio::AddHead(const StudioWeights& weights) {
   const Json can = {{"gestures", weights.gestures.has_value()}, {"portraits", weights.has_portraits}};
   Add("GET", "/api/info", "Version, what the weights can do, and the size of a new sheet", [can](const ApiRequest&) {
-    return JsonReply(
-        {{"version", DAUMIER_VERSION}, {"can", can}, {"sheet", {SketchDesk::kSheet, SketchDesk::kSheet}}});
+    return JsonReply({{"version", DAUMIER_VERSION}, {"can", can}, {"sheet", {SketchDesk::kSheet, SketchDesk::kSheet}}});
   });
   Add("GET", "/api/openapi.json", "This description",
       [this](const ApiRequest&) { return JsonReply(OpenApiOf(routes_)); });
@@ -142,8 +141,9 @@ void Studio::AddSessions() {
     for (const std::string& name : names) list.push_back({{"name", name}, {"title", TitleOfExample(name)}});
     return JsonReply({{"examples", std::move(list)}});
   });
-  Add("GET", "/api/sessions", "Drawing sessions, the last changed first",
-      [this](const ApiRequest&) { return JsonReply({{"sessions", desk_.List()}}); });
+  Add("GET", "/api/sessions", "Drawing sessions, the last changed first", [this](const ApiRequest&) {
+    return JsonReply({{"sessions", desk_.List()}});
+  });
   Add(
       "POST", "/api/sessions", "Begins a session",
       [this](const ApiRequest& request) { return JsonReply(desk_.State(BeginSession(BodyOf(request)))); },
@@ -167,8 +167,10 @@ void Studio::AddSessions() {
   Add(
       "POST", "/api/sessions/{id}/events", "Does an event of a recorded session (docs/sketching.md)",
       [this](const ApiRequest& request) { return JsonReply(desk_.Do(IdOf(request), BodyOf(request))); },
-      ObjectSchema({{"do", "draw, erase, follow_up, refine, region, translate, pull, brush, unbrush, roll, gesture, undo or redo"},
-                    {"points", "[[x, y], ...], pixels of the sheet"}}));
+      ObjectSchema(
+          {{"do",
+            "draw, erase, follow_up, refine, region, translate, pull, brush, unbrush, roll, gesture, undo or redo"},
+           {"points", "[[x, y], ...], pixels of the sheet"}}));
   Add(
       "POST", "/api/sessions/{id}/preview", "The face of the network alone with an unfinished stroke",
       [this](const ApiRequest& request) {
@@ -224,7 +226,9 @@ void Studio::AddShape() {
       [this](const ApiRequest&) { return JsonReply(shaper_.Description()); });
   Add(
       "POST", "/api/shape", "The face of a shape document, float32",
-      [this](const ApiRequest& request) { return VerticesReply(FaceOf({{"shape", BodyOf(request)}})); },
+      [this](const ApiRequest& request) {
+        return VerticesReply(FaceOf({{"shape", BodyOf(request)}}));
+      },
       ShapeSchema(), kBytes);
   Add(
       "POST", "/api/shape/random", "Values of controls of a random face",

@@ -36,8 +36,8 @@ class Studio {
     Json weights;
     std::chrono::steady_clock::time_point when;
   };
-  void Add(std::string method, std::string path, std::string summary,
-           std::function<ApiReply(const ApiRequest&)> call, Json body = {}, std::string reply = "application/json");
+  void Add(std::string method, std::string path, std::string summary, std::function<ApiReply(const ApiRequest&)> call,
+           Json body = {}, std::string reply = "application/json");
   void AddHead(const StudioWeights& weights);
   void AddSessions();
   void AddFaces();

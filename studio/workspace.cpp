@@ -38,8 +38,7 @@ std::vector<std::string> NumberedFolders::Names() const {
 std::string NumberedFolders::Add() {
   const std::vector<std::string> names = Names();
   int greatest = 0;
-  if (!names.empty())
-    std::from_chars(names.back().data() + 2, names.back().data() + names.back().size(), greatest);
+  if (!names.empty()) std::from_chars(names.back().data() + 2, names.back().data() + names.back().size(), greatest);
   last_ = std::max(last_, greatest) + 1;
   std::string name = fmt::format("{}-{:04}", prefix_, last_);
   MakeDirectory(folder_ / name);

@@ -15,7 +15,7 @@ namespace daumier::sketch {
 /// A region of interest: what may move.
 struct RefinementRegion {
   geometry::RegionDeformation deformation;  ///< Factorised.
-  bool is_whole;                          ///< All of the mesh but the vertices of the neck border.
+  bool is_whole;                            ///< All of the mesh but the vertices of the neck border.
   std::vector<bool>
       is_inner;  ///< V: in the region, farther than kRegionMargin from what is fixed: handles may be there.
 };

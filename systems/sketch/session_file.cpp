@@ -266,7 +266,7 @@ void DoAll(const SessionScript& script, SketchSession& session, FaceTime when, c
 
 void Replay(const SessionScript& script, SketchSession& session,
             const std::function<void(const ReplayedEvent& event)>& report, const Task& task) {
-  DoAll(script, session, FaceTime::kNow, task, report);
+  DoAll(script, session, FaceTime::kAtOnce, task, report);
 }
 
 void Resume(const SessionScript& script, SketchSession& session, const Task& task) {

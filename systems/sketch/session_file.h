@@ -62,7 +62,7 @@ struct ReplayedEvent {
 
 /// Does one event. Returns what a stroke was recognised as, of kGesture. @throws Error as the function of SketchSession.
 std::optional<datasets::Gesture> Do(const SessionEvent& event, SketchSession& session, const Task& task = {},
-                                    FaceTime when = FaceTime::kNow);
+                                    FaceTime when = FaceTime::kAtOnce);
 
 /// Does the events one after the other, those that have no effect (nothing under the eraser) as well, and calls
 /// `report` after each. @throws Error naming the event that failed; Cancelled if the task is.

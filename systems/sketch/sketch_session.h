@@ -32,7 +32,7 @@ struct SketchState {
 
 /// When the face of a new state is predicted. A session that is resumed needs the face of its last state, and others only if they
 /// are undone to.
-enum class FaceTime { kNow, kWhenNeeded };
+enum class FaceTime { kAtOnce, kWhenNeeded };
 
 /// A face while a person draws it [Han et al. 2017, sections 3.1, 3.2 and 5.1]. In initial mode all strokes are predicted
 /// as `daumier predict` does. In follow-up mode the feature curves of the face are lines that are erased and redrawn
@@ -44,8 +44,8 @@ class SketchSession {
   static constexpr double kMostSheet = 100'000;  ///< Pixels a side.
   static constexpr double kFarthest = 10;        ///< Sheets' longer sides that a point may be away from the origin.
   static constexpr double kHeaviest = 0.1;       ///< Share of the longer side that a line may be wide.
-  static constexpr size_t kMostUndo = 100;         ///< Steps that can be undone; earlier states are dropped.
-  static constexpr size_t kKeptFaces = 16;         ///< Latest states that keep their faces; others make them again.
+  static constexpr size_t kMostUndo = 100;       ///< Steps that can be undone; earlier states are dropped.
+  static constexpr size_t kKeptFaces = 16;       ///< Latest states that keep their faces; others make them again.
 
   /// gestures: null where none are recognised. sheet: width x height, pixels. @throws Error if a size is not from 1 to kMostSheet, or the predictor has no parser.
   SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height,
@@ -59,11 +59,11 @@ class SketchSession {
   /// @throws Error as WithWeight, Stabilised and sketch::Draw, if a point lies farther away than kFarthest, the line is heavier than
   /// kHeaviest, or in refinement mode; Cancelled if the task is.
   /// With FaceTime::kWhenNeeded the state may be pending until Settle, a step of undo or another mode.
-  void Draw(const CanvasPoints& path, const Pen& pen = {}, const Task& task = {}, FaceTime when = FaceTime::kNow);
+  void Draw(const CanvasPoints& path, const Pen& pen = {}, const Task& task = {}, FaceTime when = FaceTime::kAtOnce);
   /// In initial mode what lies within kEraserReach of the path, in follow-up mode as sketch::Erase, in pixels of the
   /// canvas in both; with `mirror` also what its image erases. False, without a new state, if that is nothing.
   /// @throws Error as Draw.
-  bool Erase(const CanvasPoints& path, bool mirror = false, const Task& task = {}, FaceTime when = FaceTime::kNow);
+  bool Erase(const CanvasPoints& path, bool mirror = false, const Task& task = {}, FaceTime when = FaceTime::kAtOnce);
   /// Predicts the face of a pending state. @throws Cancelled if the task is.
   void Settle(const Task& task = {});
   /// Follow-up mode, from the current face, whose lines stay where they were drawn or refined, or, where there is none,

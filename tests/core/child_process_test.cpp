@@ -33,7 +33,11 @@ TEST(ChildProcess, IsNothingWhereTheProgramIsMissing) {
 TEST(ChildProcess, SignalsAndTimeoutsAreErrors) {
   const TempDir folder;
   testing::ExpectError([&] { RunChild({"sh", "-c", "kill -9 $$"}, folder.path(), {}); }, "ended by signal 9");
-  testing::ExpectError([&] { RunChild({"sleep", "60"}, folder.path(), {.timeout_seconds = 0.05}); }, "sleep did not end within 0.05 s");
+  testing::ExpectError(
+      [&] {
+        RunChild({"sleep", "60"}, folder.path(), {.timeout_seconds = 0.05});
+      },
+      "sleep did not end within 0.05 s");
 }
 
 TEST(ChildProcess, RunsInItsFolder) {

@@ -80,7 +80,8 @@ TEST(SessionResume, FacesOfEarlierStatesAreMadeAgainAsTheyWere) {
   script.events.push_back({.what = kFollowUp});
   script.events.push_back({.what = kErase, .points = {{200, 250}, {200, 300}}});
   script.events.push_back({.what = kRefine});
-  const RefinementOperation brush{.what = RefinementOperation::What::kBrush, .points = {{200, 200}}, .view = {}, .radius = 5};
+  const RefinementOperation brush{
+      .what = RefinementOperation::What::kBrush, .points = {{200, 200}}, .view = {}, .radius = 5};
   for (size_t i = 0; i < SketchSession::kKeptFaces; ++i)
     script.events.push_back({.what = kOperation, .operation = brush});
   SketchSession session(ShippedPredictor(), script.width, script.height);
