@@ -126,7 +126,7 @@ void ServeCollection(const StudioArguments& arguments) {
 
 void ServeStudy(const StudioArguments& arguments) {
   const fs::path votes = OutOfStudy(arguments.study);
-  studio::Study study(arguments.study.study, votes, QuestionOf(arguments.study), ParticipantOf(arguments.study));
+  studio::Study study(arguments.study.study, votes, VoteKindOf(arguments.study), ParticipantOf(arguments.study));
   studio::Server server(study.routes(), arguments.port);
   ServePage(server, arguments, fmt::format("Votes are kept in {}", votes.string()));
 }

@@ -9,7 +9,7 @@
 namespace daumier::cli {
 namespace {
 
-constexpr char kAskBest[] = "best", kAskRatings[] = "ratings";
+constexpr char kVoteBest[] = "best", kVoteRatings[] = "ratings";
 
 }  // namespace
 
@@ -32,10 +32,10 @@ void AddStudyArguments(CLI::App& command, StudyArguments& arguments) {
   command.add_option("--count", arguments.count, "Of --collect: how many faces the person draws; 0: all")
       ->check(CLI::Range(0, 1'000'000));
   command
-      .add_option("--ask", arguments.ask,
+      .add_option("--vote", arguments.vote,
                   "Of --study: best (which one is the best) or ratings (aesthetics, accuracy and similarity of each, 1 "
                   "to 5). Without it ratings")
-      ->check(CLI::IsMember({kAskBest, kAskRatings}));
+      ->check(CLI::IsMember({kVoteBest, kVoteRatings}));
 }
 
 void CheckStudyArguments(const StudyArguments& arguments) {
@@ -44,7 +44,7 @@ void CheckStudyArguments(const StudyArguments& arguments) {
   if (!collects && !studies && (!arguments.out.empty() || !arguments.person.empty()))
     throw UsageError("--out and --person belong to --collect or --study");
   if (!collects && arguments.count != 0) throw UsageError("--count belongs to --collect");
-  if (!studies && !arguments.ask.empty()) throw UsageError("--ask belongs to --study");
+  if (!studies && !arguments.vote.empty()) throw UsageError("--vote belongs to --study");
 }
 
 std::filesystem::path OutOfStudy(const StudyArguments& arguments) {
@@ -60,8 +60,8 @@ studio::CollectorOptions CollectorOptionsOf(const StudyArguments& arguments) {
   return options;
 }
 
-studio::StudyQuestion QuestionOf(const StudyArguments& arguments) {
-  return arguments.ask == kAskBest ? studio::StudyQuestion::kBest : studio::StudyQuestion::kRatings;
+studio::VoteKind VoteKindOf(const StudyArguments& arguments) {
+  return arguments.vote == kVoteBest ? studio::VoteKind::kBest : studio::VoteKind::kRatings;
 }
 
 std::optional<int> ParticipantOf(const StudyArguments& arguments) {

@@ -13,7 +13,7 @@ namespace daumier::cli {
 /// The options of `daumier studio` that open it to collect drawings, or for a study.
 struct StudyArguments {
   std::filesystem::path collect, study, out;
-  std::string person, ask;
+  std::string person, vote;
   int count = 0;
 };
 
@@ -24,7 +24,7 @@ void CheckStudyArguments(const StudyArguments& arguments);
 /// Absolute. @throws UsageError if there is none.
 std::filesystem::path OutOfStudy(const StudyArguments& arguments);
 studio::CollectorOptions CollectorOptionsOf(const StudyArguments& arguments);
-studio::StudyQuestion QuestionOf(const StudyArguments& arguments);
+studio::VoteKind VoteKindOf(const StudyArguments& arguments);
 /// @throws UsageError if --person is no number.
 std::optional<int> ParticipantOf(const StudyArguments& arguments);
 

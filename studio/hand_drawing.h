@@ -15,7 +15,7 @@ struct PenStroke {
   std::vector<double> pressures;              ///< Of each point, 0 to 1; 1 of devices without.
 };
 
-/// What a person drew on a sheet beside a face.
+/// What a person drew on a sheet while a face was shown.
 struct HandDrawing {
   static constexpr int kVersion = 1;
   static constexpr double kSheet = 512;  ///< Pixels a side of the sheet.

@@ -120,8 +120,8 @@ std::vector<int> OrderOfResults(int participant, const StudyItem& item) {
   return Stream(0, "results of the item " + item.name, uint64_t(participant)).Permutation(int(item.results.size()));
 }
 
-Study::Study(const fs::path& folder, fs::path votes, StudyQuestion question, std::optional<int> participant)
-    : items_(ReadStudyItems(folder)), votes_(std::move(votes)), question_(question) {
+Study::Study(const fs::path& folder, fs::path votes, VoteKind kind, std::optional<int> participant)
+    : items_(ReadStudyItems(folder)), votes_(std::move(votes)), kind_(kind) {
   if (participant && *participant < 1)
     throw UsageError(fmt::format("the participant's number is {}, expected 1 or more", *participant));
   Begin(participant.value_or(GreatestParticipant(VotesIn(votes_)) + 1));
@@ -142,7 +142,7 @@ std::optional<int> Study::Shown() const {
 }
 
 std::vector<std::string> Study::Questions() const {
-  if (question_ == StudyQuestion::kBest) return {kBestQuestion};
+  if (kind_ == VoteKind::kBest) return {kBestQuestion};
   return {"aesthetics", "accuracy", "similarity"};
 }
 
@@ -161,11 +161,11 @@ Json Study::StateNow() const {
   }
   const auto done =
       std::ranges::count_if(items_, [&](const StudyItem& each) { return done_.contains(each.name); });
-  const bool is_best = question_ == StudyQuestion::kBest;
+  const bool is_best = kind_ == VoteKind::kBest;
   return {{"participant", participant_},
           {"done", done},
           {"total", items_.size()},
-          {"ask", is_best ? "best" : "ratings"},
+          {"kind", is_best ? "best" : "ratings"},
           {"questions", Questions()},
           {"greatest", is_best ? 1 : kGreatestRating},
           {"item", std::move(item)}};
@@ -206,7 +206,7 @@ std::string Study::ResultPicture(int item, int place, const std::string& view) {
   return pictures_[key] = std::move(picture);
 }
 
-Json Study::Answer(const Json& body) {
+Json Study::Keep(const Json& body) {
   const std::scoped_lock lock(mutex_);
   const std::optional<int> shown = Shown();
   if (!shown || NumberAt(body, "item") != *shown)
@@ -214,14 +214,14 @@ Json Study::Answer(const Json& body) {
   const StudyItem& item = items_[size_t(*shown)];
   const double seconds = NumberAt(body, "seconds");
   if (!(seconds >= 0)) throw UsageError(fmt::format("'seconds' is {}, expected 0 or more", seconds));
-  const bool is_best = question_ == StudyQuestion::kBest;
+  const bool is_best = kind_ == VoteKind::kBest;
   const int count = int(item.results.size()), greatest = is_best ? 1 : kGreatestRating;
   const std::vector<std::string> questions = Questions();
 
   std::map<std::pair<int, std::string>, double> values;  // By place and question.
-  for (const Json& answer : body.value("answers", Json::array())) {
-    const double place = NumberAt(answer, "place"), value = NumberAt(answer, "value");
-    const Json question = answer.value("question", Json());
+  for (const Json& given : body.value("votes", Json::array())) {
+    const double place = NumberAt(given, "place"), value = NumberAt(given, "value");
+    const Json question = given.value("question", Json());
     if (place != std::floor(place) || place < 1 || place > count)
       throw UsageError(fmt::format("'place' is {}, expected 1 to {}", place, count));
     if (!question.is_string() || std::ranges::count(questions, question.get<std::string>()) == 0)
@@ -232,7 +232,7 @@ Json Study::Answer(const Json& body) {
   }
   const size_t expected = is_best ? 1 : size_t(count) * questions.size();
   if (values.size() != expected)
-    throw UsageError(fmt::format("{} answers, expected {}: answer every question", values.size(), expected));
+    throw UsageError(fmt::format("{} votes, expected {}: every question needs one", values.size(), expected));
 
   std::vector<Vote> votes;
   const std::vector<int> order = OrderOfResults(participant_, item);
@@ -276,9 +276,9 @@ void Study::AddRoutes() {
                      },
                      {},
                      "image/png"});
-  routes_.push_back({"POST", "/api/study/answers",
-                     "Keeps the answers {item, seconds, answers: [{place, question, value}, ...]} and shows the next item",
-                     [this](const ApiRequest& request) { return JsonReply(Answer(BodyOf(request))); },
+  routes_.push_back({"POST", "/api/study/votes",
+                     "Keeps the votes {item, seconds, votes: [{place, question, value}, ...]} and shows the next item",
+                     [this](const ApiRequest& request) { return JsonReply(Keep(BodyOf(request))); },
                      {{"type", "object"}, {"properties", {{"item", {{"type", "integer"}}}}}}});
   routes_.push_back({"POST", "/api/study/participants", "The next participant begins",
                      [this](const ApiRequest&) { return JsonReply(NextParticipant()); },

@@ -14,8 +14,8 @@
 
 namespace daumier::studio {
 
-/// What a study asks of the results of an item.
-enum class StudyQuestion {
+/// How participants judge the results of an item.
+enum class VoteKind {
   kBest,     ///< Which one is the best [Han et al. 2017, section 6.1, stage II].
   kRatings,  ///< Aesthetics, accuracy and similarity of each, 1 to 5 [Pan et al. 2024, table 3].
 };
@@ -46,18 +46,18 @@ class Study {
  public:
   /// participant: absent: the number after the greatest among the votes. votes: made with the first vote. @throws Error as ReadStudyItems
   /// and ReadVotes; UsageError if the participant's number is not positive.
-  Study(const std::filesystem::path& folder, std::filesystem::path votes, StudyQuestion question,
+  Study(const std::filesystem::path& folder, std::filesystem::path votes, VoteKind kind,
         std::optional<int> participant = std::nullopt);
 
-  /// {participant, done, total, ask: "best" or "ratings", questions: [name, ...], greatest: 1 or 5, item: {number, results: [{views}, ...]} or
+  /// {participant, done, total, kind: "best" or "ratings", questions: [name, ...], greatest: 1 or 5, item: {number, results: [{views}, ...]} or
   /// null}: results in the order in which they are shown, each with the names of its views.
   Json State();
   std::string SourcePicture(int item) const;  ///< The bytes of the file. @throws NotFound.
   /// A PNG or JPEG of the result at a place (from 1) from "front" or "turned"; results that are pictures have "front" alone. @throws NotFound.
   std::string ResultPicture(int item, int place, const std::string& view);
-  /// Appends the votes {item: number, seconds, answers: [{place, question, value}, ...]} and returns the state: of `best` one answer, of
+  /// Appends the votes {item: number, seconds, votes: [{place, question, value}, ...]} and returns the state: of `best` one vote, of
   /// ratings one a question and place. @throws UsageError naming what is missing or wrong; nothing is written then.
-  Json Answer(const Json& body);
+  Json Keep(const Json& body);
   /// The next participant begins. Returns the state.
   Json NextParticipant();
 
@@ -74,7 +74,7 @@ class Study {
 
   const std::vector<StudyItem> items_;
   const std::filesystem::path votes_;
-  const StudyQuestion question_;
+  const VoteKind kind_;
   mutable std::mutex mutex_;  ///< Of the participant and what is done.
   int participant_ = 0;
   std::set<std::string> done_;
