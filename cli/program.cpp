@@ -136,8 +136,9 @@ int RunProgram(int argc, char** argv) {
   app.add_option("--threads", threads, "Threads to use; all cores by default")->check(CLI::Range(0, 1024));
 
   std::function<void()> action;
-  for (const Verb& verb : {DatasetVerb(), RegisterVerb(), TrainVerb(), AblateVerb(), EvalVerb(), PredictVerb(),
-                           EditVerb(), ScoreVerb(), DrawVerb(), RigVerb(), AvatarVerb(), StudioVerb(), ExportVerb(), InfoVerb()}) {
+  for (const Verb& verb :
+       {DatasetVerb(), RegisterVerb(), TrainVerb(), AblateVerb(), EvalVerb(), PredictVerb(), EditVerb(), ScoreVerb(),
+        DrawVerb(), RigVerb(), AvatarVerb(), StudioVerb(), ExportVerb(), InfoVerb()}) {
     CLI::App* command = app.add_subcommand(verb.name, verb.summary);
     command->callback([&action, keep = verb.keeps_freed_memory, run = verb.set_up(*command)] {
       action = [keep, run] {

@@ -10,6 +10,7 @@
 #include "eval/predicted_meshes.h"
 #include "faces/face_database.h"
 #include "reports/report_table.h"
+#include "studio/votes.h"
 
 #include <fmt/ranges.h>
 
@@ -83,9 +84,25 @@ void ScorePlausibleFaces(const ScoreArguments& arguments) {
       reports::TableText(eval::PlausibilityTable(scores)));
 }
 
+void ScoreVotes(const fs::path& file, bool as_json) {
+  const std::vector<studio::Vote> votes = studio::ReadVotes(file);
+  const std::vector<studio::VoteSummary> summaries = studio::SummariseVotes(votes);
+  const Json json = studio::VotesToJson(votes, summaries);
+  if (as_json) {
+    PrintResult(json, true);
+    return;
+  }
+  fmt::print("{}participants: {}, items: {}\n", reports::TableText(studio::VoteTable(summaries)),
+             json.at("participants").get<int>(), json.at("items").get<int>());
+}
+
 void Score(const ScoreArguments& arguments) {
   const int num_given =
       int(!arguments.labels.empty()) + int(!arguments.truth.empty()) + int(!arguments.plausible.empty());
+  if (fs::is_regular_file(arguments.predictions)) {
+    if (num_given > 0) throw UsageError("a file of votes is scored alone, without --labels, --truth and --plausible");
+    return ScoreVotes(arguments.predictions, arguments.as_json);
+  }
   if (num_given != 1)
     throw UsageError(
         "score needs one of --labels FILE (of drawings), --truth FOLDER (of true faces) and --plausible FOLDER (of any "
@@ -103,15 +120,18 @@ void Score(const ScoreArguments& arguments) {
 
 Verb ScoreVerb() {
   return {"score",
-          "Errors of predicted meshes: on drawings with labelled points, against true faces, or as faces among others",
+          "Errors of predicted meshes: on drawings with labelled points, against true faces, or as faces among others; "
+          "votes of a study",
           [](CLI::App& command) {
             auto arguments = std::make_shared<ScoreArguments>();
             command
                 .add_option("predictions", arguments->predictions,
                             "Folder of meshes NAME.obj (or .ply). With --labels also manifest.json, as `daumier "
-                            "predict --out` writes it: details.drawings.NAME.frame = {scale, shift, turn_degrees}")
+                            "predict --out` writes it: details.drawings.NAME.frame = {scale, shift, turn_degrees}. Or "
+                            "the file of votes of `daumier studio --study`: votes, mean and deviation by method and "
+                            "question")
                 ->required()
-                ->check(CLI::ExistingDirectory);
+                ->check(CLI::ExistingPath);
             command
                 .add_option("--labels", arguments->labels,
                             "JSON file of points that people set on drawings: {\"drawings\": {NAME: {file, "

@@ -1,10 +1,15 @@
+#include "cli/study_arguments.h"
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/log.h"
 #include "core/program_folder.h"
+#include "faces/face_database.h"
+#include "studio/collector.h"
 #include "studio/server.h"
+#include "studio/shown_faces.h"
+#include "studio/study.h"
 #include "systems/deform/open_code_model.h"
 #include "systems/portrait/portrait_run_folder.h"
 #include "systems/shipped_weights.h"
@@ -30,6 +35,7 @@ struct StudioArguments {
   fs::path folder;
   int port = 0;
   bool opens_browser = true;
+  StudyArguments study;
 };
 
 /// $XDG_DATA_HOME/daumier/studio, by default ~/.local/share/daumier/studio.
@@ -98,20 +104,46 @@ void OpenBrowser(const std::string& address) {
     log::Info("There is no xdg-open here: open the address yourself");
 }
 
+/// Prints the address, and serves until Ctrl-C.
+void ServePage(studio::Server& server, const StudioArguments& arguments, const std::string& kept) {
+  fmt::print("studio: {}\n", server.Address());
+  std::fflush(stdout);
+  log::Info("{}. Ctrl-C ends the studio", kept);
+  if (arguments.opens_browser) OpenBrowser(server.Address());
+  server.Serve(InterruptToken());
+}
+
+void ServeCollection(const StudioArguments& arguments) {
+  const fs::path out = OutOfStudy(arguments.study);
+  studio::CheckCollection(out, {arguments.study.collect});
+  const FolderOwner owner(out);
+  const studio::ShownFaces faces(arguments.study.collect,
+                                 [] { return faces::ReadFaceTemplate(deform::ShippedModel()); });
+  studio::Collector collector(out, faces, CollectorOptionsOf(arguments.study), {arguments.study.collect});
+  studio::Server server(collector.routes(), arguments.port);
+  ServePage(server, arguments, fmt::format("Drawings are kept in {}", out.string()));
+}
+
+void ServeStudy(const StudioArguments& arguments) {
+  const fs::path votes = OutOfStudy(arguments.study);
+  studio::Study study(arguments.study.study, votes, VoteKindOf(arguments.study), ParticipantOf(arguments.study));
+  studio::Server server(study.routes(), arguments.port);
+  ServePage(server, arguments, fmt::format("Votes are kept in {}", votes.string()));
+}
+
 void ServeStudio(const StudioArguments& arguments) {
   if (!studio::HasPage())
     throw UsageError(
         "this program was built without the studio's page, which needs Node.js and npm's packages: ./dev build "
         "daumier");
+  CheckStudyArguments(arguments.study);
+  if (!arguments.study.collect.empty()) return ServeCollection(arguments);
+  if (!arguments.study.study.empty()) return ServeStudy(arguments);
   const fs::path folder = fs::absolute(arguments.folder.empty() ? DefaultFolder() : arguments.folder);
   const FolderOwner owner(folder);
   studio::Studio studio(folder, WeightsOfStudio(), ExamplesFolder(), fs::read_symlink("/proc/self/exe"));
   studio::Server server(studio, arguments.port);
-  fmt::print("studio: {}\n", server.Address());
-  std::fflush(stdout);
-  log::Info("Drawings and faces are kept in {}. Ctrl-C ends the studio", folder.string());
-  if (arguments.opens_browser) OpenBrowser(server.Address());
-  server.Serve(InterruptToken());
+  ServePage(server, arguments, fmt::format("Drawings and faces are kept in {}", folder.string()));
 }
 
 }  // namespace
@@ -127,6 +159,7 @@ Verb StudioVerb() {
             command.add_option("--port", arguments->port, "Port on 127.0.0.1; 0: a free one")
                 ->check(CLI::Range(0, 65535))
                 ->capture_default_str();
+            AddStudyArguments(command, arguments->study);
             command.add_flag("!--no-browser", arguments->opens_browser, "Do not open the browser");
             return [arguments] { ServeStudio(*arguments); };
           },

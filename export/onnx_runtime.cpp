@@ -1,10 +1,10 @@
 #include "export/onnx_runtime.h"
 
+#include "core/child_process.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/json.h"
 #include "core/program_folder.h"
-#include "core/child_process.h"
 #include "export/onnx_runtime_native.h"
 
 #include <cstdlib>

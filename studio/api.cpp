@@ -98,6 +98,15 @@ double NumberIn(const ApiRequest& request, std::string_view name, double otherwi
   return number;
 }
 
+int NumberInPath(const ApiRequest& request, std::string_view name) {
+  const std::string& text = request.path.find(name)->second;
+  int number = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc() || end != text.data() + text.size())
+    throw NotFound(fmt::format("'{}' is {}, expected a whole number", name, text.substr(0, 40)));
+  return number;
+}
+
 ApiReply Call(const std::vector<Route>& routes, std::string_view method, std::string_view path, ApiRequest request) {
   bool is_path = false;
   for (const Route& route : routes) {

@@ -37,6 +37,9 @@ Json BodyOf(const ApiRequest& request);
 /// A number of the query, or the default. @throws UsageError if it is none or not finite.
 double NumberIn(const ApiRequest& request, std::string_view name, double otherwise);
 
+/// A whole number in the path. @throws NotFound if it is none.
+int NumberInPath(const ApiRequest& request, std::string_view name);
+
 /// One call of the API.
 struct Route {
   std::string method;  ///< "GET"

@@ -76,7 +76,8 @@ bool HasPage() {
   return EmbeddedFiles().contains(kPageFiles[0].stem);
 }
 
-Server::Server(Studio& studio, int port) : token_(RandomToken()), connection_(std::make_unique<Connection>()) {
+Server::Server(const std::vector<Route>& routes, int port)
+    : token_(RandomToken()), connection_(std::make_unique<Connection>()) {
   httplib::Server& http = connection_->http;
   http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
   http.set_socket_options(TakePortAlone);
@@ -100,7 +101,7 @@ Server::Server(Studio& studio, int port) : token_(RandomToken()), connection_(st
                response);
   });
   AddPage();
-  AddApi(studio);
+  AddApi(routes);
   port_ = port == 0 ? http.bind_to_any_port(kAddress) : http.bind_to_port(kAddress, port) ? port : -1;
   if (port_ <= 0)
     throw UsageError(fmt::format("port {} is taken by another program. Name another one with --port, or none", port));
@@ -122,14 +123,14 @@ void Server::AddPage() {
     });
 }
 
-void Server::AddApi(Studio& studio) {
-  const auto call = [&studio](const httplib::Request& request, httplib::Response& response) {
+void Server::AddApi(const std::vector<Route>& routes) {
+  const auto call = [&routes](const httplib::Request& request, httplib::Response& response) {
     const bool is_upload = request.path == "/api/uploads";
     if (!is_upload && request.body.size() > kMostBody)
       return SetReply(Refused(413, "the request is too large"), response);
     ApiRequest made = QueryOf(request);
     made.body = request.body;
-    SetReply(Call(studio.routes(), request.method, request.path, std::move(made)), response);
+    SetReply(Call(routes, request.method, request.path, std::move(made)), response);
   };
   constexpr char kApi[] = "/api/.*";
   connection_->http.Get(kApi, call);

@@ -15,7 +15,9 @@ class Server {
   static constexpr size_t kMostUpload = 64 << 20, kMostBody = 8 << 20;
 
   /// port: 0 takes a free one. The studio has to outlive the server. @throws UsageError if another program has the port.
-  Server(Studio& studio, int port);
+  Server(Studio& studio, int port) : Server(studio.routes(), port) {}
+  /// The page in another mode: GET /api/info of the routes names it. They have to outlive the server.
+  Server(const std::vector<Route>& routes, int port);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -30,7 +32,7 @@ class Server {
  private:
   struct Connection;  ///< The library's server.
   void AddPage();
-  void AddApi(Studio& studio);
+  void AddApi(const std::vector<Route>& routes);
 
   int port_ = 0;
   std::string token_;

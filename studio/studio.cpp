@@ -100,7 +100,10 @@ ApiReply Studio::VerticesReply(const geometry::Points& face) const {
 void Studio::AddHead(const StudioWeights& weights) {
   const Json can = {{"gestures", weights.gestures.has_value()}, {"portraits", weights.has_portraits}};
   Add("GET", "/api/info", "Version, what the weights can do, and the size of a new sheet", [can](const ApiRequest&) {
-    return JsonReply({{"version", DAUMIER_VERSION}, {"can", can}, {"sheet", {SketchDesk::kSheet, SketchDesk::kSheet}}});
+    return JsonReply({{"version", DAUMIER_VERSION},
+                      {"mode", "studio"},
+                      {"can", can},
+                      {"sheet", {SketchDesk::kSheet, SketchDesk::kSheet}}});
   });
   Add("GET", "/api/openapi.json", "This description",
       [this](const ApiRequest&) { return JsonReply(OpenApiOf(routes_)); });

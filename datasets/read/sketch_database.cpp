@@ -40,6 +40,7 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, Checksums
     faces_per_shard_ = manifest_.counts.at("faces_per_shard").get<int>();
     version_ = manifest_.details.value("version", 1);
     num_turned_views_ = manifest_.details.value("turned_views", 0);
+    num_drawn_views_ = version_ == kDrawnVersion ? manifest_.details.at("drawn_views").get<int>() : 0;
     num_views_ = manifest_.counts.at("views_per_face").get<int>() - num_turned_views_;
     camera_ = render::CameraFromJson(manifest_.details.at("camera"));
     kinds_ = manifest_.details.at("kinds").get<std::vector<std::string>>();
@@ -51,9 +52,13 @@ SketchDatabase::SketchDatabase(const std::filesystem::path& directory, Checksums
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{}: malformed: {}", (directory / "manifest.json").string(), TextOf(error)));
   }
-  DAUMIER_CHECK(version_ >= 1 && version_ <= kVersion,
+  DAUMIER_CHECK(version_ >= 1 && version_ <= kDrawnVersion,
                 "{}: sketches of version {}, expected 1 to {}. Read them with the version of Daumier that wrote them",
-                (directory / "manifest.json").string(), version_, kVersion);
+                (directory / "manifest.json").string(), version_, kDrawnVersion);
+  DAUMIER_CHECK(
+      version_ != kDrawnVersion || (num_drawn_views_ > 0 && num_drawn_views_ < num_views_ && num_turned_views_ == 0),
+      "{}: {} of {} views are drawn and {} turned, expected some drawn, an exact one and none turned",
+      (directory / "manifest.json").string(), num_drawn_views_, num_views_, num_turned_views_);
   DAUMIER_CHECK(num_persons > 0 && faces_per_shard_ > 0 && num_views_ > 0 && num_turned_views_ >= 0 &&
                     num_faces_ >= int64_t(num_persons) * faces_per_shard_,
                 "{}: {} faces of {} persons in shards of {}", (directory / "manifest.json").string(), num_faces_,
@@ -98,9 +103,9 @@ SketchDatabase::Place SketchDatabase::Find(int face, int view) const {
 
 SketchFacts SketchDatabase::facts(int face, int view) const {
   DAUMIER_CHECK(has_facts(),
-                "{}: sketches of version 1, which lack landmarks, outlines, angles and gaps; styled drawings need "
-                "them. Build them again with `daumier dataset sketches`",
-                directory_.string());
+                "{}: sketches of version {}, which lack landmarks, outlines, angles and gaps; styled drawings need "
+                "them. Build sketches of the faces with `daumier dataset sketches`",
+                directory_.string(), version_);
   const auto [shard, row] = Find(face, view);
   const auto points_of = [&, shard = shard, row = row](const char* name, int64_t count) {
     const auto values = shard->at(name).As<float>().subspan(size_t(2 * row * count), size_t(2 * count));
@@ -142,7 +147,7 @@ std::vector<render::Stroke> SketchDatabase::strokes(int face, int view) const {
 std::vector<float> SketchDatabase::curve_points(int face, int view) const {
   std::vector<int> curves(static_cast<size_t>(num_curves_));
   std::iota(curves.begin(), curves.end(), 0);
-  return PointsOf(strokes(face, view), curves);
+  return PointsOf(strokes(face, labelled_view(view)), curves);
 }
 
 std::vector<float> PointsOf(const std::vector<render::Stroke>& strokes, std::span<const int> which) {

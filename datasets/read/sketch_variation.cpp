@@ -12,6 +12,11 @@ AugmentedSketch VariedSketch(const SketchDatabase& sketches, int face, const Ske
   }
   Rng rng = Stream(seed, "augmentation", index);
   AugmentedSketch sketch = Augment(sketches.strokes(face, view), variation.augmentation, rng);
+  if (view < sketches.num_drawn_views()) {
+    // Nobody labelled the strokes of a drawing: its curves are those of the exact view, and all of them are seen.
+    sketch.moved = sketches.strokes(face, sketches.labelled_view(view));
+    sketch.visible.clear();
+  }
   if (!variation.wrinkles) {
     std::erase_if(sketch.strokes, [&](const render::Stroke& stroke) {
       return IsWrinkleKind(sketches.kinds()[static_cast<size_t>(stroke.kind)]);

@@ -61,7 +61,7 @@ FittedBilinear FitCurvesOnTraining(const faces::FaceDatabase& database, const Sk
   std::vector<std::vector<float>> points(database.num_faces());
   for (const int face : split.train) {
     task.ThrowIfCancelled("stopped while the curves of sketches were read; nothing was written");
-    points.at(face) = PointsOf(sketches.strokes(face), sketches.feature_curves());
+    points.at(face) = PointsOf(sketches.strokes(face, sketches.labelled_view(0)), sketches.feature_curves());
   }
   DAUMIER_CHECK(!split.train.empty(), "no face to fit the curves on");
   return Fit(

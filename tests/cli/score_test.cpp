@@ -122,5 +122,22 @@ TEST_F(ScoreCommand, TheTemplateMayBeThatOfWeightsThatNeedIt) {
   EXPECT_LT(Json::parse(result.out).at("groups").at(0).at("nme").get<double>(), 1e-3);
 }
 
+TEST_F(ScoreCommand, CountsTheVotesOfAStudy) {
+  WriteFileAtomically(folder_ / "votes.csv",
+                      "participant,item,method,place,question,value,seconds\n"
+                      "1,a,ours,2,best,1,3\n1,a,other,1,best,0,3\n2,a,ours,1,best,1,5\n2,a,other,2,best,0,5\n");
+  const ProcessResult text = Daumier({"score", In("votes.csv")});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, AllOf(HasSubstr("2 of 2"), HasSubstr("0 of 2"), HasSubstr("participants: 2, items: 1")));
+  const Json json = Json::parse(Daumier({"score", In("votes.csv"), "--json"}).out);
+  EXPECT_EQ(json.at("methods")[1].at("method"), "ours");
+  EXPECT_EQ(json.at("methods")[1].at("mean"), 1);
+  const ProcessResult both = Daumier({"score", In("votes.csv"), "--labels", In("labels.json")});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.err, HasSubstr("scored alone"));
+  WriteFileAtomically(folder_ / "notes.csv", "a,b\n");
+  EXPECT_THAT(Daumier({"score", In("notes.csv")}).err, HasSubstr("these are no votes"));
+}
+
 }  // namespace
 }  // namespace daumier::testing

@@ -5,6 +5,8 @@ export type Colour = [number, number, number];
 
 export interface Info {
   version: string;
+  /** What the page is for; absent: the studio. */
+  mode?: "studio" | "collect" | "study";
   can: { gestures: boolean; portraits: boolean; caricature: boolean };
   sheet: [number, number];
 }

@@ -1,15 +1,24 @@
 // Starts the page: the token, the head, the tabs.
 import { Api, takeToken } from "./api";
 import { createAvatarTab } from "./avatar/avatar_tab";
+import { CollectPage } from "./collect/collect_page";
 import { el } from "./dom";
 import { createDrawTab } from "./draw/draw_tab";
 import { createShapeTab } from "./shape/shape_tab";
 import { StudioPage } from "./studio";
+import { StudyPage } from "./study/study_page";
 import type { Tab } from "./tab";
 import { createTakeAwayTab } from "./take_away/take_away_tab";
 
 async function start(root: HTMLElement): Promise<void> {
-  const studio = new StudioPage(new Api(takeToken()));
+  const api = new Api(takeToken());
+  const { mode, sheet } = await api.info();
+  if (mode === "collect" || mode === "study") {
+    const other = mode === "collect" ? new CollectPage(api, sheet?.[0] ?? 512) : new StudyPage(api);
+    root.replaceChildren(other.page.element);
+    return other.start();
+  }
+  const studio = new StudioPage(api);
   const head = Promise.all([studio.api.head(), studio.api.triangles()]);
   for (const create of [createDrawTab, createShapeTab, createAvatarTab, createTakeAwayTab]) studio.add(create(studio));
   root.replaceChildren(studio.element);

@@ -113,7 +113,8 @@ class ExternalEvaluation {
 
   /// Fitted on the faces that the run was trained on.
   void MeasureBaselines() {
-    if (!same_topology_ || variation_.augmentation.strength > 0) return;
+    // The baselines read labelled curves, which drawings by hand lack.
+    if (!same_topology_ || variation_.augmentation.strength > 0 || sketches_.num_drawn_views() > 0) return;
     const std::optional<SketchRunData> own = OwnData();
     if (!own) return;
     log::Info("Fitting the training-free baselines on {} training faces", own->split.train.size());

@@ -107,9 +107,9 @@ TEST_F(SketchDatabaseTest, VersionOneHasNoFactsAndSaysSo) {
 }
 
 TEST_F(SketchDatabaseTest, NewerVersionsAreRefused) {
-  manifest_.details["version"] = SketchDatabase::kVersion + 1;
+  manifest_.details["version"] = SketchDatabase::kDrawnVersion + 1;
   WriteManifest(directory_.path(), manifest_);
-  ExpectError([&] { SketchDatabase(directory_.path()); }, "sketches of version 3, expected 1 to 2");
+  ExpectError([&] { SketchDatabase(directory_.path()); }, "sketches of version 4, expected 1 to 3");
 }
 
 TEST_F(SketchDatabaseTest, VersionTwoWithoutItsArraysIsRefused) {
@@ -126,6 +126,27 @@ TEST_F(SketchDatabaseTest, TurnedViewsFollowTheOthers) {
   EXPECT_EQ(sketches.num_views(), 1);
   EXPECT_EQ(sketches.num_turned_views(), 1);
   EXPECT_EQ(sketches.strokes(0, 1)[0].points.size(), 3u);
+}
+
+TEST_F(SketchDatabaseTest, DrawnViewsHaveTheCurvesOfTheExactOne) {
+  manifest_.counts = {{"persons", 1}, {"faces", 1}, {"faces_per_shard", 1}, {"views_per_face", 2}};
+  manifest_.details["version"] = SketchDatabase::kDrawnVersion;
+  ExpectError([&] { WriteManifest(directory_.path(), manifest_), SketchDatabase(directory_.path()); }, "drawn_views");
+  manifest_.details["drawn_views"] = 1;
+  WriteManifest(directory_.path(), manifest_);
+  const SketchDatabase sketches(directory_.path());
+  EXPECT_EQ(sketches.num_views(), 2);
+  EXPECT_EQ(sketches.num_drawn_views(), 1);
+  EXPECT_EQ(sketches.labelled_view(0), 1);
+  EXPECT_EQ(sketches.labelled_view(1), 1);
+  EXPECT_EQ(sketches.strokes(0)[0].points.size(), 1u);
+  EXPECT_EQ(sketches.curve_points(0), (std::vector<float>{7, 8, 9, 10, 11, 12}));
+  EXPECT_FALSE(sketches.has_facts());
+  for (const int drawn_views : {0, 2}) {
+    manifest_.details["drawn_views"] = drawn_views;
+    WriteManifest(directory_.path(), manifest_);
+    ExpectError([&] { SketchDatabase(directory_.path()); }, "of 2 views are drawn");
+  }
 }
 
 TEST(SketchKinds, LipsAndSuggestiveContoursAreWrinkles) {

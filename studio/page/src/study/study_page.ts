@@ -1,0 +1,110 @@
+// A study: a picture and what methods made of it, without their names. The best one is chosen, or each is rated.
+import type { Api } from "../api";
+import { button, el } from "../dom";
+import { PlainPage, setPicture } from "../plain_page";
+import { Answers, kMeanings, type Question } from "./answers";
+
+interface State {
+  participant: number;
+  done: number;
+  total: number;
+  kind: "best" | "ratings";
+  questions: Question[];
+  greatest: number;
+  item: { number: number; results: { views: string[] }[] } | null;
+}
+
+const kLetters = "ABCDEF";
+
+export class StudyPage {
+  readonly page = new PlainPage("Compare");
+  private readonly nextButton = button("Next", () => this.next(), { class: "primary" });
+  private answers: Answers | null = null;
+  private state: State | null = null;
+  private shownAt = 0;
+  private busy = false;
+
+  constructor(private readonly api: Api) {}
+
+  async start(): Promise<void> {
+    this.take(await this.api.get<State>("/api/study"));
+  }
+
+  /** A participant begins or goes on. */
+  private take(state: State): void {
+    this.state = state;
+    this.showProgress();
+    if (!state.item) {
+      this.thank(state);
+      return;
+    }
+    const ask = state.kind === "best"
+      ? ["You will see pictures, and two or more models of each. Choose one of the models:", kMeanings.best]
+      : ["You will see pictures, and two or more models of each. Rate every model from 1 (very poor) to 5 (very good):",
+        ...state.questions.map((question) => `${titleOf(question)}: ${kMeanings[question]}`)];
+    this.page.showCard(`Participant ${state.participant}`, [...ask, "Models come in another order each time. There is no right answer, and no limit of time."],
+      { label: state.done === 0 ? "Begin" : "Go on", run: () => void this.showItem().catch((error) => this.page.fail(error)) });
+  }
+  private thank(state: State): void {
+    this.page.showCard("Thank you", [`Participant ${state.participant} has answered all ${state.total}. You can close this page.`],
+      { label: "Next participant", run: () => {
+        this.api.post<State>("/api/study/participants").then((next) => this.take(next), (error) => this.page.fail(error));
+      } });
+  }
+  private showProgress(): void {
+    if (!this.state) return;
+    const { done, total, item } = this.state;
+    this.page.progress(done, total, item ? `${done + 1} of ${total}` : `${done} of ${total}`);
+  }
+  private async showItem(): Promise<void> {
+    const state = this.state;
+    const item = state?.item;
+    this.showProgress();
+    if (!state || !item) return;
+    const waiting: Promise<void>[] = [];
+    const picture = (path: string, alt: string): HTMLImageElement => {
+      const image = el("img", { alt });
+      waiting.push(setPicture(image, this.api.blob(`/api/study/items/${item.number}/${path}`)));
+      return image;
+    };
+    const answers = new Answers(state.kind, state.questions, item.results.length, state.greatest, () => this.changed());
+    const columns = item.results.map((result, index) => {
+      const letter = kLetters[index] ?? String(index + 1);
+      return el("section", { class: "study-result", "aria-label": `Model ${letter}` }, el("h2", {}, letter),
+        el("div", { class: "study-pictures" }, ...result.views.map((view) => picture(`results/${index + 1}/${view}`, `Model ${letter}, ${view}`))),
+        answers.elementAt(index + 1, letter));
+    });
+    const layout = el("div", { class: "study" },
+      el("section", { class: "study-source", "aria-label": "Picture" }, el("h2", {}, "Picture"), picture("source", "The picture")),
+      el("div", { class: "study-results" }, ...columns),
+      el("div", { class: "study-actions" },
+        el("p", {}, state.kind === "best" ? kMeanings.best : "1 = very poor, 5 = very good"), this.nextButton));
+    await Promise.all(waiting);
+    this.answers = answers;
+    this.page.show(layout);
+    this.shownAt = performance.now();
+    this.changed();
+  }
+  private changed(): void {
+    this.nextButton.disabled = this.busy || !this.answers?.complete;
+  }
+  private next(): void {
+    const item = this.state?.item;
+    if (this.busy || !item || !this.answers?.complete) return;
+    this.busy = true;
+    this.changed();
+    const body = { item: item.number, seconds: Math.round(performance.now() - this.shownAt) / 1000, votes: this.answers.list };
+    this.api.post<State>("/api/study/votes", body).then(async (state) => {
+      this.state = state;
+      if (state.item) await this.showItem();
+      else this.take(state);
+    }).catch((error) => this.page.fail(error)).finally(() => {
+      this.busy = false;
+      this.changed();
+    });
+  }
+}
+
+function titleOf(question: Question): string {
+  return question.charAt(0).toUpperCase() + question.slice(1);
+}
