@@ -33,7 +33,8 @@ class Collector {
   Collector(std::filesystem::path folder, const ShownFaces& faces, const CollectorOptions& options,
             const std::vector<std::filesystem::path>& inputs = {});
 
-  /// {person, done, total, face: {number} or null}: drawings of the person, how many are wanted, and the face that is shown.
+  /// {person, done, total, face: {number} or null, next: the same}: drawings of the person, how many are wanted, the face that is shown, and
+  /// the one after it.
   Json State() const;
   /// A PNG of a face from "front" or "side". @throws NotFound.
   std::string Picture(int face, const std::string& view);

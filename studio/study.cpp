@@ -135,10 +135,21 @@ void Study::Begin(int participant) {
     if (vote.participant == std::to_string(participant)) done_.insert(vote.item);
 }
 
-std::optional<int> Study::Shown() const {
-  for (const int item : OrderOfItems(participant_, int(items_.size())))
-    if (!done_.contains(items_[size_t(item)].name)) return item;
-  return std::nullopt;
+std::vector<int> Study::Left() const {
+  std::vector<int> left = OrderOfItems(participant_, int(items_.size()));
+  std::erase_if(left, [&](int item) { return done_.contains(items_[size_t(item)].name); });
+  return left;
+}
+
+Json Study::Describe(int item) const {
+  const StudyItem& of = items_[size_t(item)];
+  Json results = Json::array();
+  for (const int result : OrderOfResults(participant_, of)) {
+    Json views = {kFront};
+    if (of.results[size_t(result)].is_mesh) views.push_back(kTurned);
+    results.push_back({{"views", std::move(views)}});
+  }
+  return {{"number", item}, {"results", std::move(results)}};
 }
 
 std::vector<std::string> Study::Questions() const {
@@ -147,24 +158,16 @@ std::vector<std::string> Study::Questions() const {
 }
 
 Json Study::StateNow() const {
-  const std::optional<int> shown = Shown();
-  Json item;
-  if (shown) {
-    const StudyItem& of = items_[size_t(*shown)];
-    Json results = Json::array();
-    for (const int result : OrderOfResults(participant_, of)) {
-      Json views = {kFront};
-      if (of.results[size_t(result)].is_mesh) views.push_back(kTurned);
-      results.push_back({{"views", std::move(views)}});
-    }
-    item = {{"number", *shown}, {"results", std::move(results)}};
-  }
-  const auto done = std::ranges::count_if(items_, [&](const StudyItem& each) { return done_.contains(each.name); });
+  const std::vector<int> left = Left();
   const bool is_best = kind_ == VoteKind::kBest;
-  return {{"participant", participant_}, {"done", done},
-          {"total", items_.size()},      {"kind", is_best ? "best" : "ratings"},
-          {"questions", Questions()},    {"greatest", is_best ? 1 : kGreatestRating},
-          {"item", std::move(item)}};
+  return {{"participant", participant_},
+          {"done", items_.size() - left.size()},
+          {"total", items_.size()},
+          {"kind", is_best ? "best" : "ratings"},
+          {"questions", Questions()},
+          {"greatest", is_best ? 1 : kGreatestRating},
+          {"item", left.empty() ? Json() : Describe(left[0])},
+          {"next", left.size() < 2 ? Json() : Describe(left[1])}};
 }
 
 Json Study::State() {
@@ -203,10 +206,10 @@ std::string Study::ResultPicture(int item, int place, const std::string& view) {
 
 Json Study::Keep(const Json& body) {
   const std::scoped_lock lock(mutex_);
-  const std::optional<int> shown = Shown();
-  if (!shown || NumberAt(body, "item") != *shown)
+  const std::vector<int> left = Left();
+  if (left.empty() || NumberAt(body, "item") != left[0])
     throw UsageError("this item is not the one that is shown. Reload the page");
-  const StudyItem& item = items_[size_t(*shown)];
+  const StudyItem& item = items_[size_t(left[0])];
   const double seconds = NumberAt(body, "seconds");
   if (!(seconds >= 0)) throw UsageError(fmt::format("'seconds' is {}, expected 0 or more", seconds));
   const bool is_best = kind_ == VoteKind::kBest;

@@ -50,7 +50,7 @@ class Study {
         std::optional<int> participant = std::nullopt);
 
   /// {participant, done, total, kind: "best" or "ratings", questions: [name, ...], greatest: 1 or 5, item: {number, results: [{views}, ...]} or
-  /// null}: results in the order in which they are shown, each with the names of its views.
+  /// null, next: the same of the item after it}: results in the order in which they are shown, each with the names of its views.
   Json State();
   std::string SourcePicture(int item) const;  ///< The bytes of the file. @throws NotFound.
   /// A PNG or JPEG of the result at a place (from 1) from "front" or "turned"; results that are pictures have "front" alone. @throws NotFound.
@@ -66,7 +66,8 @@ class Study {
 
  private:
   void Begin(int participant);
-  std::optional<int> Shown() const;
+  std::vector<int> Left() const;  ///< Items that the participant has not voted on, in their order.
+  Json Describe(int item) const;
   Json StateNow() const;
   std::vector<std::string> Questions() const;
   const StudyItem& ItemAt(int item) const;

@@ -10,6 +10,7 @@ interface State {
   done: number;
   total: number;
   face: { number: number } | null;
+  next: { number: number } | null;
 }
 
 /** An unfinished sheet, for a reload. */
@@ -80,15 +81,22 @@ export class CollectPage {
   }
   private async showFace(kept?: Kept): Promise<void> {
     const face = this.state?.face;
-    this.showProgress();
     if (!face) {
+      this.showProgress();
       this.thank();
       return;
     }
     // The time begins when the face is seen.
-    await Promise.all(this.views.map(({ view, image }) => setPicture(image, this.api.blob(`/api/collect/faces/${face.number}/${view}.png`))));
+    await Promise.all(this.views.map(({ view, image }) => setPicture(image, this.picture(face.number, view))));
+    this.showProgress();
     if (!this.layout.isConnected) this.page.show(this.layout);
     this.sheet.show(kept?.strokes, kept?.elapsedMs);
+    // The server draws the next face while a person draws this one.
+    const next = this.state?.next;
+    if (next) for (const { view } of this.views) this.picture(next.number, view).catch(() => undefined);
+  }
+  private picture(face: number, view: string): Promise<Blob> {
+    return this.api.blob(`/api/collect/faces/${face}/${view}.png`);
   }
   private changed(): void {
     const empty = this.sheet.strokes.length === 0;

@@ -4,6 +4,10 @@ import { button, el } from "../dom";
 import { PlainPage, setPicture } from "../plain_page";
 import { Answers, kMeanings, type Question } from "./answers";
 
+interface Item {
+  number: number;
+  results: { views: string[] }[];
+}
 interface State {
   participant: number;
   done: number;
@@ -11,7 +15,8 @@ interface State {
   kind: "best" | "ratings";
   questions: Question[];
   greatest: number;
-  item: { number: number; results: { views: string[] }[] } | null;
+  item: Item | null;
+  next: Item | null;
 }
 
 const kLetters = "ABCDEF";
@@ -59,12 +64,11 @@ export class StudyPage {
   private async showItem(): Promise<void> {
     const state = this.state;
     const item = state?.item;
-    this.showProgress();
     if (!state || !item) return;
     const waiting: Promise<void>[] = [];
     const picture = (path: string, alt: string): HTMLImageElement => {
       const image = el("img", { alt });
-      waiting.push(setPicture(image, this.api.blob(`/api/study/items/${item.number}/${path}`)));
+      waiting.push(setPicture(image, this.picture(item, path)));
       return image;
     };
     const answers = new Answers(state.kind, state.questions, item.results.length, state.greatest, () => this.changed());
@@ -81,9 +85,18 @@ export class StudyPage {
         el("p", {}, state.kind === "best" ? kMeanings.best : "1 = very poor, 5 = very good"), this.nextButton));
     await Promise.all(waiting);
     this.answers = answers;
+    this.showProgress();
     this.page.show(layout);
     this.shownAt = performance.now();
     this.changed();
+    // The server draws the next item while a person looks at this one.
+    const next = state.next;
+    next?.results.forEach(({ views }, index) => {
+      for (const view of views) this.picture(next, `results/${index + 1}/${view}`).catch(() => undefined);
+    });
+  }
+  private picture(item: Item, path: string): Promise<Blob> {
+    return this.api.blob(`/api/study/items/${item.number}/${path}`);
   }
   private changed(): void {
     this.nextButton.disabled = this.busy || !this.answers?.complete;
@@ -91,17 +104,20 @@ export class StudyPage {
   private next(): void {
     const item = this.state?.item;
     if (this.busy || !item || !this.answers?.complete) return;
-    this.busy = true;
-    this.changed();
+    this.setBusy(true);
     const body = { item: item.number, seconds: Math.round(performance.now() - this.shownAt) / 1000, votes: this.answers.list };
     this.api.post<State>("/api/study/votes", body).then(async (state) => {
       this.state = state;
       if (state.item) await this.showItem();
       else this.take(state);
-    }).catch((error) => this.page.fail(error)).finally(() => {
-      this.busy = false;
-      this.changed();
-    });
+    }).catch((error) => this.page.fail(error)).finally(() => this.setBusy(false));
+  }
+  /** What was voted on stays until the next item is there, and takes no more votes. */
+  private setBusy(busy: boolean): void {
+    this.busy = busy;
+    const shown = this.page.element.querySelector<HTMLElement>(".study");
+    if (shown) shown.inert = busy;
+    this.changed();
   }
 }
 
