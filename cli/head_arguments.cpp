@@ -1,5 +1,6 @@
 #include "cli/head_arguments.h"
 
+#include "core/error.h"
 #include "core/log.h"
 #include "core/process_task.h"
 #include "rig/clip_files.h"
@@ -39,6 +40,7 @@ Json SizesOf(const RigFiles& files) {
 }  // namespace
 
 void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
+  arguments.command = &command;
   command
       .add_option("-o,--out", arguments.out, "NAME.glb. A picture NAME.png of some expressions is written next to it")
       ->required();
@@ -76,6 +78,8 @@ void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
 }
 
 RigFiles CheckedHeadFiles(const HeadArguments& arguments, const std::vector<fs::path>& inputs) {
+  if (arguments.frames.empty() && arguments.command != nullptr && arguments.command->count("--frame-size") > 0)
+    throw UsageError("--frame-size: no frames are written. Add --frames FOLDER, or leave --frame-size out");
   RigFiles files =
       RigFilesOf(arguments.out, arguments.compress ? AlsoCompressed::kYes : AlsoCompressed::kNo,
                  arguments.vrm || PresetNamed(arguments.names) == rig::NamePreset::kVrm ? AlsoVrm::kYes : AlsoVrm::kNo,

@@ -17,9 +17,9 @@
 namespace daumier::cli {
 namespace {
 
-constexpr std::array<const char*, 9> kExcluded = {"--landmarks", "--texture", "--hair",   "--hair-colour",
-                                                  "--map",       "--apply",   "--meshes", "--keep-expression",
-                                                  "overrides"};
+constexpr std::array<const char*, 10> kExcluded = {
+    "--landmarks", "--texture", "--hair",   "--hair-colour",     "--cut",
+    "--map",       "--apply",   "--meshes", "--keep-expression", "overrides"};
 constexpr const char* kNothing = "_neutral";  // MediaPipe's first target.
 
 /// Without the target that moves nothing.
@@ -76,7 +76,8 @@ EditedRig RigEdited(const GivenFace& given, const FromArguments& arguments, Head
   for (const char* option : kExcluded)
     if (arguments.command->count(option) > 0)
       throw UsageError(fmt::format("--from {}: {} has no effect on a head that is made already. Leave it out",
-                                   arguments.head.string(), option));
+                                   arguments.head.string(),
+                                   option == std::string_view("overrides") ? "key=value (overrides)" : option));
   if (!given.is_mesh)
     throw UsageError(fmt::format("--from {}: {} is no mesh. Give the .obj or .ply of the edited head",
                                  arguments.head.string(), given.file.string()));

@@ -137,7 +137,8 @@ TEST_F(RigFromCommand, RefusesOtherMeshesHeadsAndOptions) {
       {RigFrom("edited.obj", "head.glb", "a.glb", {"--texture", png}), "--texture has no effect"},
       {RigFrom("edited.obj", "head.glb", "a.glb", {"--landmarks", In("edited.obj")}), "--landmarks has no effect"},
       {RigFrom("edited.obj", "head.glb", "a.glb", {"--hair", "short"}), "--hair has no effect"},
-      {RigFrom("edited.obj", "head.glb", "a.glb", {"source.name=ict"}), "overrides has no effect"},
+      {RigFrom("edited.obj", "head.glb", "a.glb", {"--cut"}), "--cut has no effect"},
+      {RigFrom("edited.obj", "head.glb", "a.glb", {"source.name=ict"}), "key=value (overrides) has no effect"},
       {RigFrom("edited.obj", "head.glb", "head.glb", {}), "head.glb"},
       {RigFrom("edited.obj", "none.glb", "a.glb"), "none.glb"}};
   for (const auto& [result, part] : misuses) {
