@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "core/process_task.h"
 #include "rig/clip_files.h"
+#include "rig/decimated_head.h"
 #include "rig/demo_clip.h"
 #include "rig/visemes.h"
 #include "rig/weight_limits.h"
@@ -27,6 +28,13 @@ void AddMixedTargets(std::span<const rig::Viseme> mixed, rig::MorphTargets& targ
   targets.names.insert(targets.names.end(), added.names.begin(), added.names.end());
   targets.offsets.conservativeResize(Eigen::NoChange, std::ssize(targets.names));
   targets.offsets.rightCols(added.num_targets()) = added.offsets;
+}
+
+/// Of the file: head, eyes, hair.
+Eigen::Index AllTriangles(const rig::RiggedHead& head) {
+  Eigen::Index count = rig::NumTriangles(head);
+  for (const rig::HeadAttachment& attachment : head.attachments) count += attachment.mesh.triangles.rows();
+  return count;
 }
 
 Json SizesOf(const RigFiles& files) {
@@ -120,7 +128,7 @@ Json WriteHeadFiles(const HeadArguments& arguments, const RigFiles& files, const
   if (files.frames) result["frames"] = files.frames->string();
   result["source"] = content.head.source;
   result["vertices"] = content.head.mesh.vertices.rows();
-  result["triangles"] = content.head.mesh.triangles.rows();
+  result["triangles"] = AllTriangles(content.head);
   result["targets"] = content.head.targets.num_targets();
   result["clip_frames"] = content.clip.num_frames();
   result.update(extras);
