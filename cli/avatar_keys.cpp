@@ -11,7 +11,8 @@ namespace {
 /// Calls `check` with each key as it is given: "avatar.texture.size".
 template <class Check>
 void ForEachKey(const Json& config, Check check) {
-  for (const auto& [pointer, value] : config.flatten().items()) {
+  const Json flat = config.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
     if (pointer.empty()) continue;  // An empty config.
     std::string key = pointer.substr(1);
     std::ranges::replace(key, '/', '.');

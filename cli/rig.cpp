@@ -5,6 +5,7 @@
 #include "cli/rig_from.h"
 #include "cli/rig_map.h"
 #include "cli/verb.h"
+#include "core/error.h"
 #include "core/log.h"
 #include "core/options.h"
 #include "core/parallel.h"
@@ -88,6 +89,10 @@ void Rig(const RigArguments& arguments) {
     content.head = HeadOf(*face);
     if (hair) AddHair(face->model.face_template, face->neutral, *hair, content.head);
   } else {
+    if (content.texture && !given.mesh.has_uv())
+      throw UsageError(
+          fmt::format("--texture {}: {} has no UV, which a texture needs. Export the mesh with UV, or leave it out",
+                      arguments.texture.string(), given.file.string()));
     if (arguments.keep_expression) WarnOfKeptExpression(given.file.string());
     const faces::FaceModel model = ModelForForeignHeads(source);
     RiggedForeignHead foreign =

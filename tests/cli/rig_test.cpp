@@ -253,6 +253,13 @@ TEST_F(RigOfForeignHeads, OpensSealedLipsWithCut) {
   EXPECT_EQ(names, (std::set<std::string>{"mouth", "skin"}));
 }
 
+TEST_F(RigOfForeignHeads, RefusesATextureWithoutUv) {
+  render::WriteImage(folder_ / "skin.png", render::Image(4, 4, 3, 200));
+  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--texture", In("skin.png")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("foreign.obj has no UV, which a texture needs. Export the mesh with UV"));
+}
+
 TEST_F(RigOfForeignHeads, StatesThatNothingWasCut) {
   const ProcessResult result =
       Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json", "--cut", "--keep-expression"});
