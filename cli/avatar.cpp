@@ -1,5 +1,6 @@
 #include "systems/portrait/avatar.h"
 #include "cli/avatar_drawing.h"
+#include "cli/avatar_keys.h"
 #include "cli/avatar_stages.h"
 #include "cli/head_arguments.h"
 #include "cli/head_hair.h"
@@ -40,6 +41,7 @@ struct AvatarArguments {
   HairArguments hair;
   HeadArguments head;
   ConfigArguments config;
+  const CLI::App* command = nullptr;  ///< That has the options.
 };
 
 /// All that key=value may set.
@@ -66,7 +68,9 @@ AvatarVerbConfig ConfigOf(const AvatarArguments& arguments) {
   set("face", "landmarks", "--landmarks", arguments.landmarks.string());
   set("face", "mask", "--mask", arguments.mask.string());
   set("avatar", "style", "--style", arguments.style);
-  return ParseOptions<AvatarVerbConfig>(config, arguments.config.Where());
+  const auto parsed = ParseOptions<AvatarVerbConfig>(config, arguments.config.Where());
+  CheckStyleKeys(config, parsed.avatar.style);
+  return parsed;
 }
 
 /// The picture of a portrait; nothing of a drawing by lines: by --as, its format, or what the picture shows.
@@ -114,6 +118,10 @@ MadeAvatar OfDrawing(const AvatarArguments& arguments, const AvatarVerbConfig& c
   if (!arguments.landmarks.empty() || !arguments.mask.empty() || !arguments.style.empty())
     throw UsageError(fmt::format("--landmarks, --mask and --style are for portraits, and {} is read as a drawing",
                                  arguments.input.string()));
+  if (arguments.command->count("--weights") > 0)
+    throw UsageError(
+        fmt::format("--weights: is of portraits, and {} is read as a drawing. Leave it out", arguments.input.string()));
+  CheckDrawingKeys(arguments.config.Load(), arguments.input.string());
   if (arguments.hair.style == "auto")
     throw UsageError("--hair auto reads the hair of portraits; name that of a drawing's head (--hair short)");
   DrawnHead drawn = MakeDrawnHead(arguments.input, config.palette, config.avatar.texture.size,
@@ -144,6 +152,7 @@ portrait::Avatar MakeNamed(const AvatarArguments& arguments, const std::string& 
 }
 
 MadeAvatar OfPortrait(const AvatarArguments& arguments, const AvatarVerbConfig& config, const render::Image& picture) {
+  CheckPortraitKeys(arguments.config.Load(), arguments.input.string());
   const Stopwatch watch;
   const std::vector<fs::path> places = systems::WeightsPlaces();
   const fs::path weights = systems::WeightsNamed(arguments.weights, systems::ListWeights(places), places);
@@ -205,7 +214,7 @@ void MakeAvatar(const AvatarArguments& arguments) {
   const std::vector<fs::path> inputs = {arguments.input, arguments.landmarks, arguments.mask};
   const RigFiles files = CheckedHeadFiles(arguments.head, inputs);
   if (!arguments.stages.empty()) CheckStages(arguments.stages, files, inputs);
-  HairLooks(arguments.hair);  // Refuses what is no colour.
+  CheckHair(arguments.hair);
   const std::optional<rig::WeightsClip> clip = ReadHeadClip(arguments.head);
   const std::optional<render::Image> portrait = ReadPortrait(arguments);
   MadeAvatar made = portrait ? OfPortrait(arguments, config, *portrait) : OfDrawing(arguments, config);
@@ -230,6 +239,7 @@ Verb AvatarVerb() {
       "avatar", "A portrait or a drawing to a textured head with eyes, teeth and 52 expressions (.glb)",
       [](CLI::App& command) {
         auto arguments = std::make_shared<AvatarArguments>();
+        arguments->command = &command;
         command
             .add_option("portrait", arguments->input,
                         "Picture of a face (PNG, JPEG, ...): a cartoon, a caricature or a photograph; of several faces "

@@ -1,8 +1,10 @@
 #include "cli/head_arguments.h"
 
+#include "core/error.h"
 #include "core/log.h"
 #include "core/process_task.h"
 #include "rig/clip_files.h"
+#include "rig/decimated_head.h"
 #include "rig/demo_clip.h"
 #include "rig/visemes.h"
 #include "rig/weight_limits.h"
@@ -28,6 +30,13 @@ void AddMixedTargets(std::span<const rig::Viseme> mixed, rig::MorphTargets& targ
   targets.offsets.rightCols(added.num_targets()) = added.offsets;
 }
 
+/// Of the file: head, eyes, hair.
+Eigen::Index AllTriangles(const rig::RiggedHead& head) {
+  Eigen::Index count = rig::NumTriangles(head);
+  for (const rig::HeadAttachment& attachment : head.attachments) count += attachment.mesh.triangles.rows();
+  return count;
+}
+
 Json SizesOf(const RigFiles& files) {
   Json sizes = Json::object();
   for (const auto& file :
@@ -39,6 +48,7 @@ Json SizesOf(const RigFiles& files) {
 }  // namespace
 
 void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
+  arguments.command = &command;
   command
       .add_option("-o,--out", arguments.out, "NAME.glb. A picture NAME.png of some expressions is written next to it")
       ->required();
@@ -76,6 +86,8 @@ void AddHeadArguments(CLI::App& command, HeadArguments& arguments) {
 }
 
 RigFiles CheckedHeadFiles(const HeadArguments& arguments, const std::vector<fs::path>& inputs) {
+  if (arguments.frames.empty() && arguments.command != nullptr && arguments.command->count("--frame-size") > 0)
+    throw UsageError("--frame-size: no frames are written. Add --frames FOLDER, or leave --frame-size out");
   RigFiles files =
       RigFilesOf(arguments.out, arguments.compress ? AlsoCompressed::kYes : AlsoCompressed::kNo,
                  arguments.vrm || PresetNamed(arguments.names) == rig::NamePreset::kVrm ? AlsoVrm::kYes : AlsoVrm::kNo,
@@ -116,7 +128,7 @@ Json WriteHeadFiles(const HeadArguments& arguments, const RigFiles& files, const
   if (files.frames) result["frames"] = files.frames->string();
   result["source"] = content.head.source;
   result["vertices"] = content.head.mesh.vertices.rows();
-  result["triangles"] = content.head.mesh.triangles.rows();
+  result["triangles"] = AllTriangles(content.head);
   result["targets"] = content.head.targets.num_targets();
   result["clip_frames"] = content.clip.num_frames();
   result.update(extras);

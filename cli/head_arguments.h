@@ -20,12 +20,14 @@ struct HeadArguments {
   bool compress = false, vrm = false, normals = false, visemes = false, force = false, as_json = false;
   int frame_size = 512;
   HeadExtras extras;
+  const CLI::App* command = nullptr;  ///< That has the options.
 };
 
 /// Adds --out, --animate, --frames, --names and the others to a command.
 void AddHeadArguments(CLI::App& command, HeadArguments& arguments);
 
-/// The files of a command that begins. @throws UsageError as RigFilesOf and CheckRigFiles.
+/// The files of a command that begins. @throws UsageError as RigFilesOf and CheckRigFiles, or if --frame-size is given
+/// without --frames.
 RigFiles CheckedHeadFiles(const HeadArguments& arguments, const std::vector<std::filesystem::path>& inputs);
 
 /// The clip of --animate, if it is given. @throws Error as rig::ReadClip.

@@ -1,6 +1,7 @@
 #include "cli/head_hair.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "faces/appearance/hair_mass.h"
 #include "render/svg_color.h"
 
@@ -24,17 +25,27 @@ void AddHairArguments(CLI::App& command, HairFrom from, HairArguments& arguments
                      "Its colour, as #40281a or a name of CSS; without it that of the picture, or brown");
 }
 
+void CheckHair(const HairArguments& arguments) {
+  if (arguments.colour.empty()) return;
+  if (!render::ParseSvgColor(arguments.colour))
+    throw UsageError(fmt::format("--hair-colour {}: is no colour (expected #40281a, rgb(64, 40, 26) or a name of CSS)",
+                                 arguments.colour));
+  if (arguments.style == "none")
+    throw UsageError(fmt::format(
+        "--hair-colour {}: there is no hair to colour. Add --hair NAME (--hair short), or leave --hair-colour out",
+        arguments.colour));
+}
+
 std::optional<faces::Looks> HairLooks(const HairArguments& arguments, const std::optional<faces::Looks>& shown) {
-  faces::Looks looks = shown.value_or(faces::Looks());
-  if (!arguments.colour.empty()) {
-    const auto colour = render::ParseSvgColor(arguments.colour);
-    if (!colour)
-      throw UsageError(fmt::format(
-          "--hair-colour {}: is no colour (expected #40281a, rgb(64, 40, 26) or a name of CSS)", arguments.colour));
-    looks.hair_colour = colour->rgb.cast<float>();
-  }
+  CheckHair(arguments);
   if (arguments.style == "none") return std::nullopt;
+  faces::Looks looks = shown.value_or(faces::Looks());
   if (arguments.style != "auto") looks.hair = faces::HairStyleNamed(arguments.style);
+  if (arguments.colour.empty()) return looks;
+  looks.hair_colour = render::ParseSvgColor(arguments.colour)->rgb.cast<float>();
+  if (looks.hair == faces::HairStyle::kBald)
+    log::Warn("--hair-colour {}: has no effect, the head is bald. Name hair with --hair (--hair short)",
+              arguments.colour);
   return looks;
 }
 

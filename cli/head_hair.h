@@ -20,8 +20,11 @@ enum class HairFrom { kName, kNameOrPicture };
 
 void AddHairArguments(CLI::App& command, HairFrom from, HairArguments& arguments);
 
-/// The looks of the arguments; nothing of "none". `shown`: as a picture shows hair, for "auto".
-/// @throws UsageError if a colour is none.
+/// @throws UsageError if the colour is none, or is given without hair.
+void CheckHair(const HairArguments& arguments);
+
+/// The looks of the arguments; nothing of "none". `shown`: as a picture shows hair, for "auto". Warns of a colour for a bald
+/// head. @throws UsageError as CheckHair.
 std::optional<faces::Looks> HairLooks(const HairArguments& arguments, const std::optional<faces::Looks>& shown = {});
 
 /// Adds hair to a head as the attachment "Hair"; nothing where it is bald. neutral: of the template, cm, in the head's frame.

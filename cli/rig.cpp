@@ -5,6 +5,7 @@
 #include "cli/rig_from.h"
 #include "cli/rig_map.h"
 #include "cli/verb.h"
+#include "core/error.h"
 #include "core/log.h"
 #include "core/options.h"
 #include "core/parallel.h"
@@ -63,6 +64,14 @@ rig::RiggedHead HeadOf(const FaceToRig& face) {
   return head_rig->On(face.neutral, expressions->On(face.neutral));
 }
 
+void WarnOfKeptExpression(const std::string& face) {
+  log::Warn(
+      "--keep-expression: has no effect. {} is no face whose expression `daumier predict` states: its shape is taken "
+      "as "
+      "neutral, as it is",
+      face);
+}
+
 void Rig(const RigArguments& arguments) {
   const Stopwatch watch;
   const std::optional<faces::SourceOptions> source = SourceOf(arguments);
@@ -75,10 +84,16 @@ void Rig(const RigArguments& arguments) {
   Json facts = Json::object();
   if (const auto face = arguments.landmarks.empty() ? ReadFaceToRig(given, source, shown) : std::nullopt) {
     for (const std::string& remark : face->remarks) log::Info("{}: {}", face->name, remark);
+    if (arguments.keep_expression && !face->states_expression) WarnOfKeptExpression(face->name);
     if (arguments.cut) log::Warn("--cut: the lips and lids of {} are not sealed: nothing was cut", face->name);
     content.head = HeadOf(*face);
     if (hair) AddHair(face->model.face_template, face->neutral, *hair, content.head);
   } else {
+    if (content.texture && !given.mesh.has_uv())
+      throw UsageError(
+          fmt::format("--texture {}: {} has no UV, which a texture needs. Export the mesh with UV, or leave it out",
+                      arguments.texture.string(), given.file.string()));
+    if (arguments.keep_expression) WarnOfKeptExpression(given.file.string());
     const faces::FaceModel model = ModelForForeignHeads(source);
     RiggedForeignHead foreign =
         RigForeignHead(given, arguments.landmarks, model, content.texture ? TakenLook::kNone : TakenLook::kOwn,

@@ -196,9 +196,10 @@ std::optional<FaceToRig> ReadFaceToRig(const GivenFace& given, const std::option
     if (given.is_mesh && ShareOfEdges(given.mesh, face_template) < kLeastShareOfEdges) continue;
     FaceToRig result{std::move(*model), {}, given.file.stem().string(), {}};
     result.neutral = CheckedVertices(given, result.model.face_template);
-    if (expression == ShownExpression::kRemoved && given.is_mesh) {
+    if (given.is_mesh) {
       const Eigen::VectorXf weights = StatedExpression(given.file, result.model.expression_shapes.cols());
-      if (weights.size() > 0 && !weights.isZero(0)) {
+      result.states_expression = weights.size() > 0 && !weights.isZero(0);
+      if (result.states_expression && expression == ShownExpression::kRemoved) {
         const Eigen::VectorXd offset = (result.model.expression_shapes * weights).cast<double>();
         result.neutral -= Eigen::Map<const geometry::Points>(offset.data(), offset.size() / 3, 3);
         result.remarks.push_back("the expression of the prediction is removed (--keep-expression keeps it)");

@@ -48,6 +48,7 @@ struct FaceToRig {
   geometry::Points neutral;          ///< V x 3, cm.
   std::string name;                  ///< Of the file, or of the face in its database.
   std::vector<std::string> remarks;  ///< What was done to it.
+  bool states_expression = false;    ///< The prediction does, other than none.
 };
 
 /// The face of a mesh, or of a database, with the face model of its topology:

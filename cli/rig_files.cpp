@@ -41,6 +41,17 @@ ExistingFile MayReplace(bool may) {
   return may ? ExistingFile::kReplaced : ExistingFile::kKept;
 }
 
+/// Names the reason for which an input cannot be the sheet, which has no option of its own.
+void CheckSheet(const RigFiles& files, const std::vector<fs::path>& inputs) {
+  std::error_code ignored;
+  for (const fs::path& input : inputs)
+    if (fs::equivalent(input, files.sheet, ignored))
+      throw UsageError(
+          fmt::format("--out {}: the picture of expressions next to it is {}, which is an input and would be "
+                      "overwritten. Name another .glb, or another folder",
+                      files.head.string(), files.sheet.string()));
+}
+
 std::string FrameName(int frame) {
   return fmt::format("frame_{:05}.png", frame + 1);
 }
@@ -98,6 +109,7 @@ RigFiles RigFilesOf(const fs::path& out, AlsoCompressed compressed, AlsoVrm vrm,
 void CheckRigFiles(const RigFiles& files, const std::vector<fs::path>& inputs, bool replaces_all) {
   const bool is_own = IsOwnHead(files.head);
   CheckOutputFile(files.head, MayReplace(replaces_all || is_own), inputs);
+  CheckSheet(files, inputs);
   CheckOutputFile(files.sheet, MayReplace(replaces_all || is_own), inputs);
   for (const auto& copy : {files.compressed, files.vrm})
     if (copy) CheckOutputFile(*copy, MayReplace(replaces_all || IsOwnHead(*copy)), inputs);

@@ -145,6 +145,13 @@ void TakeOwnLook(const OwnLook& look, rig::ForeignHead& head) {
   for (rig::RiggedEye& eye : head.head.eyes) take(eye.mesh.triangles.rows(), eye.own);
 }
 
+Json AtRestJson(const rig::RestExpression& at_rest) {
+  const auto rounded = [](double value) { return std::round(1000 * value) / 1000; };
+  return {{"lip_gap", rounded(at_rest.lip_gap)},
+          {"corner_rise", rounded(at_rest.corner_rise)},
+          {"mouth_width", rounded(at_rest.mouth_width)}};
+}
+
 Json SlitsJson(const rig::HeadSlits& slits) {
   constexpr std::array<const char*, rig::kNumFaceSlits> kNames = {"mouth", "right_eye", "left_eye"};
   Json json = Json::object();
@@ -208,7 +215,8 @@ RiggedForeignHead RigForeignHead(const GivenFace& given, const fs::path& landmar
                 {"unit", frame.unit},
                 {"landmarks", std::move(landmarks.facts)},
                 {"registration", registered.row},
-                {"slits", SlitsJson(head.slits)}};
+                {"slits", SlitsJson(head.slits)},
+                {"at_rest", AtRestJson(head.at_rest)}};
   facts["registration"].erase("name");
   if (cut) facts["cut"] = std::move(cut->facts);
   return {std::move(head.head), geometry::Inverse(template_from_head).Apply(registered.vertices),

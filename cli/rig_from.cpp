@@ -17,9 +17,10 @@
 namespace daumier::cli {
 namespace {
 
-constexpr std::array<const char*, 9> kExcluded = {"--landmarks", "--texture", "--hair",   "--hair-colour",
-                                                  "--map",       "--apply",   "--meshes", "--keep-expression",
-                                                  "overrides"};
+constexpr std::array<const char*, 10> kExcluded = {
+    "--landmarks", "--texture", "--hair",   "--hair-colour",     "--cut",
+    "--map",       "--apply",   "--meshes", "--keep-expression", "overrides"};
+constexpr double kMostMissing = 0.01;
 constexpr const char* kNothing = "_neutral";  // MediaPipe's first target.
 
 /// Without the target that moves nothing.
@@ -56,6 +57,16 @@ void KeepOptions(const gltf::HeadInFile& file, const FromArguments& arguments, H
   of_head.normals = of_head.normals || file.has_normals;
 }
 
+/// Of vertices that were deleted: they are in the head again.
+void WarnOfMissing(const rig::EditedHead& edited, const std::string& file) {
+  if (edited.num_missing <= kMostMissing * edited.num_expected) return;
+  log::Warn(
+      "{}: {} of {} vertices ({:.1f} %) of the parts of the head that it has are missing in it. They are in the head "
+      "again, and move as what is around them. To edit them as well, export the whole mesh; what is to be gone, make "
+      "small or move inside instead of deleting it",
+      file, edited.num_missing, edited.num_expected, 100.0 * edited.num_missing / edited.num_expected);
+}
+
 double ToMicrometres(double mm) {
   return std::round(1000 * mm) / 1000;
 }
@@ -76,7 +87,8 @@ EditedRig RigEdited(const GivenFace& given, const FromArguments& arguments, Head
   for (const char* option : kExcluded)
     if (arguments.command->count(option) > 0)
       throw UsageError(fmt::format("--from {}: {} has no effect on a head that is made already. Leave it out",
-                                   arguments.head.string(), option));
+                                   arguments.head.string(),
+                                   option == std::string_view("overrides") ? "key=value (overrides)" : option));
   if (!given.is_mesh)
     throw UsageError(fmt::format("--from {}: {} is no mesh. Give the .obj or .ply of the edited head",
                                  arguments.head.string(), given.file.string()));
@@ -92,11 +104,13 @@ EditedRig RigEdited(const GivenFace& given, const FromArguments& arguments, Head
   rig::EditedHead edited = rig::ApplyEdit(file.head, match);
   if (edited.most_edit_mm == 0)
     log::Warn("{}: has the shape of {}: nothing was edited", given.file.string(), arguments.head.string());
+  WarnOfMissing(edited, given.file.string());
   KeepOptions(file, arguments, of_head);
   EditedRig result;
   result.facts = {{"from", arguments.head.string()},
                   {"edited_vertices", match.num_vertices},
                   {"matched_vertices", edited.num_matched},
+                  {"missing_vertices", edited.num_missing},
                   {"matched_by", match.by == rig::MatchedBy::kUv ? "uv" : "order"},
                   {"axes", match.axes},
                   {"unit", match.unit},

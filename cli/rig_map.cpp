@@ -134,8 +134,11 @@ void CheckOptions(const MapArguments& arguments) {
   const bool makes_weights = is_given("--map") || is_given("--meshes");
   if (!makes_weights && is_given("--fps")) throw UsageError("--fps is an option of --meshes and of --map with --apply");
   if (!makes_weights) return;
+  if (is_given("--map") && !is_given("--apply") && is_given("--fps"))
+    throw UsageError("--fps: a map has no frames. Add --apply FILE, or leave --fps out");
   for (const char* of_heads : {"--animate", "--frames", "--frame-size", "--names", "--visemes", "--normals",
-                               "--compress", "--vrm", "--texture", "--keep-expression", "--from"})
+                               "--compress", "--vrm", "--texture", "--hair", "--hair-colour", "--triangles", "--print",
+                               "--print-pose", "--cut", "--keep-expression", "--from"})
     if (is_given(of_heads))
       throw UsageError(fmt::format("{}: {} makes weights and no head. Leave {} out", of_heads,
                                    is_given("--map") ? "--map" : "--meshes", of_heads));
@@ -212,6 +215,9 @@ void MapFaceModel(const MapArguments& arguments, const ConfigArguments& config, 
 
   rig::ExpressionMap map;
   std::optional<rig::ModelExpressions> model;
+  if (is_map && !config.overrides.empty())
+    throw UsageError(fmt::format("{}: has no effect, {} is a map already and has its model in it. Leave it out",
+                                 config.overrides.front(), arguments.model.string()));
   if (is_map) {
     map = rig::ParseExpressionMap(ReadJson(arguments.model), arguments.model.string());
   } else {
@@ -221,6 +227,8 @@ void MapFaceModel(const MapArguments& arguments, const ConfigArguments& config, 
   }
   std::optional<rig::CoefficientFrames> frames;  // Before the model is registered, which takes long.
   if (applies) frames = ReadFrames(arguments.coefficients, map);
+  if (frames && !frames->seconds.empty() && arguments.command->count("--fps") > 0)
+    log::Warn("--fps: has no effect, {} states the times of its frames", arguments.coefficients.string());
   Json facts = Json::object();
   if (model) map = MapOfModel(*model, facts);
 

@@ -8,6 +8,7 @@
 #include "faces/import/mesh_folder.h"
 #include "faces/import/npy.h"
 #include "faces/marked_points.h"
+#include "gltf/head_reader.h"
 #include "render/read_drawing.h"
 #include "rig/clip_files.h"
 #include "rig/coefficient_file.h"
@@ -78,6 +79,7 @@ constexpr Target kTargets[] = {
     {"coefficients", "a.csv", ReadCoefficientFile},
     {"expression_map", "a.json",
      [](const std::filesystem::path& path) { rig::ParseExpressionMap(ReadJson(path), "map"); }},
+    {"head", "a.glb", [](const std::filesystem::path& path) { gltf::ReadHead(path); }},
 };
 
 }  // namespace

@@ -47,63 +47,74 @@ GlbFile::GlbFile(std::string bytes, std::string name) : bytes_(std::move(bytes))
   binary_ = std::string_view(bytes_).substr(chunk + 8);
 }
 
-const Json& GlbFile::Item(const char* list, int64_t index) const {
+int64_t GlbFile::Integer(const Json& value) const {
+  if (!value.is_number_integer()) FailDamaged("an index or a size is no whole number");
+  return value.get<int64_t>();
+}
+
+int64_t GlbFile::IntegerOr0(const Json& item, const char* key) const {
+  return item.contains(key) ? Integer(item.at(key)) : 0;
+}
+
+const Json& GlbFile::Item(const char* list, const Json& number) const {
+  const int64_t index = Integer(number);
   const Json& items = json_.at(list);
   if (!items.is_array() || index < 0 || index >= std::ssize(items))
     FailDamaged(fmt::format("there is no {} in {}", index, list));
   return items.at(size_t(index));
 }
 
-std::string_view GlbFile::ViewBytes(int64_t view) const {
+std::string_view GlbFile::ViewBytes(const Json& view) const {
   const Json& item = Item("bufferViews", view);
-  const auto offset = item.value("byteOffset", int64_t(0)), length = item.at("byteLength").get<int64_t>();
+  const int64_t offset = IntegerOr0(item, "byteOffset"), length = Integer(item.at("byteLength"));
   const auto size = std::ssize(binary_);
-  if (item.at("buffer").get<int>() != 0 || item.contains("byteStride") || offset < 0 || length < 0 || offset > size ||
+  if (Integer(item.at("buffer")) != 0 || item.contains("byteStride") || offset < 0 || length < 0 || offset > size ||
       length > size - offset)
-    FailDamaged(fmt::format("view {} is not in its buffer", view));
+    FailDamaged(fmt::format("view {} is not in its buffer", Integer(view)));
   return binary_.substr(size_t(offset), size_t(length));
 }
 
 std::string_view GlbFile::Elements(const Json& accessor, size_t size) const {
-  const std::string_view view = ViewBytes(accessor.at("bufferView").get<int64_t>());
-  const auto offset = accessor.value("byteOffset", int64_t(0)), count = accessor.at("count").get<int64_t>();
+  const std::string_view view = ViewBytes(accessor.at("bufferView"));
+  const int64_t offset = IntegerOr0(accessor, "byteOffset"), count = Integer(accessor.at("count"));
   if (offset < 0 || count < 0 || offset > std::ssize(view) || count > (std::ssize(view) - offset) / int64_t(size) ||
       accessor.contains("sparse"))
     FailDamaged("an accessor is not in its view");
   return view.substr(size_t(offset), size_t(count) * size);
 }
 
-FloatRows GlbFile::Floats(int64_t index, int columns) const {
+FloatRows GlbFile::Floats(const Json& index, int columns) const {
   const Json& accessor = Item("accessors", index);
-  if (accessor.at("componentType").get<int>() != kFloatType ||
+  if (Integer(accessor.at("componentType")) != kFloatType ||
       accessor.at("type").get<std::string>() != kElementTypes.at(size_t(columns - 1)))
-    FailDamaged(fmt::format("accessor {} has not {} floats an element", index, columns));
+    FailDamaged(fmt::format("accessor {} has not {} floats an element", Integer(index), columns));
   const std::string_view bytes = Elements(accessor, sizeof(float) * size_t(columns));
   FloatRows values(std::ssize(bytes) / int64_t(sizeof(float)) / columns, columns);
   if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-  if (!values.allFinite()) FailDamaged(fmt::format("accessor {} has a number that is not finite", index));
+  if (!values.allFinite()) FailDamaged(fmt::format("accessor {} has a number that is not finite", Integer(index)));
   return values;
 }
 
-std::vector<std::array<uint8_t, 4>> GlbFile::Colours(int64_t index) const {
+std::vector<std::array<uint8_t, 4>> GlbFile::Colours(const Json& index) const {
   const Json& accessor = Item("accessors", index);
-  if (accessor.at("componentType").get<int>() != kByteType || accessor.at("type").get<std::string>() != "VEC4")
-    FailDamaged(fmt::format("accessor {} has no colours", index));
+  if (Integer(accessor.at("componentType")) != kByteType || accessor.at("type").get<std::string>() != "VEC4")
+    FailDamaged(fmt::format("accessor {} has no colours", Integer(index)));
   const std::string_view bytes = Elements(accessor, 4);
   std::vector<std::array<uint8_t, 4>> colours(bytes.size() / 4);
   if (!bytes.empty()) std::memcpy(colours.data(), bytes.data(), bytes.size());
   return colours;
 }
 
-std::vector<uint32_t> GlbFile::Indices(int64_t index, int64_t num_vertices) const {
+std::vector<uint32_t> GlbFile::Indices(const Json& index, int64_t num_vertices) const {
   const Json& accessor = Item("accessors", index);
-  const int type = accessor.at("componentType").get<int>();
+  const int64_t type = Integer(accessor.at("componentType"));
   if ((type != kShortType && type != kIntType) || accessor.at("type").get<std::string>() != "SCALAR")
-    FailDamaged(fmt::format("accessor {} has no indices", index));
+    FailDamaged(fmt::format("accessor {} has no indices", Integer(index)));
   const size_t size = type == kShortType ? 2 : 4;
   const std::string_view bytes = Elements(accessor, size);
   std::vector<uint32_t> indices(bytes.size() / size);
-  if (indices.empty() || indices.size() % 3 != 0) FailDamaged(fmt::format("accessor {} has no triangles", index));
+  if (indices.empty() || indices.size() % 3 != 0)
+    FailDamaged(fmt::format("accessor {} has no triangles", Integer(index)));
   for (size_t i = 0; i < indices.size(); ++i) {
     std::memcpy(&indices[i], bytes.data() + i * size, size);
     if (int64_t(indices[i]) >= num_vertices)
@@ -112,8 +123,8 @@ std::vector<uint32_t> GlbFile::Indices(int64_t index, int64_t num_vertices) cons
   return indices;
 }
 
-std::string_view GlbFile::ImageBytes(int64_t image) const {
-  return ViewBytes(Item("images", image).at("bufferView").get<int64_t>());
+std::string_view GlbFile::ImageBytes(const Json& image) const {
+  return ViewBytes(Item("images", image).at("bufferView"));
 }
 
 }  // namespace daumier::gltf

@@ -22,25 +22,29 @@ class GlbFile {
   const std::string& name() const { return name_; }
   /// Its lists and keys may lack anything: read with at(), whose Json::exception means a damaged file.
   const Json& json() const { return json_; }
-  /// An item of a list of the document ("nodes", "meshes" ...). @throws Error if there is none.
-  const Json& Item(const char* list, int64_t index) const;
+  /// A whole number of the document. @throws Error if it is none.
+  int64_t Integer(const Json& value) const;
+  /// An item of a list of the document ("nodes", "meshes" ...). @throws Error if `number` is none of it.
+  const Json& Item(const char* list, const Json& number) const;
 
   /// count x columns of a float32 accessor. @throws Error on another type, a range outside the file, or a number that is
   /// not finite.
-  FloatRows Floats(int64_t accessor, int columns) const;
+  FloatRows Floats(const Json& accessor, int columns) const;
   /// Colours of 4 bytes. @throws Error as Floats.
-  std::vector<std::array<uint8_t, 4>> Colours(int64_t accessor) const;
+  std::vector<std::array<uint8_t, 4>> Colours(const Json& accessor) const;
   /// Corners of triangles, each below `num_vertices`. @throws Error as Floats, or if their number is no multiple of 3.
-  std::vector<uint32_t> Indices(int64_t accessor, int64_t num_vertices) const;
+  std::vector<uint32_t> Indices(const Json& accessor, int64_t num_vertices) const;
   /// The file of an image. @throws Error if it lies outside the file.
-  std::string_view ImageBytes(int64_t image) const;
+  std::string_view ImageBytes(const Json& image) const;
+  size_t num_binary_bytes() const { return binary_.size(); }
 
   /// @throws Error "NAME: is damaged: CAUSE. Repair".
   [[noreturn]] void FailDamaged(const std::string& cause) const;
 
  private:
   uint32_t Number(size_t at) const;
-  std::string_view ViewBytes(int64_t view) const;
+  int64_t IntegerOr0(const Json& item, const char* key) const;
+  std::string_view ViewBytes(const Json& view) const;
   /// The bytes of an accessor whose elements have `size` bytes.
   std::string_view Elements(const Json& accessor, size_t size) const;
 

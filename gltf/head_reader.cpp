@@ -18,6 +18,8 @@ namespace daumier::gltf {
 namespace {
 
 constexpr double kCmPerM = 100;
+constexpr float kMostMetres = 1e4F;   // Beyond it float32 has no millimetres.
+constexpr size_t kMostTargets = 256;  // Names of all presets, visemes and extras are fewer.
 
 /// A mesh of the file.
 struct FilePart {
@@ -32,13 +34,6 @@ struct FilePart {
 
   int num_vertices() const { return int(positions.rows()); }
 };
-
-geometry::Vector3 TranslationOf(const Json& node) {
-  geometry::Vector3 cm = geometry::Vector3::Zero();
-  if (!node.contains("translation")) return cm;
-  for (int c = 0; c < 3; ++c) cm[c] = kCmPerM * node.at("translation").at(size_t(c)).get<double>();
-  return cm;
-}
 
 float SrgbFromLinear(uint8_t value) {
   const double linear = value / 255.0;
@@ -59,7 +54,7 @@ class HeadReading {
     has_own_ = IsOwn(head[0].material);
     bool has_jaw = false;
     for (const Json& child : root.at("children")) {
-      const Json& node = file_.Item("nodes", child.get<int64_t>());
+      const Json& node = file_.Item("nodes", child);
       const std::string name = node.at("name");
       if (name.starts_with("Head_")) {
         head.push_back(PartOf(node));
@@ -92,7 +87,7 @@ class HeadReading {
 
   const Json& RootNode() const {
     const Json& roots = file_.Item("scenes", 0).at("nodes");
-    const Json& root = file_.Item("nodes", roots.at(0).get<int64_t>());
+    const Json& root = file_.Item("nodes", roots.at(0));
     DAUMIER_CHECK(root.value("name", std::string()) == "Head" && root.contains("mesh"),
                   "{}: has the nodes of Ready Player Me or VRM. Give the .glb that was written without --names rpm, or "
                   "write it with --names arkit",
@@ -107,26 +102,29 @@ class HeadReading {
     result_.head.head_pivot.setZero();
   }
 
-  FilePart PartOf(const Json& node) const {
-    const Json& mesh = file_.Item("meshes", node.at("mesh").get<int64_t>());
+  FilePart PartOf(const Json& node) {
+    const Json& mesh = file_.Item("meshes", node.at("mesh"));
     const Json& primitives = mesh.at("primitives");
     if (primitives.size() != 1)
       file_.FailDamaged(fmt::format("a mesh has {} primitives, expected 1", primitives.size()));
     const Json& primitive = primitives.at(0);
     const Json& attributes = primitive.at("attributes");
     FilePart part;
-    part.positions = file_.Floats(attributes.at("POSITION").get<int64_t>(), 3);
-    part.corners = file_.Indices(primitive.at("indices").get<int64_t>(), part.positions.rows());
-    part.material = primitive.at("material").get<int64_t>();
+    part.positions = file_.Floats(attributes.at("POSITION"), 3);
+    CheckLengths(part.positions);
+    num_vertices_ += size_t(part.positions.rows());  // Many nodes on few bytes would need any memory.
+    if (num_vertices_ > file_.num_binary_bytes() / (3 * sizeof(float))) file_.FailDamaged("its nodes share vertices");
+    part.corners = file_.Indices(primitive.at("indices"), part.positions.rows());
+    part.material = file_.Integer(primitive.at("material"));
     if (attributes.contains("TEXCOORD_0")) {
-      const FloatRows uv = file_.Floats(attributes.at("TEXCOORD_0").get<int64_t>(), 2);
+      const FloatRows uv = file_.Floats(attributes.at("TEXCOORD_0"), 2);
       CheckRows(uv.rows(), part);
       part.uv.resize(uv.rows(), 2);
       part.uv.col(0) = uv.col(0).cast<double>();
       part.uv.col(1) = 1 - uv.col(1).cast<double>().array();
     }
     if (attributes.contains("COLOR_0")) {
-      part.colours = file_.Colours(attributes.at("COLOR_0").get<int64_t>());
+      part.colours = file_.Colours(attributes.at("COLOR_0"));
       CheckRows(std::ssize(part.colours), part);
     }
     if (primitive.contains("targets")) ReadTargets(mesh, primitive.at("targets"), part);
@@ -138,14 +136,38 @@ class HeadReading {
       file_.FailDamaged(fmt::format("an attribute of {} vertices has {}", part.num_vertices(), rows));
   }
 
+  void CheckLengths(const FloatRows& metres) const {
+    if (metres.rows() > 0 && metres.cwiseAbs().maxCoeff() > kMostMetres)
+      file_.FailDamaged(fmt::format("a vertex is {:.3g} m away", metres.cwiseAbs().maxCoeff()));
+  }
+
+  /// Of a node, cm.
+  geometry::Vector3 TranslationOf(const Json& node) const {
+    geometry::Vector3 cm = geometry::Vector3::Zero();
+    if (!node.contains("translation")) return cm;
+    for (int c = 0; c < 3; ++c) cm[c] = kCmPerM * node.at("translation").at(size_t(c)).get<double>();
+    if (!(cm.cwiseAbs().maxCoeff() <= kCmPerM * kMostMetres))
+      file_.FailDamaged(fmt::format("a node is {:.3g} m away", cm.cwiseAbs().maxCoeff() / kCmPerM));
+    return cm;
+  }
+
+  float ShareOf(const Json& value) const {
+    const auto share = value.get<double>();
+    if (!(share >= 0 && share <= 1)) file_.FailDamaged(fmt::format("a colour has the share {:.3g}", share));
+    return float(share);
+  }
+
   void ReadTargets(const Json& mesh, const Json& targets, FilePart& part) const {
     part.names = mesh.at("extras").at("targetNames").get<std::vector<std::string>>();
+    if (targets.size() > kMostTargets)
+      file_.FailDamaged(fmt::format("{} targets, expected at most {}", targets.size(), kMostTargets));
     if (part.names.size() != targets.size())
       file_.FailDamaged(fmt::format("{} targets have {} names", targets.size(), part.names.size()));
     part.offsets.resize(3 * part.num_vertices(), std::ssize(targets));
     for (size_t t = 0; t < targets.size(); ++t) {
-      const FloatRows metres = file_.Floats(targets.at(t).at("POSITION").get<int64_t>(), 3);
+      const FloatRows metres = file_.Floats(targets.at(t).at("POSITION"), 3);
       CheckRows(metres.rows(), part);
+      CheckLengths(metres);
       part.offsets.col(Eigen::Index(t)) =
           float(kCmPerM) * Eigen::Map<const Eigen::VectorXf>(metres.data(), metres.size());
       part.has_normals = part.has_normals || targets.at(t).contains("NORMAL");
@@ -161,8 +183,8 @@ class HeadReading {
     const Json& item = file_.Item("materials", material);
     const Json& surface = item.at("pbrMetallicRoughness");
     rig::OwnMaterial own{.name = item.at("name").get<std::string>()};
-    for (size_t c = 0; c < 3; ++c) own.colour[c] = surface.at("baseColorFactor").at(c).get<float>();
-    own.opacity = surface.at("baseColorFactor").at(3).get<float>();
+    for (size_t c = 0; c < 3; ++c) own.colour[c] = ShareOf(surface.at("baseColorFactor").at(c));
+    own.opacity = ShareOf(surface.at("baseColorFactor").at(3));
     if (const auto image = ImageOf(surface))
       own.picture = std::make_shared<const std::string>(file_.ImageBytes(*image));
     result_.head.own_materials.push_back(std::move(own));
@@ -171,8 +193,8 @@ class HeadReading {
 
   std::optional<int64_t> ImageOf(const Json& surface) const {
     if (!surface.contains("baseColorTexture")) return std::nullopt;
-    const Json& texture = file_.Item("textures", surface.at("baseColorTexture").at("index").get<int64_t>());
-    return texture.at("source").get<int64_t>();
+    const Json& texture = file_.Item("textures", surface.at("baseColorTexture").at("index"));
+    return file_.Integer(texture.at("source"));
   }
 
   void ReadTexture(int64_t material) {
@@ -291,7 +313,7 @@ class HeadReading {
   void AddEye(const Json& node) {
     std::vector<FilePart> parts = {PartOf(node)};
     if (node.contains("children"))
-      for (const Json& child : node.at("children")) parts.push_back(PartOf(file_.Item("nodes", child.get<int64_t>())));
+      for (const Json& child : node.at("children")) parts.push_back(PartOf(file_.Item("nodes", child)));
     rig::RiggedEye eye;
     eye.centre = TranslationOf(node);
     result_.of_eye_vertices.push_back(Weld(parts));
@@ -319,6 +341,7 @@ class HeadReading {
   GlbFile file_;
   HeadInFile result_;
   bool has_own_ = false;
+  size_t num_vertices_ = 0;  ///< Of all parts.
   std::map<int64_t, int> own_rows_;
 };
 

@@ -68,29 +68,33 @@ MeanMotion MotionAround(const MovedVertices& moved, const geometry::Points& poin
   return moved.Motion(rows);
 }
 
-/// All vertices of the mesh, those without a match moved with the others.
-geometry::Points EditedVertices(const RiggedHead& head, const EditedMatch& match, const MovedVertices& moved) {
-  const int num_vertices = int(head.mesh.vertices.rows());
-  geometry::Points vertices = match.places.topRows(num_vertices);
+/// The vertices of all parts of the mesh, those without a match moved with the others; counts them.
+void PlaceAllVertices(const MovedVertices& moved, const EditedMatch& match, EditedHead& result) {
+  geometry::Points& vertices = result.head.mesh.vertices;
+  const int num_vertices = int(vertices.rows());
+  vertices = match.places.topRows(num_vertices);
   const std::vector<int> labels =
-      geometry::ConnectedComponents(geometry::VertexNeighbours(head.mesh.triangles, num_vertices));
+      geometry::ConnectedComponents(geometry::VertexNeighbours(result.head.mesh.triangles, num_vertices));
   std::vector<std::vector<int>> without(size_t(*std::ranges::max_element(labels)) + 1);
-  std::vector<bool> has_match(without.size(), false);
+  std::vector<int> num_matched(without.size(), 0);
   for (int v = 0; v < num_vertices; ++v) {
     const auto label = size_t(labels[size_t(v)]);
-    if (match.is_matched[size_t(v)]) has_match[label] = true;
+    num_matched[label] += match.is_matched[size_t(v)] ? 1 : 0;
     if (!match.is_matched[size_t(v)]) without[label].push_back(v);
   }
   for (size_t part = 0; part < without.size(); ++part) {
+    if (num_matched[part] > 0) {
+      result.num_expected += num_matched[part] + int(without[part].size());
+      result.num_missing += int(without[part].size());
+    }
     if (without[part].empty()) continue;
-    if (has_match[part]) {
+    if (num_matched[part] > 0) {
       for (const int v : without[part]) vertices.row(v) += moved.NearestMove(vertices.row(v).transpose()).transpose();
       continue;
     }
     const MeanMotion motion = MotionAround(moved, vertices(without[part], Eigen::all));
     for (const int v : without[part]) vertices.row(v) = motion.Apply(vertices.row(v).transpose()).transpose();
   }
-  return vertices;
 }
 
 void MoveEye(const EditedMatch& match, const MovedVertices& moved, Eigen::Index first, RiggedEye& eye) {
@@ -135,7 +139,7 @@ EditedHead ApplyEdit(const RiggedHead& head, const EditedMatch& match) {
   const MovedVertices moved(head, match);
   EditedHead result{.head = head};
   result.num_matched = int(std::ranges::count(match.is_matched, true));
-  result.head.mesh.vertices = EditedVertices(head, match, moved);
+  PlaceAllVertices(moved, match, result);
   Eigen::Index first = head.mesh.vertices.rows();
   for (RiggedEye& eye : result.head.eyes) {
     const Eigen::Index count = eye.mesh.vertices.rows();

@@ -10,6 +10,8 @@ namespace daumier::rig {
 struct EditedHead {
   RiggedHead head;
   int num_matched = 0;                        ///< Vertices of the head and its eyes.
+  int num_expected = 0;                       ///< Vertices of those parts of RiggedHead::mesh that have any match.
+  int num_missing = 0;                        ///< Of these, without a match.
   double mean_edit_mm = 0, most_edit_mm = 0;  ///< Over the matched vertices of RiggedHead::mesh.
   double most_target_change_mm = 0;           ///< Of all displacements.
   std::string most_changed_target = {};       ///< Empty if none changed.

@@ -141,6 +141,7 @@ ForeignRig::ForeignRig(const faces::FaceModel& model)
       targets_(model),
       head_rig_(model.face_template),
       interior_(model.face_template),
+      landmarks_(model.face_template.annotation.landmarks),
       slits_(SlitsOf(targets_.contact())),
       sides_(SidesOfTemplate({model.face_template.neutral, model.face_template.triangles}, slits_)) {}
 
@@ -211,6 +212,8 @@ ForeignHead ForeignRig::On(const geometry::TriangleMesh& head, const RegisteredT
   result.head.source = own.source;
   result.head.licence = own.licence;
   WarnOfSlits(result.slits, result.warnings);
+  result.at_rest = MeasureRest(registered.vertices, landmarks_);
+  for (std::string& warning : WarningsOf(result.at_rest)) result.warnings.push_back(std::move(warning));
   if (result.head.eyes.empty())
     result.warnings.push_back(
         "no eyeballs were found (expected two balls behind the lids, each a part of its own): eyes do not turn");

@@ -5,6 +5,7 @@
 #include "rig/head_parts.h"
 #include "rig/head_rig.h"
 #include "rig/head_slits.h"
+#include "rig/rest_expression.h"
 #include "rig/seam_cut.h"
 
 #include <string>
@@ -24,6 +25,7 @@ struct ForeignHead {
   std::vector<int> triangles;   ///< Rows of the head's triangles: those of `head.mesh`, then of its eyes.
   std::vector<FaceSide> sides;  ///< Of each vertex of the head.
   HeadSlits slits;              ///< slits.sides: of places.
+  RestExpression at_rest;       ///< Of the registered face.
   std::vector<std::string> warnings;
 };
 
@@ -36,7 +38,8 @@ class ForeignRig {
   /// The targets of the registered template (ExpressionTargets), carried to the vertices of the head (CarryTargets); lower
   /// teeth and tongue follow the jaw as one piece (HeadInterior::JawMotion), and skin around a ball stays in front of it.
   /// Eyes that are balls turn: without materials of their own, they get iris and pupil where they look.
-  /// head: cm, y up, the face to +z. Warnings name what is sealed or not found.
+  /// head: cm, y up, the face to +z. Warnings name what is sealed or not found, and
+  /// a mouth that is open or smiles at rest.
   /// @throws Error if nothing of the head lies on the template, or as MakeHeadSurface and CarryTargets.
   ForeignHead On(const geometry::TriangleMesh& head, const RegisteredTemplate& registered) const;
 
@@ -55,6 +58,7 @@ class ForeignRig {
   ExpressionTargets targets_;
   HeadRig head_rig_;
   HeadInterior interior_;
+  std::array<int, 68> landmarks_;
   FaceSlits slits_;
   std::vector<FaceSide> sides_;
 };

@@ -129,12 +129,15 @@ void Collector::WriteDatabase() const {
 }
 
 Json Collector::StateNow() const {
-  const auto done =
-      std::ranges::count_if(kept_, [&](const Kept& kept) { return kept.person == options_.person; });
+  const auto done = std::ranges::count_if(kept_, [&](const Kept& kept) { return kept.person == options_.person; });
   Json face, next;
   if (!queue_.empty()) face = {{"number", queue_.front()}};
   if (queue_.size() > 1) next = {{"number", queue_[1]}};
-  return {{"person", options_.person}, {"done", done}, {"total", done + std::ptrdiff_t(queue_.size())}, {"face", face}, {"next", next}};
+  return {{"person", options_.person},
+          {"done", done},
+          {"total", done + std::ptrdiff_t(queue_.size())},
+          {"face", face},
+          {"next", next}};
 }
 
 Json Collector::State() const {

@@ -75,7 +75,9 @@ LinearFile ReadBfm2017(const std::filesystem::path& path) {
 
 FaceModel LoadBfm(const std::filesystem::path& file, const AnnotationFile& annotation) {
   DAUMIER_CHECK(std::filesystem::exists(file), "{} does not exist", file.string());
-  return ImportLinearModel(IsHdf5(file) ? ReadBfm2017(file) : ReadBfm2009(file), annotation);
+  DAUMIER_CHECK(std::filesystem::file_size(file) > 0, "{} is empty. Copy or download it again", file.string());
+  const bool is_hdf5 = IsHdf5(file) || file.extension() == ".h5";  // Damaged ones are named by what they should be.
+  return ImportLinearModel(is_hdf5 ? ReadBfm2017(file) : ReadBfm2009(file), annotation);
 }
 
 }  // namespace daumier::faces

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,6 +87,23 @@ fs::path FindTMesh(const fs::path& folder) {
   throw Error(fmt::format("{} holds no processedData/tMesh; is it 3DCaricShop?", folder.string()));
 }
 
+/// Refuses meshes of a size with which no one can compute.
+geometry::PolygonMesh CheckedSize(geometry::PolygonMesh mesh, const std::string& name) {
+  constexpr double kMost = 1e30, kLeast = 1e-30;
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const auto& vertex : mesh.vertices.rowwise()) {
+    if (!vertex.allFinite()) continue;
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  if (!(low.array() <= high.array()).all()) return mesh;  // No vertex is finite.
+  const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()),
+               size = (high - low).maxCoeff();
+  DAUMIER_CHECK(farthest <= kMost, "{}: has coordinates up to {:.3g}. Export it in mm, cm or m", name, farthest);
+  DAUMIER_CHECK(size == 0 || size >= kLeast, "{}: is {:.3g} in size. Export it in mm, cm or m", name, size);
+  return mesh;
+}
+
 }  // namespace
 
 geometry::PolygonMesh ReadMesh(const fs::path& path) {
@@ -100,9 +118,9 @@ geometry::PolygonMesh ReadMesh(const fs::path& path) {
       "._ in front of its name.",
       name);
   const bool is_ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ");
-  if (is_ply || extension == ".ply") return geometry::ParsePly(bytes, name);
+  if (is_ply || extension == ".ply") return CheckedSize(geometry::ParsePly(bytes, name), name);
   if (const auto kind = OtherKind(extension, bytes)) throw Error(fmt::format("{}: {}", name, *kind));
-  return geometry::ParseObj(bytes, name);
+  return CheckedSize(geometry::ParseObj(bytes, name), name);
 }
 
 GivenFaces LoadMeshFolder(const fs::path& folder, const AnnotationFile& annotation, PersonOf person,

@@ -9,7 +9,8 @@ namespace daumier::faces {
 
 /// Positions, polygons and UV of a mesh; thread-safe. PLY is known by its first word or .ply, everything else is read as
 /// OBJ. @throws Error as geometry::ParseObj and geometry::ParsePly, and if the file is a folder, a drawing, a mesh in
-/// another format or what macOS keeps about a file (._NAME).
+/// another format or what macOS keeps about a file (._NAME), or if its size or places are beyond 1e-30 .. 1e30, whose
+/// squares and products are no numbers. Vertices may be not finite.
 geometry::PolygonMesh ReadMesh(const std::filesystem::path& path);
 
 /// Whom a file of a mesh folder shows.

@@ -66,6 +66,24 @@ TEST_F(AvatarCommand, RefusesWhatContradictsItselfOrIsUnknown) {
   expect_misuse({"--mask", In("nowhere.png")}, "nowhere.png");
   expect_misuse({"--caricature", "nan"}, "--caricature nan");
   expect_misuse({"--stages", In("head.glb")}, "is written there as well");
+  expect_misuse({"--hair-colour", "red"}, "there is no hair to colour. Add --hair");
+  expect_misuse({"palette.skin=red"}, "boy.jpg is read as a portrait, whose head is painted from it. Leave it out, or");
+  expect_misuse({"avatar.toon.eyes=0.2"}, "avatar.toon.eyes: has no effect. Add --style toon");
+  expect_misuse({"--style", "toon", "avatar.network.side=256"}, "Add --style FILE.onnx, or leave it out");
+  expect_misuse({"avatar.texture.delight=false", "avatar.texture.light_share=1"}, "Leave one of them out");
+  const std::string girl = (SourceRoot() / "docs/examples/drawings/girl.svg").string();
+  for (const char* option : {"face.fine=false", "avatar.keep_expression=true"}) {
+    const ProcessResult drawing = Daumier({"avatar", girl, "--out", In("head.glb"), option});
+    EXPECT_EQ(drawing.exit_code, 2) << option;
+    EXPECT_THAT(drawing.err, HasSubstr("girl.svg is read as a drawing. Leave it out"));
+  }
+  const ProcessResult weights = Daumier({"avatar", girl, "--out", In("head.glb"), "--weights", "portrait"});
+  EXPECT_EQ(weights.exit_code, 2);
+  EXPECT_THAT(weights.err, HasSubstr("--weights: is of portraits"));
+  WriteFileAtomically(folder_ / "face.png", ReadFile(portrait_));  // Pictures are read by their content.
+  const ProcessResult sheet = Daumier({"avatar", In("face.png"), "--out", In("face.glb")});
+  EXPECT_EQ(sheet.exit_code, 2);
+  EXPECT_THAT(sheet.err, HasSubstr("face.png, which is an input and would be overwritten. Name another .glb"));
 }
 
 TEST_F(AvatarCommand, NamesAMaskThatIsNone) {

@@ -46,6 +46,7 @@ TEST_F(HeadExtrasCommand, WritesAHeadOfFewerTrianglesAndAPrint) {
     for (const Json& primitive : mesh["primitives"])
       num_indices += head.accessor(primitive["indices"].get<int>())["count"].get<int64_t>();
   EXPECT_EQ(num_indices, 3 * summary["decimated"]["after"].get<int64_t>());
+  EXPECT_EQ(summary["triangles"], summary["decimated"]["after"]) << "eyes among them";
   EXPECT_EQ(head.json()["meshes"][0]["extras"]["targetNames"].size(), 52u);
 
   const std::string stl = ReadFile(folder_ / "head.stl");

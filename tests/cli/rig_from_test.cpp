@@ -11,6 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace daumier::testing {
 namespace {
 
@@ -54,6 +56,8 @@ TEST_F(RigFromCommand, WithoutAnEditGivesTheHeadAgain) {
   EXPECT_EQ(summary["matched_by"], "uv");
   EXPECT_EQ(summary["unit"], "metres");
   EXPECT_EQ(summary["edit_max_mm"], 0);
+  EXPECT_EQ(summary["missing_vertices"], 0);
+  EXPECT_THAT(result.err, ::testing::Not(HasSubstr("missing in it")));
   EXPECT_EQ(summary["target_change_max_mm"], 0);
   const gltf::HeadInFile before = gltf::ReadHead(folder_ / "head.glb"), after = gltf::ReadHead(folder_ / "same.glb");
   EXPECT_EQ(after.head.mesh.triangles, before.head.mesh.triangles);
@@ -61,6 +65,27 @@ TEST_F(RigFromCommand, WithoutAnEditGivesTheHeadAgain) {
   EXPECT_LT((after.head.targets.offsets - before.head.targets.offsets).cwiseAbs().maxCoeff(), 1.1e-4f);
   EXPECT_EQ(*after.texture, *before.texture);
   EXPECT_EQ(after.head.materials, before.head.materials);
+}
+
+TEST_F(RigFromCommand, WarnsOfAMeshThatWasDeletedInPart) {
+  geometry::TriangleMesh mesh = gltf::ReadHead(folder_ / "head.glb").head.mesh;
+  const int num_vertices = int(mesh.vertices.rows());
+  std::vector<int> rows;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f)
+    if (mesh.vertices(mesh.triangles(f, 0), 2) > -2) rows.push_back(int(f));
+  std::set<int> used;
+  for (const int f : rows) used.insert(mesh.triangles.row(f).begin(), mesh.triangles.row(f).end());
+  mesh.triangles = mesh.triangles(rows, Eigen::all).eval();
+  mesh.uv_triangles = mesh.uv_triangles(rows, Eigen::all).eval();
+  geometry::WriteObj(folder_ / "front.obj", mesh);
+  const ProcessResult result = RigFrom("front.obj", "head.glb", "front.glb", {"--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const int num_missing = num_vertices - int(used.size());
+  EXPECT_GT(num_missing, num_vertices / 4);
+  EXPECT_EQ(Json::parse(result.out)["missing_vertices"], num_missing);
+  EXPECT_THAT(result.err, HasSubstr(fmt::format("front.obj: {} of {} vertices ({:.1f} %)", num_missing, num_vertices,
+                                                100.0 * num_missing / num_vertices)));
+  EXPECT_EQ(gltf::ReadHead(folder_ / "front.glb").head.mesh.vertices.rows(), num_vertices) << "they are in it again";
 }
 
 TEST_F(RigFromCommand, TakesAnEditIntoHeadAndAvatar) {
@@ -137,7 +162,8 @@ TEST_F(RigFromCommand, RefusesOtherMeshesHeadsAndOptions) {
       {RigFrom("edited.obj", "head.glb", "a.glb", {"--texture", png}), "--texture has no effect"},
       {RigFrom("edited.obj", "head.glb", "a.glb", {"--landmarks", In("edited.obj")}), "--landmarks has no effect"},
       {RigFrom("edited.obj", "head.glb", "a.glb", {"--hair", "short"}), "--hair has no effect"},
-      {RigFrom("edited.obj", "head.glb", "a.glb", {"source.name=ict"}), "overrides has no effect"},
+      {RigFrom("edited.obj", "head.glb", "a.glb", {"--cut"}), "--cut has no effect"},
+      {RigFrom("edited.obj", "head.glb", "a.glb", {"source.name=ict"}), "key=value (overrides) has no effect"},
       {RigFrom("edited.obj", "head.glb", "head.glb", {}), "head.glb"},
       {RigFrom("edited.obj", "none.glb", "a.glb"), "none.glb"}};
   for (const auto& [result, part] : misuses) {

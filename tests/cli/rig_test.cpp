@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// The mean face of the shipped face model, as a mesh.
 class RigCommand : public ::testing::Test {
@@ -136,6 +137,7 @@ TEST_F(RigCommand, RigsFinishedHeadsAndRemovesTheExpressionThatAPredictionStates
   const auto expected =
       neutral.Floats(neutral.json()["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>());
   EXPECT_NEAR((highest("removed.glb", {}) - expected).cwiseAbs().maxCoeff(), 0, 2e-6);
+  EXPECT_THAT(Rig("predicted/portrait", "kept.glb", {"--keep-expression"}).err, Not(HasSubstr("has no effect")));
   EXPECT_GT((highest("kept.glb", {"--keep-expression"}) - expected).cwiseAbs().maxCoeff(), 1e-3);
 }
 
@@ -251,10 +253,18 @@ TEST_F(RigOfForeignHeads, OpensSealedLipsWithCut) {
   EXPECT_EQ(names, (std::set<std::string>{"mouth", "skin"}));
 }
 
+TEST_F(RigOfForeignHeads, RefusesATextureWithoutUv) {
+  render::WriteImage(folder_ / "skin.png", render::Image(4, 4, 3, 200));
+  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--texture", In("skin.png")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("foreign.obj has no UV, which a texture needs. Export the mesh with UV"));
+}
+
 TEST_F(RigOfForeignHeads, StatesThatNothingWasCut) {
-  const ProcessResult result = Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json", "--cut"});
+  const ProcessResult result =
+      Rig("foreign.obj", "head.glb", {"--landmarks", In("landmarks.txt"), "--json", "--cut", "--keep-expression"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("nothing was cut"));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("nothing was cut"), HasSubstr("--keep-expression: has no effect")));
   EXPECT_EQ(Json::parse(result.out)["cut"]["vertices"], 0);
   EXPECT_EQ(Json::parse(result.out)["vertices"], mesh_.vertices.rows());
 }
@@ -275,6 +285,7 @@ TEST_F(RigCommand, WritesAReadyPlayerMeHeadOfAtMost14MegabytesAndAVrm) {
 TEST_F(RigCommand, RefusesMisuse) {
   WriteFileAtomically(folder_ / "head.png", "a picture of mine");
   WriteFileAtomically(folder_ / "mine.glb", "no head");
+  WriteFileAtomically(folder_ / "atlas.png", "an atlas of mine");
   MakeDirectory(folder_ / "photos");
   WriteFileAtomically(folder_ / "photos/a.png", "precious");
   const std::vector<std::pair<ProcessResult, std::string>> misuses = {
@@ -286,6 +297,10 @@ TEST_F(RigCommand, RefusesMisuse) {
       {Rig("photos", "a.glb"), "is a folder"},
       {Rig("face.obj", "a.glb", {"--names", "maya"}), "--names"},
       {Rig("face.obj", "a.glb", {"source.nam=ict"}), "source.name"},
+      {Rig("face.obj", "a.glb", {"--hair-colour", "red"}), "--hair-colour red: there is no hair to colour. Add --hair"},
+      {Rig("face.obj", "a.glb", {"--frame-size", "64"}), "Add --frames FOLDER"},
+      {Rig("face.obj", "atlas.glb", {"--texture", In("atlas.png")}),
+       "atlas.glb: the picture of expressions next to it is "},
       {Rig("face.obj", "none/a.glb"), "none"}};
   for (const auto& [result, part] : misuses) {
     EXPECT_EQ(result.exit_code, 2) << part << ": " << result.err;
@@ -294,6 +309,15 @@ TEST_F(RigCommand, RefusesMisuse) {
   EXPECT_EQ(ReadFile(folder_ / "head.png"), "a picture of mine");
   EXPECT_EQ(ReadFile(folder_ / "mine.glb"), "no head");
   EXPECT_FALSE(fs::exists(folder_ / "head.glb"));
+}
+
+TEST_F(RigCommand, WarnsOfOptionsWithoutEffect) {
+  const ProcessResult result =
+      Rig("face.obj", "head.glb", {"--keep-expression", "--cut", "--hair", "bald", "--hair-colour", "red"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("--keep-expression: has no effect. face is no face whose expression"),
+                                HasSubstr("--cut: the lips and lids of face are not sealed"),
+                                HasSubstr("--hair-colour red: has no effect, the head is bald")));
 }
 
 TEST_F(RigCommand, ABadClipWritesNothing) {

@@ -92,6 +92,8 @@ TEST(ApplyEdit, MovesPartsThatTheMeshLacksAsWhatIsAroundThem) {
   for (Eigen::Index v = 0; v < first; ++v)
     if (v != 10) match.places.row(v) += Eigen::RowVector3d(0.5, 0, 1);
   const EditedHead edited = ApplyEdit(head, match);
+  EXPECT_EQ(edited.num_missing, 1) << "parts that the mesh lacks do not count";
+  EXPECT_EQ(edited.num_expected, first);
   const geometry::Points moves = edited.head.mesh.vertices - head.mesh.vertices;
   EXPECT_LT((moves.rowwise() - Eigen::RowVector3d(0.5, 0, 1)).cwiseAbs().maxCoeff(), 1e-9);
 }

@@ -1,4 +1,4 @@
-// The frame of the modes beside the studio: what is done of how much, one view, messages.
+// The frame of the modes that are not the studio: what is done of how much, one view, messages.
 import { isAbort } from "./api";
 import { el, iconButton } from "./dom";
 import { Theme } from "./theme";

@@ -111,6 +111,11 @@ TEST_F(BfmTest, WhatDoesNotFitIsRefused) {
   refused(File2009() + MatVariable("shapePC", {2, 1}, 9, BytesOf<double>({1, 2})), "shapePC has the shape (2, 1)");
   refused(File2009() + MatVariable("tl", {1, 3}, 9, BytesOf<double>({0, 1, 2})), "corner 0, expected");
   refused(File2009() + MatVariable("tl", {1, 4}, 9, BytesOf<double>({1, 2, 3, 4})), "tl is not F x 3");
+  const auto as_hdf5 = folder_ / "model2019.h5";
+  WriteFileAtomically(as_hdf5, "");
+  ExpectError([&] { LoadBfm(as_hdf5, testing::ForeignAnnotation()); }, "model2019.h5 is empty. Copy or download it");
+  WriteFileAtomically(as_hdf5, "<html>");
+  ExpectError([&] { LoadBfm(as_hdf5, testing::ForeignAnnotation()); }, "cannot be opened as an HDF5 file");
 }
 
 }  // namespace

@@ -78,6 +78,9 @@ TEST(ReadMesh, NamesWhatIsNoMesh) {
   refuses("._a.obj", std::string_view("\0\5\x16\7\0", 5), "what macOS keeps about a file");
   refuses("a.obj", "", "no vertex; is this an OBJ file?");
   refuses("a.ply", "v 0 0 0\n", "not a PLY file");
+  refuses("a.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n",
+          "has coordinates up to 1e+300. Export it in mm, cm or m");
+  refuses("a.obj", "v 0 0 0\nv 1e-300 0 0\nv 0 1e-300 0\nf 1 2 3\n", "is 1e-300 in size. Export it in mm, cm or m");
   for (const char* name : {"cloud.obj", "cloud"})
     refuses(name, "v 0 0 0\n", "has points, but no faces: a cloud of points (found 1 vertices");
   ExpectError([&] { ReadMesh(folder.path()); }, "a folder (expected an OBJ or PLY mesh). Name its files: ");

@@ -1,4 +1,4 @@
-// Collects drawings: a face in two views, a blank sheet beside it.
+// Collects drawings: a face in two views, and a blank sheet.
 import type { Api } from "../api";
 import { button, el } from "../dom";
 import { PlainPage, setPicture } from "../plain_page";
@@ -56,10 +56,10 @@ export class CollectPage {
     this.showProgress();
     if (!this.state.face) this.thank();
     else this.page.showCard("You will see faces, one at a time", [
-      "Draw each face from the front, as you see it, so that somebody else can recognise its shape and its expression.",
+      "Draw each face from the front, as you see it, so that another person can recognise its shape and its expression.",
       "Draw the outline of the head, the ears, brows, eyes, nose and mouth, and lines that matter. Leave out neck and hair.",
-      "The time that you take is recorded. There is no limit, and you can stop at any face and go on later.",
-    ], { label: this.state.done === 0 ? "Begin" : "Go on", run: () => void this.showFace().catch((error) => this.page.fail(error)) });
+      "The time that you take is recorded. There is no limit, and you can stop at any face and continue later.",
+    ], { label: this.state.done === 0 ? "Begin" : "Continue", run: () => void this.showFace().catch((error) => this.page.fail(error)) });
   }
 
   private kept(): Kept | null {

@@ -26,7 +26,7 @@ export class Sheet {
     new ResizeObserver(() => this.redraw()).observe(this.element);
   }
 
-  /** A new sheet, or one on which somebody began to draw some time ago. */
+  /** A new sheet, or one on which a person began to draw some time ago. */
   show(strokes: PenStroke[] = [], elapsedMs = 0): void {
     this.history = new StrokeHistory(strokes);
     this.stroke = null;

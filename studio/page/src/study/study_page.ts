@@ -2,7 +2,7 @@
 import type { Api } from "../api";
 import { button, el } from "../dom";
 import { PlainPage, setPicture } from "../plain_page";
-import { Answers, kMeanings, type Question } from "./answers";
+import { VoteSheet, kMeanings, type Question } from "./vote_sheet";
 
 interface Item {
   number: number;
@@ -24,7 +24,7 @@ const kLetters = "ABCDEF";
 export class StudyPage {
   readonly page = new PlainPage("Compare");
   private readonly nextButton = button("Next", () => this.next(), { class: "primary" });
-  private answers: Answers | null = null;
+  private votes: VoteSheet | null = null;
   private state: State | null = null;
   private shownAt = 0;
   private busy = false;
@@ -35,7 +35,7 @@ export class StudyPage {
     this.take(await this.api.get<State>("/api/study"));
   }
 
-  /** A participant begins or goes on. */
+  /** A participant begins or continues. */
   private take(state: State): void {
     this.state = state;
     this.showProgress();
@@ -43,15 +43,15 @@ export class StudyPage {
       this.thank(state);
       return;
     }
-    const ask = state.kind === "best"
+    const task = state.kind === "best"
       ? ["You will see pictures, and two or more models of each. Choose one of the models:", kMeanings.best]
       : ["You will see pictures, and two or more models of each. Rate every model from 1 (very poor) to 5 (very good):",
         ...state.questions.map((question) => `${titleOf(question)}: ${kMeanings[question]}`)];
-    this.page.showCard(`Participant ${state.participant}`, [...ask, "Models come in another order each time. There is no right answer, and no limit of time."],
-      { label: state.done === 0 ? "Begin" : "Go on", run: () => void this.showItem().catch((error) => this.page.fail(error)) });
+    this.page.showCard(`Participant ${state.participant}`, [...task, "Models come in another order each time. No vote is right or wrong, and no limit of time."],
+      { label: state.done === 0 ? "Begin" : "Continue", run: () => void this.showItem().catch((error) => this.page.fail(error)) });
   }
   private thank(state: State): void {
-    this.page.showCard("Thank you", [`Participant ${state.participant} has answered all ${state.total}. You can close this page.`],
+    this.page.showCard("Thank you", [`Participant ${state.participant} has voted on all ${state.total}. You can close this page.`],
       { label: "Next participant", run: () => {
         this.api.post<State>("/api/study/participants").then((next) => this.take(next), (error) => this.page.fail(error));
       } });
@@ -71,12 +71,12 @@ export class StudyPage {
       waiting.push(setPicture(image, this.picture(item, path)));
       return image;
     };
-    const answers = new Answers(state.kind, state.questions, item.results.length, state.greatest, () => this.changed());
+    const votes = new VoteSheet(state.kind, state.questions, item.results.length, state.greatest, () => this.changed());
     const columns = item.results.map((result, index) => {
       const letter = kLetters[index] ?? String(index + 1);
       return el("section", { class: "study-result", "aria-label": `Model ${letter}` }, el("h2", {}, letter),
         el("div", { class: "study-pictures" }, ...result.views.map((view) => picture(`results/${index + 1}/${view}`, `Model ${letter}, ${view}`))),
-        answers.elementAt(index + 1, letter));
+        votes.elementAt(index + 1, letter));
     });
     const layout = el("div", { class: "study" },
       el("section", { class: "study-source", "aria-label": "Picture" }, el("h2", {}, "Picture"), picture("source", "The picture")),
@@ -84,7 +84,7 @@ export class StudyPage {
       el("div", { class: "study-actions" },
         el("p", {}, state.kind === "best" ? kMeanings.best : "1 = very poor, 5 = very good"), this.nextButton));
     await Promise.all(waiting);
-    this.answers = answers;
+    this.votes = votes;
     this.showProgress();
     this.page.show(layout);
     this.shownAt = performance.now();
@@ -99,13 +99,13 @@ export class StudyPage {
     return this.api.blob(`/api/study/items/${item.number}/${path}`);
   }
   private changed(): void {
-    this.nextButton.disabled = this.busy || !this.answers?.complete;
+    this.nextButton.disabled = this.busy || !this.votes?.complete;
   }
   private next(): void {
     const item = this.state?.item;
-    if (this.busy || !item || !this.answers?.complete) return;
+    if (this.busy || !item || !this.votes?.complete) return;
     this.setBusy(true);
-    const body = { item: item.number, seconds: Math.round(performance.now() - this.shownAt) / 1000, votes: this.answers.list };
+    const body = { item: item.number, seconds: Math.round(performance.now() - this.shownAt) / 1000, votes: this.votes.list };
     this.api.post<State>("/api/study/votes", body).then(async (state) => {
       this.state = state;
       if (state.item) await this.showItem();

@@ -3,7 +3,7 @@ import { el } from "../dom";
 import { newId } from "../widgets";
 
 export type Question = "best" | "aesthetics" | "accuracy" | "similarity";
-export interface Answer {
+export interface Vote {
   place: number;
   question: Question;
   value: number;
@@ -17,22 +17,22 @@ export const kMeanings: Record<Question, string> = {
   similarity: "Does it look like the picture?",
 };
 
-export class Answers {
-  private readonly values = new Map<string, Answer>();
+export class VoteSheet {
+  private readonly values = new Map<string, Vote>();
   private readonly group = newId("best");
 
-  constructor(private readonly ask: "best" | "ratings", private readonly questions: readonly Question[], private readonly numPlaces: number,
+  constructor(private readonly kind: "best" | "ratings", private readonly questions: readonly Question[], private readonly numPlaces: number,
     private readonly greatest: number, private readonly changed: () => void) {}
 
-  get list(): Answer[] {
+  get list(): Vote[] {
     return [...this.values.values()];
   }
   get complete(): boolean {
-    return this.values.size === (this.ask === "best" ? 1 : this.numPlaces * this.questions.length);
+    return this.values.size === (this.kind === "best" ? 1 : this.numPlaces * this.questions.length);
   }
   /** The controls below the result at a place. */
   elementAt(place: number, letter: string): HTMLElement {
-    if (this.ask === "best") {
+    if (this.kind === "best") {
       const input = el("input", { type: "radio", name: this.group, onchange: () => this.set("best", { place, question: "best", value: 1 }) });
       return el("label", { class: "study-pick" }, input, el("span", {}, `Choose ${letter}`));
     }
@@ -49,8 +49,8 @@ export class Answers {
     }
     return el("fieldset", { class: "p-segments" }, el("legend", { title: kMeanings[question] }, question), row);
   }
-  private set(key: string, answer: Answer): void {
-    this.values.set(key, answer);
+  private set(key: string, vote: Vote): void {
+    this.values.set(key, vote);
     this.changed();
   }
 }
