@@ -48,9 +48,25 @@ void SetHeaders(httplib::Response& response) {
   response.set_header("Content-Security-Policy", kPolicy);
 }
 
+/// The library compresses texts that it has as a whole, by brotli at its slowest: seconds for the page, and longer than the
+/// connection within a machine takes for anything. It sends pieces of a given length as they are.
+template <class Bytes>
+void SetUncompressed(Bytes bytes, const std::string& type, httplib::Response& response) {
+  const size_t size = bytes.size();
+  response.set_content_provider(size, type,
+                                [bytes = std::move(bytes)](size_t offset, size_t length, httplib::DataSink& sink) {
+                                  return sink.write(bytes.data() + offset, length);
+                                });
+}
+
 void SetReply(const ApiReply& reply, httplib::Response& response) {
   response.status = reply.status;
-  if (reply.status != 204) response.set_content(reply.body, reply.type);
+  if (reply.status == 204) return;
+  // The error handler sees the sentence of an error.
+  if (reply.status >= 400 || reply.body.empty())
+    response.set_content(reply.body, reply.type);
+  else
+    SetUncompressed(reply.body, reply.type, response);
 }
 
 ApiReply Refused(int status, const std::string& sentence) {
@@ -119,7 +135,7 @@ void Server::AddPage() {
       const auto found = EmbeddedFiles().find(file.stem);
       if (found == EmbeddedFiles().end())
         return SetReply(Refused(404, "this program was built without its page"), response);
-      response.set_content(found->second.data(), found->second.size(), file.type);
+      SetUncompressed(found->second, file.type, response);
     });
 }
 

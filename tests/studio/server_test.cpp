@@ -111,6 +111,18 @@ TEST_F(ServerTest, TheApiNeedsTheTokenAndThePageDoesNot) {
   EXPECT_FALSE(Json::parse(refused->body)["error"].get<std::string>().empty());
 }
 
+TEST_F(ServerTest, ContentIsNotCompressed) {
+  for (const char* path : {"/api/openapi.json", "/api/shape", "/", "/page.js", "/page.css"}) {
+    if (!HasPage() && !std::string_view(path).starts_with("/api/")) continue;
+    const auto plain = NewClient().Get(path, Token({{"Accept-Encoding", "identity"}}));
+    const auto browser = NewClient().Get(path, Token({{"Accept-Encoding", "gzip, deflate, br, zstd"}}));
+    ASSERT_EQ(Status(browser), 200) << path;
+    EXPECT_FALSE(browser->has_header("Content-Encoding")) << path;
+    EXPECT_EQ(browser->get_header_value("Content-Length"), std::to_string(browser->body.size())) << path;
+    EXPECT_EQ(browser->body, plain->body) << path;
+  }
+}
+
 TEST_F(ServerTest, OtherHostsAndOriginsAreRefused) {
   for (const char* path : {"/api/info", "/", "/page.js"}) {
     EXPECT_EQ(GetStatus(path, Token({{"Host", "evil.example:" + std::to_string(server_.port())}})), 403) << path;
