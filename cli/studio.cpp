@@ -116,9 +116,9 @@ void ServePage(studio::Server& server, const StudioArguments& arguments, const s
 void ServeCollection(const StudioArguments& arguments) {
   const fs::path out = OutOfStudy(arguments.study);
   studio::CheckCollection(out, {arguments.study.collect});
-  const FolderOwner owner(out);
   const studio::ShownFaces faces(arguments.study.collect,
                                  [] { return faces::ReadFaceTemplate(deform::ShippedModel()); });
+  const FolderOwner owner(out);
   studio::Collector collector(out, faces, CollectorOptionsOf(arguments.study), {arguments.study.collect});
   studio::Server server(collector.routes(), arguments.port);
   ServePage(server, arguments, fmt::format("Drawings are kept in {}", out.string()));
@@ -132,11 +132,11 @@ void ServeStudy(const StudioArguments& arguments) {
 }
 
 void ServeStudio(const StudioArguments& arguments) {
+  CheckStudyArguments(arguments.study);
   if (!studio::HasPage())
     throw UsageError(
         "this program was built without the studio's page, which needs Node.js and npm's packages: ./dev build "
         "daumier");
-  CheckStudyArguments(arguments.study);
   if (!arguments.study.collect.empty()) return ServeCollection(arguments);
   if (!arguments.study.study.empty()) return ServeStudy(arguments);
   const fs::path folder = fs::absolute(arguments.folder.empty() ? DefaultFolder() : arguments.folder);
