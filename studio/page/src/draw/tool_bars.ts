@@ -9,7 +9,10 @@ export interface PenSettings {
   mirror: boolean;
   /** Pixels of the screen. */
   brushRadius: number;
+  /** A finger that has rubbed out a line of the face draws the new one next. */
+  penAfterEraser: boolean;
 }
+export const kFirstSettings: PenSettings = { stabiliser: 0, weight: 0, mirror: false, brushRadius: 18, penAfterEraser: true };
 
 export interface BarsHost {
   readonly settings: PenSettings;
@@ -240,6 +243,10 @@ export class ToolBars {
           this.host.settingsChanged();
         },
       }).element,
+      toggle("Pen after rubbing, by touch", settings.penAfterEraser, (on) => {
+        settings.penAfterEraser = on;
+        this.host.settingsChanged();
+      }),
       el("p", { class: "pop-note" }, "The stabiliser takes the tremor out of a slow hand. The weight changes the line, not the face."),
       el(
         "div",
