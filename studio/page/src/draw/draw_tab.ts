@@ -8,6 +8,7 @@ import { type KeyHost, pressKey } from "./draw_keys";
 import { takePicture } from "./picture_drop";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
+import { clearHandles } from "./handles";
 import { SheetTurn } from "./sheet_turn";
 import { kNoFaceYet, SessionDesk } from "./session_desk";
 import { StrokeInput, type StrokeContext } from "./stroke_input";
@@ -15,7 +16,7 @@ import { splitLoop } from "./loop_split";
 import type { Sample } from "./stroke_path";
 import { StrokeSender } from "./stroke_sender";
 import { kFirstSettings, ToolBars, type PenSettings } from "./tool_bars";
-import { cursorOf, firstTool, gestureWords, type ToolName } from "./tools";
+import { cursorOf, firstTool, gestureWords, usesHandles, type ToolName } from "./tools";
 
 /** Samples of the pen from which on a preview is worth a request. */
 const kFewSamples = 4;
@@ -73,6 +74,7 @@ class DrawTab implements Tab {
       get state() {
         return tab.session.state;
       },
+      turned: (yaw) => this.bars.setYaw(yaw),
       fail: (error) => studio.fail(error),
     });
     this.bars = this.makeBars();
@@ -148,6 +150,7 @@ class DrawTab implements Tab {
       settingsChanged: () => this.settingsChanged(),
       look: (yaw) => this.turn.look([yaw, 0]),
       roll: (level) => void this.session.send({ do: "roll", level, view: this.turn.view }),
+      clearHandles: () => void clearHandles(this.session),
       remark: (text) => this.studio.say(text, "warning"),
       menu: () => void this.desk.start.show(this.session.state !== null),
       rename: (name) => void this.desk.rename(name),
@@ -229,6 +232,7 @@ class DrawTab implements Tab {
     this.reference.remove();
     this.vertices = null;
     this.turn.view = [0, 0];
+    this.bars.setYaw(0);
     this.modeShown = null;
     this.paper.fit();
   }
@@ -265,7 +269,7 @@ class DrawTab implements Tab {
   }
   private showHandles(state: SessionState): void {
     if (!this.visible) return;
-    this.studio.viewer.setHandles(state.mode === "refine" ? state.handles : []);
+    this.studio.viewer.setHandles(state.mode === "refine" && usesHandles(this.tool) ? state.handles : []);
     this.studio.viewer.setRegion(state.mode === "refine" ? state.region : []);
   }
   private busyTimer = 0;
@@ -285,14 +289,17 @@ class DrawTab implements Tab {
     const state = this.session.state;
     if (!state || state.mode === mode) return;
     if (mode === "draw") {
-      this.studio.say("The lines are those of a face now. Undo (Ctrl+Z) leads back to a free drawing; the folder begins a new one.");
+      void this.desk.offerNew();
       return;
     }
+    if (state.mode === "draw") this.desk.tellOfLines();
     void this.session.send({ do: mode });
   }
   private setTool(tool: ToolName): void {
     this.tool = tool;
     this.refreshTools();
+    if (this.session.state) this.showHandles(this.session.state);
+    this.paper.invalidate("all");
   }
   private settingsChanged(): void {
     this.studio.remember("pen", this.settings);
