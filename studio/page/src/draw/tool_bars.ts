@@ -124,7 +124,7 @@ export class ToolBars {
     const draw = this.modes.get("draw");
     const isPast = state.mode !== "draw";
     draw?.setAttribute("aria-disabled", String(isPast));
-    if (draw) draw.title = isPast ? "The lines are those of a face now. New strokes begin a new drawing" : "Draw a face with a few lines (1)";
+    if (draw) draw.title = isPast ? "The lines are those of a face now. Free strokes need a new drawing" : "Draw a face with a few lines (1)";
     this.hint.textContent = withoutKeys(hintOf(state, tool, erased));
     this.updateWarnings(state);
     this.updateRail(state, tool);

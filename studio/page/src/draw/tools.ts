@@ -14,9 +14,9 @@ export interface Tool {
 }
 
 export const kModes: readonly { mode: Mode; label: string; key: string; about: string }[] = [
-  { mode: "draw", label: "Draw", key: "1", about: "Draw a face with a few lines" },
+  { mode: "draw", label: "Sketch", key: "1", about: "Draw a face with a few lines" },
   { mode: "follow_up", label: "Redraw", key: "2", about: "Erase a line of the face and draw it again" },
-  { mode: "refine", label: "Shape in 3-D", key: "3", about: "Turn the face and move its surface" },
+  { mode: "refine", label: "Sculpt", key: "3", about: "Turn the face and move its surface" },
 ];
 
 const kPen: Tool = { name: "pen", icon: "pen", label: "Pen", word: "Pen", key: "B" };
@@ -67,10 +67,10 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
     const gaps = state.open_ends.length;
     if (tool === "eraser")
       return gaps > 0 || erased
-        ? "Take the pen (B) and draw the new path of what is erased, or erase more."
+        ? "Erase more, or take the pen (B) and draw the new line from dot to dot."
         : "Rub over the part of a line that you want to change. Then draw its new path.";
     return gaps > 0
-      ? "Draw from one orange end to the other: the line snaps to them and the face follows."
+      ? "Draw from one orange dot to the other: the line snaps to them and the face follows."
       : erased
         ? "Draw the erased line again, near its old place."
         : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
