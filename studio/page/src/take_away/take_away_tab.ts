@@ -18,7 +18,7 @@ class TakeAwayTab implements Tab {
   readonly title = "Take away";
   readonly useFaceLabel = "Take away";
   readonly element: HTMLElement;
-  private readonly what = choice("What", (key) => this.choose(key));
+  private readonly what = choice("Take away:", (key) => this.choose(key));
   private readonly other = el("div", { class: "p-row", hidden: true });
   private readonly cards: FormatCard[];
   private readonly empty: HTMLElement;
@@ -47,7 +47,7 @@ class TakeAwayTab implements Tab {
     this.element = el(
       "div",
       { class: "p-panel p-take-away" },
-      el("div", { class: "p-scroll" }, el("div", { class: "p-what" }, el("h2", {}, "Take away"), this.what.element, this.other), this.empty, this.grid),
+      el("div", { class: "p-scroll" }, el("div", { class: "p-what" }, el("h2", { class: "visually-hidden" }, "Take away"), this.what.element, this.other), this.empty, this.grid),
     );
     studio.faces.onChange(() => this.shown && this.offer());
   }
@@ -85,7 +85,7 @@ class TakeAwayTab implements Tab {
   private allTargets(): Target[] {
     const shape = this.studio.recall<HistoryState<Shape> | null>("shape.history", null);
     return [
-      ...this.sessions.map((session): Target => ({ kind: "session", id: session.id, title: session.name })),
+      ...this.sessions.map((session): Target => ({ kind: "session", id: session.id, title: session.name, changed: session.changed })),
       ...(shape ? [{ kind: "shape", shape: shape.present, title: "The shape" } as const] : []),
       ...this.avatars.map((state): Target => ({ kind: "avatar", state, title: state.source.name })),
       ...this.studio.faces.faces.map((face): Target => ({ kind: "face", id: face.id, title: face.name })),
@@ -111,7 +111,8 @@ class TakeAwayTab implements Tab {
   }
   private subjectKey(): string | null {
     const body = this.studio.subject?.body;
-    if (!body) return null;
+    // After a reload: the drawing that is open in Draw.
+    if (!body) return this.studio.recall("session", "");
     return "session" in body ? body.session : "face" in body ? body.face : "shape";
   }
 

@@ -3,7 +3,7 @@ import type { Shape } from "../api_types";
 import { avatarKey, type AvatarState } from "../avatar/state";
 
 export type Target =
-  | { kind: "session"; id: string; title: string }
+  | { kind: "session"; id: string; title: string; changed: number }
   | { kind: "face"; id: string; title: string }
   | { kind: "shape"; shape: Shape; title: string }
   | { kind: "avatar"; state: AvatarState; title: string };
