@@ -203,7 +203,8 @@ class AvatarTab implements Tab {
     const heading = el("div", { class: "p-row p-spread p-heading" }, el("h2", { title: source.name }, source.name), other);
     const make = el("div", { class: "p-make" }, this.make);
     this.element.replaceChildren(
-      el("div", { class: "p-scroll" }, heading, this.pictureSection.element, options, make, this.avatarJob.element, this.result.element),
+      el("div", { class: "p-scroll" }, heading, options, this.pictureSection.element, this.avatarJob.element, this.result.element),
+      make,
     );
     this.showMake();
   }

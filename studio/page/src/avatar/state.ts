@@ -28,7 +28,7 @@ export const kMostHeads = 8;
 export const kAvatarSubjectKey = "avatar.subject";
 /** The key of a target that Take away is opened for. */
 export const kAskedKey = "take-away.asked";
-export const kNoPinOfAvatar = "A head of Avatar cannot be pinned: a pinned face has no picture. Take it away as a .glb.";
+export const kNoPinOfAvatar = "A head of Avatar is not pinned, for a pinned face has no picture. It is kept in the list of Take away.";
 export const kFirstOptions: AvatarOptions = { style: "none", caricature: 0, hair: "auto" };
 
 export interface AvatarBody {
