@@ -27,9 +27,16 @@ export function button(label: string, action: () => void, attributes: Attributes
 
 /** A button that shows an icon; the label is its name for screen readers and its tooltip, with a key if there is one. */
 export function iconButton(icon: IconName, label: string, action: () => void, key = ""): HTMLButtonElement {
-  const title = key === "" ? label : `${label} (${key})`;
+  const title = key === "" || matchMedia("(hover: none)").matches ? label : `${label} (${key})`;
   const made = el("button", { type: "button", class: "icon", "aria-label": label, title, onclick: () => action() });
   made.append(iconOf(icon));
+  return made;
+}
+
+/** Puts a short word below the icon of a button. */
+export function withWord(made: HTMLButtonElement, word: string): HTMLButtonElement {
+  made.classList.add("with-word");
+  made.append(el("span", { "aria-hidden": "true" }, word));
   return made;
 }
 

@@ -10,6 +10,8 @@ export interface TrayOwner {
   readonly subject: Subject | null;
   say(message: string, kind?: "info" | "warning" | "error"): void;
   fail(error: unknown): void;
+  /** A sentence why nothing can be pinned now, or null. */
+  whyNoPin(): string | null;
   /** The action of a click on a face, and its words; null where the shown tab has none. */
   faceAction(): { label: string; use: (face: Face) => void } | null;
 }
@@ -41,10 +43,11 @@ export class Tray implements FaceTray {
     for (const listener of this.listeners) listener();
   }
 
-  /** The button pins a drawing or a shape; a face that is pinned already cannot be pinned again. */
+  /** The button pins a drawing or a shape; where it cannot, it says why. */
   update(): void {
-    const subject = this.owner.subject;
-    this.pinButton.disabled = subject === null || subject.kind === "face";
+    const no = this.owner.whyNoPin();
+    this.pinButton.setAttribute("aria-disabled", String(no !== null));
+    this.pinButton.title = no ?? "Keeps the face that is shown";
     const action = this.owner.faceAction();
     for (const face of this.list.querySelectorAll<HTMLButtonElement>(".tray-face")) {
       face.disabled = action === null;
@@ -55,8 +58,10 @@ export class Tray implements FaceTray {
   }
 
   async pin(): Promise<void> {
-    const subject = this.owner.subject;
-    if (!subject || "face" in subject.body) return;
+    const { subject } = this.owner;
+    const no = this.owner.whyNoPin();
+    if (no !== null) this.owner.say(no);
+    if (no !== null || !subject || "face" in subject.body) return;
     try {
       const face = await this.owner.api.pinFace(subject.body);
       await this.refresh();

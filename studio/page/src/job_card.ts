@@ -91,10 +91,15 @@ export class JobCard {
   }
 }
 
+/** A long command line is wrapped. */
+const kMostRows = 5;
+const kLettersOfRow = 34;
+
 /** A command line that can be copied. */
 export function commandField(command: string): HTMLElement {
   const id = newId("command");
-  const field = el("input", { type: "text", id, class: "p-text p-command", readonly: true, value: command, onfocus: () => field.select() });
+  const rows = Math.min(kMostRows, Math.ceil(command.length / kLettersOfRow));
+  const field = el("textarea", { id, class: "p-text p-command", readonly: true, rows, spellcheck: "false", onfocus: () => field.select() }, command);
   const copied = el("span", { class: "p-hint", role: "status" });
   const copy = button("Copy", () => {
     field.select();

@@ -131,6 +131,12 @@ export class StudioPage implements Studio, TrayOwner {
     this.redoButton.disabled = !(tab?.redo && (tab.canRedo?.() ?? true));
     this.faces.update();
   }
+  whyNoPin(): string | null {
+    const no = this.current?.whyNoPin?.() ?? null;
+    if (no !== null) return no;
+    if (this.subject === null) return "There is no face to pin yet. Draw one, or open Shape.";
+    return this.subject.kind === "face" ? "This face is pinned already." : null;
+  }
   faceAction(): { label: string; use: (face: Face) => void } | null {
     const tab = this.current;
     if (!tab?.useFace) return null;

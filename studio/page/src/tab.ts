@@ -21,6 +21,8 @@ export interface Tab {
   drop?(file: File): Promise<boolean>;
   /** A person chose a face of the tray. Absent: the tray offers no choice while this tab is shown. */
   useFace?(face: { id: string; name: string }): void | Promise<void>;
+  /** A sentence why what this tab shows cannot be pinned; null or absent: the subject can. */
+  whyNoPin?(): string | null;
   /** What useFace does, as the label of a face in the tray: "Begin with". */
   readonly useFaceLabel?: string;
 }

@@ -47,6 +47,7 @@ export class Viewer {
   /** Why nothing is ever seen. */
   private fault: string | null = null;
   private frame = 0;
+  private readonly waiting: (() => void)[] = [];
   /** Vertices that arrived before the head. */
   private early: Float32Array | null = null;
 
@@ -106,6 +107,12 @@ export class Viewer {
     this.resize();
     if (this.early) this.setVertices(this.early);
     this.early = null;
+    for (const act of this.waiting.splice(0)) act();
+  }
+  /** Acts once the head has arrived: after a reload, vertices may be here before it. */
+  whenHead(act: () => void): void {
+    if (this.head) act();
+    else this.waiting.push(act);
   }
   private makeRenderer(): WebGLRenderer | null {
     let renderer: WebGLRenderer;

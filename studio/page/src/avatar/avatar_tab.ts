@@ -8,7 +8,20 @@ import { optionsPart } from "./options_part";
 import { PicturePart } from "./picture_part";
 import { ResultPart } from "./result_part";
 import { kPictures, startView } from "./start_view";
-import { avatarBody, isPortrait, kAvatarKey, kAvatarSubjectKey, kFirstOptions, type AvatarSource, type AvatarState } from "./state";
+import {
+  avatarBody,
+  avatarKey,
+  isPortrait,
+  kAskedKey,
+  kAvatarHeadsKey,
+  kAvatarKey,
+  kAvatarSubjectKey,
+  kFirstOptions,
+  kMostHeads,
+  kNoPinOfAvatar,
+  type AvatarSource,
+  type AvatarState,
+} from "./state";
 
 export function createAvatarTab(studio: Studio): Tab {
   return new AvatarTab(studio);
@@ -38,6 +51,7 @@ class AvatarTab implements Tab {
     this.avatarJob = new JobCard(studio.api);
     this.result = new ResultPart(studio, () => {
       this.markLast();
+      if (this.state) studio.remember(kAskedKey, avatarKey(this.state));
       studio.open("take-away");
     });
     this.pictureSection.body.append(this.landmarksJob.element, this.picture.element);
@@ -72,6 +86,10 @@ class AvatarTab implements Tab {
     return this.picture.canRedo;
   }
 
+  whyNoPin(): string | null {
+    return kNoPinOfAvatar;
+  }
+
   async drop(file: File): Promise<boolean> {
     const isClip = /\.(csv|jsonl)$/i.test(file.name) || (/\.json$/i.test(file.name) && /lendshape|categoryName|jawOpen/.test(await file.text()));
     if (isClip) {
@@ -92,18 +110,18 @@ class AvatarTab implements Tab {
   // The beginning: a file or a drawing.
 
   private async showStart(): Promise<void> {
-    const view = await startView(this.studio, (file) => this.run(this.takeFile(file)), (source) => this.run(this.takeSource(source)));
+    const before = this.state;
+    const view = await this.makeStart();
     // A file may have been dropped meanwhile.
-    if (this.state) return;
+    if (this.state !== before) return;
     this.element.replaceChildren(view);
-    if (this.shown) await this.result.show();
+    if (this.shown && !before) await this.result.show();
   }
-  private async startAgain(): Promise<void> {
-    this.cancelJobs();
-    this.result.forget();
-    this.state = null;
-    this.keep();
-    await this.showStart();
+  /** While a picture is worked on, it stays until another one is chosen. */
+  private makeStart(): Promise<HTMLElement> {
+    const { state } = this;
+    const back = state && { title: state.source.name, act: () => this.run(this.showWork(undefined, true)) };
+    return startView(this.studio, (file) => this.run(this.takeFile(file)), (source) => this.run(this.takeSource(source)), back);
   }
 
   private async takeFile(file: File): Promise<void> {
@@ -125,6 +143,7 @@ class AvatarTab implements Tab {
 
   private async takeSource(source: AvatarSource, bytes?: Blob): Promise<void> {
     const before = this.state;
+    if (before) this.keepHead(before);
     this.state = { source, options: { ...kFirstOptions, ...before?.options }, found: null, landmarks: null, job: null, made: null };
     try {
       await this.showWork(bytes);
@@ -157,13 +176,18 @@ class AvatarTab implements Tab {
 
   // The work: picture, options, the head.
 
-  private async showWork(bytes?: Blob): Promise<void> {
+  /** `again`: the picture that was worked on, with what is known of it. */
+  private async showWork(bytes?: Blob, again = false): Promise<void> {
     const { state } = this;
     if (!state) return;
     const { source } = state;
-    this.noFace = false;
-    this.cancelJobs();
-    if (source.kind === "session") {
+    if (!again) {
+      this.noFace = false;
+      this.cancelJobs();
+    }
+    if (again) {
+      // The part of the picture keeps its points and their undo.
+    } else if (source.kind === "session") {
       this.picture.setDrawing(await this.studio.api.session(source.id));
     } else {
       await this.picture.setPicture(source.name, bytes ?? (await this.studio.api.blob(`/api/uploads/${source.id}`)));
@@ -175,11 +199,12 @@ class AvatarTab implements Tab {
       await this.findLandmarks();
     };
     const options = optionsPart(state, () => this.keep(), () => this.run(readAgain()));
-    const other = button("Another picture", () => this.run(this.startAgain()), { kind: "quiet" });
+    const other = button("Another picture", () => this.run(this.showStart()), { kind: "quiet" });
     const heading = el("div", { class: "p-row p-spread p-heading" }, el("h2", { title: source.name }, source.name), other);
     const make = el("div", { class: "p-make" }, this.make);
     this.element.replaceChildren(
-      el("div", { class: "p-scroll" }, heading, this.pictureSection.element, options, make, this.avatarJob.element, this.result.element),
+      el("div", { class: "p-scroll" }, heading, options, this.pictureSection.element, this.avatarJob.element, this.result.element),
+      make,
     );
     this.showMake();
   }
@@ -196,6 +221,12 @@ class AvatarTab implements Tab {
   private keep(): void {
     this.studio.remember(kAvatarKey, this.state);
     this.showMake();
+  }
+  /** A head that was made can be taken away after another picture was chosen. */
+  private keepHead(state: AvatarState): void {
+    if (!state.job) return;
+    const others = this.studio.recall<AvatarState[]>(kAvatarHeadsKey, []).filter((each) => each.job !== state.job);
+    this.studio.remember(kAvatarHeadsKey, [state, ...others].slice(0, kMostHeads));
   }
   /** Take away begins with this head until a person works on another face. */
   private markLast(): void {

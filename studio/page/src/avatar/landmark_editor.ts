@@ -103,7 +103,7 @@ export class LandmarkEditor {
     }
     while (this.dots.length > points.length) this.dots.pop()?.remove();
     if (this.list.options.length !== points.length + 1) {
-      const title = points.length ? `${points.length} landmarks: choose one` : "No landmarks";
+      const title = points.length ? `${points.length} landmarks` : "No landmarks";
       this.list.replaceChildren(el("option", { value: "" }, title), ...points.map((_, index) => el("option", { value: index }, landmarkTitle(index))));
     }
     this.showPoints();

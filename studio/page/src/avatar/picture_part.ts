@@ -36,7 +36,8 @@ export class PicturePart {
     });
     const open = fileButton("Open .pts", ".pts,.txt", (file) => void this.openPts(file), { kind: "quiet" });
     this.place = button("Place the points by hand", () => this.moved(placedLandmarks(...this.size), true), { icon: "point" });
-    this.tools = el("div", { class: "p-row" }, this.place, this.again, this.save, open);
+    const files = el("details", { class: "p-how" }, el("summary", {}, "Files of points"), el("div", { class: "p-row" }, this.save, open));
+    this.tools = el("div", { class: "p-row" }, this.place, this.again, files);
   }
 
   get points(): Point[] {

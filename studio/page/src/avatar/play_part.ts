@@ -14,6 +14,9 @@ import { Player } from "./player";
 
 const kFew = ["jawOpen", "mouthSmileLeft", "eyeBlinkLeft", "browInnerUp"];
 
+/** The expression that the head has, over a reload. */
+export const kPoseKey = "avatar.pose";
+
 interface Row {
   names: ExpressionRow["names"];
   element: HTMLElement;
@@ -26,6 +29,8 @@ export class PlayPart {
   private readonly live: LiveStream;
   private player: Player | null = null;
   private weights: Weights = {};
+  private readonly chips = new Map<string, HTMLButtonElement>();
+  private readonly stopChip = button("Stop", () => this.pose(this.weights), { kind: "quiet", icon: "pause" });
   private rows: Row[] = [];
   private few: Row[] = [];
   private clip: Clip | null = null;
@@ -42,7 +47,6 @@ export class PlayPart {
   setHead(rig: RiggedHead): void {
     this.stop();
     this.player = new Player(this.studio.viewer, rig);
-    this.weights = {};
     const known = this.player.known(this.info.expressions);
     this.rows = expressionRows(known).map((row) => this.row(row));
     this.few = this.rows.filter((row) => kFew.includes(row.names[0]));
@@ -59,14 +63,28 @@ export class PlayPart {
     const chips = el(
       "div",
       { class: "p-chips", role: "group", "aria-label": "Expressions to play" },
-      button("Neutral", () => this.pose({}), { kind: "quiet" }),
-      ...kPresets.map((preset) => button(preset.name, () => this.pose(preset.weights), { kind: "quiet" })),
-      ...kMotions.map((motion) => button(motion.name, () => this.playOnce(motion.clip), { kind: "quiet", icon: "play" })),
+      this.chip("Neutral", () => this.pose({})),
+      ...kPresets.map((preset) => this.chip(preset.name, () => this.pose(preset.weights))),
+      ...kMotions.map((motion) => this.chip(motion.name, () => this.playOnce(motion), "play")),
+      this.stopChip,
     );
     const file = fileButton("Play a recording", ".csv,.json,.jsonl,.txt", (chosen) => void this.openClip(chosen), {
       title: "A CSV of Live Link Face or a JSON file of MediaPipe",
     });
     this.element.replaceChildren(chips, ...this.few.map((row) => row.element), all.element, el("div", { class: "p-row" }, file, this.listen.element), this.clipBox, this.liveWords, this.howToPost());
+    this.pose(this.studio.recall<Weights>(kPoseKey, {}));
+  }
+  private chip(name: string, act: () => void, icon?: "play"): HTMLButtonElement {
+    const made = button(name, act, { kind: "quiet", ...(icon ? { icon } : {}) });
+    this.chips.set(name, made);
+    return made;
+  }
+  /** The chip of what the head shows: a motion that runs, else the expression that it has. */
+  private markChips(motion: string | null): void {
+    const posed = kPresets.find((preset) => JSON.stringify(preset.weights) === JSON.stringify(this.weights))?.name;
+    const shown = motion ?? posed ?? (Object.values(this.weights).some(Boolean) ? null : "Neutral");
+    for (const [name, each] of this.chips) each.setAttribute("aria-pressed", String(name === shown));
+    this.stopChip.hidden = motion === null;
   }
 
   /** Reads a recording and plays it. */
@@ -90,6 +108,7 @@ export class PlayPart {
     this.player?.stop();
     this.setLive(false);
     this.showPlaying(null);
+    this.markChips(null);
   }
 
   private row(row: ExpressionRow): Row {
@@ -119,10 +138,17 @@ export class PlayPart {
     this.weights = weights;
     for (const row of this.rows) row.show(weights);
     this.player?.set(weights);
+    this.studio.remember(kPoseKey, weights);
+    this.markChips(null);
   }
-  private playOnce(clip: Clip): void {
-    this.pose({});
-    this.player?.play(clip, 0, () => {});
+  /** The head returns to its expression at the end. */
+  private playOnce({ name, clip }: { name: string; clip: Clip }): void {
+    const { weights } = this;
+    this.pose(weights);
+    this.markChips(name);
+    this.player?.play(clip, 0, (seconds) => {
+      if (seconds === null) this.pose(weights);
+    });
   }
 
   private playClip(from: number): void {

@@ -4,7 +4,7 @@ import { el } from "../dom";
 import { warningList } from "../job_card";
 import type { Studio } from "../tab";
 import { button, section } from "../widgets";
-import { PlayPart } from "./play_part";
+import { kPoseKey, PlayPart } from "./play_part";
 import { StagesStrip } from "./stages_strip";
 
 export class ResultPart {
@@ -72,6 +72,7 @@ export class ResultPart {
   }
   forget(): void {
     this.hide();
+    this.studio.remember(kPoseKey, {});
     this.play = null;
     this.bytes = null;
     this.element.hidden = true;

@@ -7,14 +7,22 @@ import type { AvatarSource } from "./state";
 
 export const kPictures = ".png,.jpg,.jpeg,.bmp,.webp,.svg,.gif,.tif,.tiff";
 
-export async function startView(studio: Studio, takeFile: (file: File) => void, takeSource: (source: AvatarSource) => void): Promise<HTMLElement> {
+/** `back`: the picture that is worked on, which stays until another one is chosen. */
+export async function startView(
+  studio: Studio,
+  takeFile: (file: File) => void,
+  takeSource: (source: AvatarSource) => void,
+  back: { title: string; act: () => void } | null,
+): Promise<HTMLElement> {
   const [sessions, info] = await Promise.all([studio.api.sessions().catch(() => []), studio.api.info()]);
-  const current = studio.subject?.body;
-  const drawing = sessions.find((session) => current && "session" in current && current.session === session.id) ?? sessions[0];
+  // The drawing that is open in Draw.
+  const open = studio.recall<string>("session", "");
+  const drawing = sessions.find((session) => session.id === open) ?? sessions[0];
   const use = drawing && button(`Use the drawing “${drawing.name}”`, () => takeSource({ kind: "session", id: drawing.id, name: drawing.name }), { icon: "pen" });
   return el(
     "div",
     { class: "p-scroll p-start" },
+    back && el("div", { class: "p-row" }, button(`Back to ${back.title}`, back.act, { icon: "undo" })),
     el(
       "div",
       { class: "p-drop" },

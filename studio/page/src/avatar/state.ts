@@ -21,8 +21,14 @@ export interface AvatarState {
 }
 
 export const kAvatarKey = "avatar.state";
+/** Heads of earlier pictures, newest first. */
+export const kAvatarHeadsKey = "avatar.heads";
+export const kMostHeads = 8;
 /** The subject of the page when the last avatar was made: while it stays, the avatar is the last thing a person worked on. */
 export const kAvatarSubjectKey = "avatar.subject";
+/** The key of a target that Take away is opened for. */
+export const kAskedKey = "take-away.asked";
+export const kNoPinOfAvatar = "A head of Avatar is not pinned, for a pinned face has no picture. It is kept in the list of Take away.";
 export const kFirstOptions: AvatarOptions = { style: "none", caricature: 0, hair: "auto" };
 
 export interface AvatarBody {
@@ -56,4 +62,9 @@ export function avatarBody(state: AvatarState): AvatarBody {
   }
   if (options.caricature > 0) body.options["caricature"] = options.caricature;
   return body;
+}
+
+/** Names the head of a state among what can be taken away. */
+export function avatarKey(state: AvatarState): string {
+  return `avatar ${state.job ?? ""}`;
 }

@@ -1,19 +1,22 @@
 // The tab Draw: a paper next to the 3-D face, in three modes.
-import type { Mode, Point, SessionState } from "../api_types";
+import type { Mode, Point, SessionEvent, SessionState } from "../api_types";
 import { el } from "../dom";
 import type { Studio, Tab } from "../tab";
 import { Paper } from "./paper";
-import type { LocalStroke, PaperContent } from "./paper_drawing";
+import type { PaperContent } from "./paper_drawing";
 import { type KeyHost, pressKey } from "./draw_keys";
 import { takePicture } from "./picture_drop";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
+import { clearHandles } from "./handles";
 import { SheetTurn } from "./sheet_turn";
 import { kNoFaceYet, SessionDesk } from "./session_desk";
 import { StrokeInput, type StrokeContext } from "./stroke_input";
-import { removedParts, type Sample } from "./stroke_path";
-import { ToolBars, type PenSettings } from "./tool_bars";
-import { cursorOf, firstTool, gestureWords, type ToolName } from "./tools";
+import { splitLoop } from "./loop_split";
+import type { Sample } from "./stroke_path";
+import { StrokeSender } from "./stroke_sender";
+import { kFirstSettings, ToolBars, type PenSettings } from "./tool_bars";
+import { cursorOf, firstTool, gestureWords, usesHandles, type ToolName } from "./tools";
 
 /** Samples of the pen from which on a preview is worth a request. */
 const kFewSamples = 4;
@@ -38,23 +41,21 @@ class DrawTab implements Tab {
   private tool: ToolName = "pen";
   private readonly stroke = new StrokeInput();
   private readonly turn: SheetTurn;
-  /** Strokes that the server has not drawn yet, by the number of their event. */
-  private pending = new Map<number, LocalStroke[]>();
-  private events = 0;
-  private ghosts: Point[][] = [];
+  private readonly sender: StrokeSender;
   private pen: Point | null = null;
   private vertices: Float32Array | null = null;
   private visible = false;
   private gestures = false;
 
   constructor(private readonly studio: Studio) {
-    this.settings = studio.recall<PenSettings>("pen", { stabiliser: 0, weight: 0, mirror: false, brushRadius: 18 });
+    this.settings = { ...kFirstSettings, ...studio.recall<Partial<PenSettings>>("pen", {}) };
     this.session = new SessionClient(studio.api, {
       state: (state) => this.showState(state),
       vertices: (vertices) => this.showVertices(vertices),
       waiting: (count) => this.showWaiting(count),
       fail: (error) => studio.fail(error),
     });
+    this.sender = new StrokeSender(this.session);
     this.reference = new ReferencePicture(() => this.paper.invalidate("all"));
     this.paper = new Paper({
       content: () => this.content(),
@@ -73,6 +74,7 @@ class DrawTab implements Tab {
       get state() {
         return tab.session.state;
       },
+      turned: (yaw) => this.bars.setYaw(yaw),
       fail: (error) => studio.fail(error),
     });
     this.bars = this.makeBars();
@@ -85,7 +87,7 @@ class DrawTab implements Tab {
       cleared: () => this.clear(),
       opened: () => this.paper.element.focus({ preventScroll: true }),
       renamed: (state) => {
-        this.bars.update(state, this.tool, this.ghosts.length > 0);
+        this.bars.update(state, this.tool, this.sender.ghosts.length > 0);
         this.publishSubject(state);
       },
       busy: (is) => this.bars.setBusy(is),
@@ -148,6 +150,7 @@ class DrawTab implements Tab {
       settingsChanged: () => this.settingsChanged(),
       look: (yaw) => this.turn.look([yaw, 0]),
       roll: (level) => void this.session.send({ do: "roll", level, view: this.turn.view }),
+      clearHandles: () => void clearHandles(this.session),
       remark: (text) => this.studio.say(text, "warning"),
       menu: () => void this.desk.start.show(this.session.state !== null),
       rename: (name) => void this.desk.rename(name),
@@ -186,13 +189,13 @@ class DrawTab implements Tab {
     this.session.stopPreview();
   }
   undo(): void {
-    if (this.session.state?.can_undo || this.pending.size > 0) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
+    if (this.session.state?.can_undo || this.sender.isWaiting) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
   }
   redo(): void {
     if (this.session.state?.can_redo) void this.session.send({ do: "redo" }).then(() => this.forgetGhosts());
   }
   private forgetGhosts(): void {
-    this.ghosts = [];
+    this.sender.ghosts = [];
     this.paper.invalidate("ink");
   }
   canUndo(): boolean {
@@ -225,10 +228,11 @@ class DrawTab implements Tab {
 
   /** Another drawing comes. */
   private clear(): void {
-    this.pending.clear();
+    this.sender.clear();
     this.reference.remove();
     this.vertices = null;
     this.turn.view = [0, 0];
+    this.bars.setYaw(0);
     this.modeShown = null;
     this.paper.fit();
   }
@@ -243,7 +247,7 @@ class DrawTab implements Tab {
     if (this.visible) this.publishSubject(state);
     this.paper.setSheet(state.sheet);
     if (state.mode !== this.modeShown) {
-      this.ghosts = [];
+      this.sender.ghosts = [];
       this.tool = firstTool(state);
       const before = this.modeShown;
       this.modeShown = state.mode;
@@ -265,14 +269,14 @@ class DrawTab implements Tab {
   }
   private showHandles(state: SessionState): void {
     if (!this.visible) return;
-    this.studio.viewer.setHandles(state.mode === "refine" ? state.handles : []);
+    this.studio.viewer.setHandles(state.mode === "refine" && usesHandles(this.tool) ? state.handles : []);
     this.studio.viewer.setRegion(state.mode === "refine" ? state.region : []);
   }
   private busyTimer = 0;
   private showWaiting(count: number): void {
     clearTimeout(this.busyTimer);
     if (count === 0) {
-      this.pending.clear();
+      this.sender.clear();
       this.bars.setBusy(false);
       this.paper.invalidate("ink");
     } else {
@@ -285,14 +289,17 @@ class DrawTab implements Tab {
     const state = this.session.state;
     if (!state || state.mode === mode) return;
     if (mode === "draw") {
-      this.studio.say("The lines are those of a face now. Undo (Ctrl+Z) leads back to a free drawing; the folder begins a new one.");
+      void this.desk.offerNew();
       return;
     }
+    if (state.mode === "draw") this.desk.tellOfLines();
     void this.session.send({ do: mode });
   }
   private setTool(tool: ToolName): void {
     this.tool = tool;
     this.refreshTools();
+    if (this.session.state) this.showHandles(this.session.state);
+    this.paper.invalidate("all");
   }
   private settingsChanged(): void {
     this.studio.remember("pen", this.settings);
@@ -302,7 +309,7 @@ class DrawTab implements Tab {
   private refreshTools(bars = true): void {
     const state = this.session.state;
     if (!state) return;
-    if (bars) this.bars.update(state, this.tool, this.ghosts.length > 0);
+    if (bars) this.bars.update(state, this.tool, this.sender.ghosts.length > 0);
     this.paper.element.style.cursor = cursorOf(this.tool);
     const brushes = this.tool === "brush" || this.tool === "unbrush";
     if (brushes) this.paper.setRing(this.settings.brushRadius, "screen");
@@ -315,10 +322,10 @@ class DrawTab implements Tab {
     const mode = state?.mode;
     return {
       state,
-      local: [...[...this.pending.values()].flat(), ...this.stroke.shown],
+      local: [...this.sender.shown, ...this.stroke.shown],
       mirrorAxis: this.settings.mirror && mode !== "refine" ? this.turn.mirrorAxis : null,
       reference: this.reference.content,
-      ghosts: this.ghosts,
+      ghosts: this.sender.ghosts,
       pen: this.pen,
       faceBelow: mode === "refine" && this.turn.face !== null,
     };
@@ -374,27 +381,17 @@ class DrawTab implements Tab {
     this.stroke.extend([{ ...this.paper.toSheet(event.clientX, event.clientY), pressure: this.stroke.pressure }], context);
     const made = this.stroke.event(context, event.pointerType === "pen");
     const line = made?.do === "draw" && state.mode === "draw" ? this.stroke.line(context) : null;
-    const before = state.mode === "follow_up" ? state.lines.map((each) => each.points) : [];
-    const number = ++this.events;
-    if (made) this.pending.set(number, this.stroke.shown);
+    const events = made?.do === "draw" ? splitLoop(made, state.open_ends) : made ? [made] : [];
+    const { shown } = this.stroke;
     this.stroke.cancel();
+    if (!made) this.session.stopPreview();
+    else void this.sender.send(events, shown, endedAt, line).then((next) => this.sent(made, state, next, event.pointerType));
     this.paper.invalidate("ink");
-    if (!made) {
-      this.session.stopPreview();
-      return;
-    }
-    void this.session.send(made, endedAt, line).then((next) => {
-      this.pending.delete(number);
-      if (next && made.do === "erase")
-        this.ghosts.push(
-          ...removedParts(
-            before,
-            next.lines.map((each) => each.points),
-          ),
-        );
-      else this.ghosts = [];
-      this.refreshTools();
-      this.paper.invalidate("ink");
-    });
+  }
+  private sent(event: SessionEvent, before: SessionState, next: SessionState | null, pointer: string): void {
+    const opened = next?.mode === "follow_up" && event.do === "erase" && (next.open_ends.length > before.open_ends.length || this.sender.ghosts.length > 0);
+    if (opened && pointer === "touch" && this.settings.penAfterEraser) this.tool = "pen";
+    this.refreshTools();
+    this.paper.invalidate("ink");
   }
 }

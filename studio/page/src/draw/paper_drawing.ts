@@ -123,10 +123,10 @@ function gaps(context: CanvasRenderingContext2D, view: PaperView, content: Paper
     for (const end of ends) {
       const near = [content.pen, stroke].some((place) => place && distance(place, end) <= reach);
       context.beginPath();
-      context.arc(end[0], end[1], (near ? 7 : 5) / view.zoom, 0, 7);
+      context.arc(end[0], end[1], (near ? 4 : 2.5) / view.zoom, 0, 7);
       context.fillStyle = near ? kInk.gap : "#fffefb";
       context.fill();
-      context.lineWidth = 2.5 / view.zoom;
+      context.lineWidth = 1.5 / view.zoom;
       context.stroke();
     }
     snapLines(context, view, ends, reach, stroke, content.pen);

@@ -1,4 +1,7 @@
 // Where the sheet lies on the screen: css pixel = offset + zoom * sheet pixel.
+/** Least x, least y, width, height. */
+type Rectangle = readonly [number, number, number, number];
+
 const kLeastZoom = 0.1;
 const kGreatestZoom = 24;
 
@@ -6,16 +9,20 @@ export class PaperView {
   zoom = 1;
   x = 0;
   y = 0;
-  private fitted = true;
+  /** The rectangle that was fitted and not moved since: a new size fits it again. */
+  private fitted: Rectangle | null;
 
   constructor(
     public sheet: [number, number],
     private width = 1,
     private height = 1,
-  ) {}
+  ) {
+    this.fitted = [0, 0, ...sheet];
+  }
 
   /** A rectangle of the sheet, or all of it, with a margin. */
-  fit([left, top, width, height]: readonly [number, number, number, number] = [0, 0, ...this.sheet]): void {
+  fit(rectangle: Rectangle = [0, 0, ...this.sheet]): void {
+    const [left, top, width, height] = rectangle;
     const kMargin = 14;
     this.zoom = Math.min(
       kGreatestZoom,
@@ -23,7 +30,7 @@ export class PaperView {
     );
     this.x = this.width / 2 - this.zoom * (left + width / 2);
     this.y = this.height / 2 - this.zoom * (top + height / 2);
-    this.fitted = left === 0 && top === 0 && width === this.sheet[0];
+    this.fitted = rectangle;
   }
   resize(width: number, height: number): void {
     // A tab that is hidden has no size: the view waits for its return.
@@ -32,11 +39,11 @@ export class PaperView {
     const dy = (height - this.height) / 2;
     this.width = width;
     this.height = height;
-    if (this.fitted) this.fit();
+    if (this.fitted) this.fit(this.fitted);
     else this.pan(dx, dy);
   }
   pan(dx: number, dy: number): void {
-    this.fitted = false;
+    this.fitted = null;
     // A corner of the sheet stays in sight.
     const kLeast = 60;
     this.x = Math.min(this.width - kLeast, Math.max(kLeast - this.zoom * this.sheet[0], this.x + dx));
@@ -46,7 +53,7 @@ export class PaperView {
     const next = Math.min(kGreatestZoom, Math.max(kLeastZoom, this.zoom * factor));
     const ratio = next / this.zoom;
     this.zoom = next;
-    this.fitted = false;
+    this.fitted = null;
     this.x = x - ratio * (x - this.x);
     this.y = y - ratio * (y - this.y);
   }

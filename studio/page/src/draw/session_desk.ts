@@ -3,6 +3,7 @@ import { ApiError, isAbort } from "../api";
 import type { SessionState } from "../api_types";
 import type { Studio } from "../tab";
 import type { SessionClient } from "./session_client";
+import { askNew } from "./new_dialog";
 import { StartScreen } from "./start_screen";
 
 export const kNoFaceYet = "The face appears here with the first lines.";
@@ -93,6 +94,20 @@ export class SessionDesk {
     } finally {
       this.host.busy(false);
     }
+  }
+
+  /** Free drawing is over in this drawing: another one can be begun. */
+  async offerNew(): Promise<void> {
+    const numDrawings = (await this.host.studio.api.sessions().catch(() => [])).length;
+    if (!(await askNew())) return;
+    await this.create({ begin: "blank", name: `Drawing ${numDrawings + 1}` });
+  }
+  /** Once: what becomes of the lines of a person. */
+  tellOfLines(): void {
+    const { studio } = this.host;
+    if (studio.recall("draw.told", false)) return;
+    studio.remember("draw.told", true);
+    studio.say("The lines are those of the face now. Undo brings yours back.");
   }
 
   private async showStart(): Promise<void> {

@@ -60,7 +60,7 @@ export class SheetFace {
   /** Draws the face where the view has the sheet. */
   draw(view: PaperView): void {
     const [width, height] = view.size;
-    if (!this.rows || width < 1 || height < 1) return;
+    if (!this.rows || !this.viewer.hasFace || width < 1 || height < 1) return;
     if (width !== this.size[0] || height !== this.size[1]) this.renderer.setSize(width, height, false);
     this.size = [width, height];
     this.place(this.rows, view);

@@ -10,6 +10,8 @@ export interface TurnHost {
   readonly viewer: Viewer;
   readonly state: SessionState | null;
   readonly paper: Paper;
+  /** Degrees about the vertical, of a new view. */
+  turned(yaw: number): void;
   fail(error: unknown): void;
 }
 
@@ -24,7 +26,9 @@ export class SheetTurn {
   private drag: { x: number; y: number; view: View } | null = null;
   private unfitted = false;
 
-  constructor(private readonly host: TurnHost) {}
+  constructor(private readonly host: TurnHost) {
+    host.viewer.whenHead(() => this.verticesChanged());
+  }
 
   get turning(): boolean {
     return this.drag !== null;
@@ -45,6 +49,7 @@ export class SheetTurn {
   }
   look(view: View): void {
     this.view = [((view[0] + 540) % 360) - 180, Math.min(kGreatestPitch, Math.max(-kGreatestPitch, view[1]))];
+    this.host.turned(this.view[0]);
     void this.update();
   }
   /** A key that turns the face; false: another key. */
@@ -64,8 +69,9 @@ export class SheetTurn {
   }
   /** All of the sheet, or of the face that lies in its place. */
   fit(): void {
-    this.unfitted = false;
-    const box = this.host.state?.mode === "refine" ? this.face?.box() : null;
+    const isRefined = this.host.state?.mode === "refine";
+    const box = isRefined ? this.face?.box() : null;
+    this.unfitted = isRefined && !box;
     if (box) this.host.paper.fitBox(box);
     else this.host.paper.fit();
   }

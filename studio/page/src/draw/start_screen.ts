@@ -45,6 +45,7 @@ export class StartScreen {
     el("h3", {}, "Earlier drawings"),
     this.sessions,
   );
+  private readonly pinned = el("span", { hidden: true }, "or click a pinned face below");
   private numDrawings = 0;
   private readonly closeButton: HTMLButtonElement;
 
@@ -69,8 +70,8 @@ export class StartScreen {
           "div",
           { class: "start-begin" },
           button("Empty sheet", () => host.begin({ begin: "blank", name: `Drawing ${this.numDrawings + 1}` }), { class: "primary" }),
-          button("A mean face to redraw", () => host.begin({ begin: "mean", name: "From the mean face" })),
-          el("span", {}, "or click a pinned face below"),
+          button("An average face to redraw", () => host.begin({ begin: "mean", name: "From the average face" })),
+          this.pinned,
         ),
         this.earlier,
       ),
@@ -83,7 +84,9 @@ export class StartScreen {
     this.host.shown(true);
     this.closeButton.hidden = !canClose;
     try {
-      const [examples, sessions] = await Promise.all([this.host.api.examples(), this.host.api.sessions()]);
+      const { api } = this.host;
+      const [examples, sessions, faces] = await Promise.all([api.examples(), api.sessions(), api.faces()]);
+      this.pinned.hidden = faces.length === 0;
       this.showExamples(examples);
       this.showSessions(sessions);
     } catch (error) {

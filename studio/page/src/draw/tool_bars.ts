@@ -1,7 +1,7 @@
 // The bars around the paper: modes above, tools on the left, hint and zoom below, settings of the pen in a pop-up.
 import type { Mode, SessionState } from "../api_types";
-import { button, el, iconButton, iconOf, sentence, slider, toggle } from "../dom";
-import { hintOf, kModes, toolsOf, type ToolName } from "./tools";
+import { button, el, iconButton, iconOf, sentence, slider, toggle, withWord } from "../dom";
+import { hintOf, kModes, toolsOf, usesHandles, withoutKeys, type ToolName } from "./tools";
 
 export interface PenSettings {
   stabiliser: number;
@@ -9,7 +9,10 @@ export interface PenSettings {
   mirror: boolean;
   /** Pixels of the screen. */
   brushRadius: number;
+  /** A finger that has rubbed out a line of the face draws the new one next. */
+  penAfterEraser: boolean;
 }
+export const kFirstSettings: PenSettings = { stabiliser: 0, weight: 0, mirror: false, brushRadius: 18, penAfterEraser: true };
 
 export interface BarsHost {
   readonly settings: PenSettings;
@@ -19,6 +22,7 @@ export interface BarsHost {
   settingsChanged(): void;
   look(yaw: number): void;
   roll(level: number): void;
+  clearHandles(): void;
   menu(): void;
   /** Shows a long remark as a message. */
   remark(text: string): void;
@@ -30,6 +34,8 @@ export interface BarsHost {
 
 /** Lines of a drawing from which on its warnings are worth a remark. */
 const kFewLines = 4;
+
+const kRollTools: readonly ToolName[] = ["brush", "unbrush", "translate"];
 
 export class ToolBars {
   readonly top: HTMLElement;
@@ -74,7 +80,7 @@ export class ToolBars {
       this.name,
       group,
     );
-    this.mirror = toggle(
+    const mirror = toggle(
       "Mirror",
       host.settings.mirror,
       (on) => {
@@ -84,6 +90,7 @@ export class ToolBars {
       "mirror",
       "M",
     );
+    this.mirror = withWord(mirror, "Mirror");
     this.settingsPanel = this.makeSettings();
     this.bottom = el(
       "div",
@@ -103,6 +110,10 @@ export class ToolBars {
   flipMirror(): void {
     this.mirror.click();
   }
+  /** The buttons over the paper make way for a face that looks to the right. */
+  setYaw(yaw: number): void {
+    this.float.classList.toggle("flipped", yaw < -20 && yaw > -160);
+  }
   setBusy(busy: boolean): void {
     this.busy.hidden = !busy;
   }
@@ -110,7 +121,11 @@ export class ToolBars {
   update(state: SessionState, tool: ToolName, erased: boolean): void {
     if (document.activeElement !== this.name) this.name.value = state.name;
     for (const [mode, made] of this.modes) made.setAttribute("aria-pressed", String(mode === state.mode));
-    this.hint.textContent = hintOf(state, tool, erased);
+    const draw = this.modes.get("draw");
+    const isPast = state.mode !== "draw";
+    draw?.setAttribute("aria-disabled", String(isPast));
+    if (draw) draw.title = isPast ? "The lines are those of a face now. Free strokes need a new drawing" : "Draw a face with a few lines (1)";
+    this.hint.textContent = withoutKeys(hintOf(state, tool, erased));
     this.updateWarnings(state);
     this.updateRail(state, tool);
   }
@@ -129,7 +144,7 @@ export class ToolBars {
   private updateRail(state: SessionState, tool: ToolName): void {
     const focused = this.rail.contains(document.activeElement) ? document.activeElement?.getAttribute("aria-label") : null;
     const tools = toolsOf(state.mode, this.host.gestures).map((each) => {
-      const made = iconButton(each.icon, each.label, () => this.host.setTool(each.name), each.key);
+      const made = withWord(iconButton(each.icon, each.label, () => this.host.setTool(each.name), each.key), each.word);
       made.setAttribute("aria-pressed", String(each.name === tool));
       made.dataset["tool"] = each.name;
       return made;
@@ -156,7 +171,7 @@ export class ToolBars {
         word("Left", "Its left side", () => this.host.look(90)),
       ),
     ];
-    if (state.handles.length > 0) {
+    if (state.handles.length > 0 && kRollTools.includes(tool)) {
       const roll = (label: string, name: string, level: number) => word(label, name, () => this.host.roll(level));
       groups.push(
         group(
@@ -170,6 +185,7 @@ export class ToolBars {
         ),
       );
     }
+    if (state.handles.length > 0 && usesHandles(tool)) groups.push(group("Handles", word("Clear", "Release all handles", () => this.host.clearHandles())));
     if (tool === "brush" || tool === "unbrush") {
       const size = group("Brush", el("span", {}, "Brush"), this.brushSize());
       size.classList.add("float-size");
@@ -240,6 +256,10 @@ export class ToolBars {
           this.host.settingsChanged();
         },
       }).element,
+      toggle("Pen after rubbing, by touch", settings.penAfterEraser, (on) => {
+        settings.penAfterEraser = on;
+        this.host.settingsChanged();
+      }),
       el("p", { class: "pop-note" }, "The stabiliser takes the tremor out of a slow hand. The weight changes the line, not the face."),
       el(
         "div",
@@ -249,11 +269,12 @@ export class ToolBars {
       ),
       opacity.element,
     );
-    const open = iconButton("settings", "Pen and paper", () => {
+    const settingsButton = iconButton("settings", "Pen and paper", () => {
       panel.hidden = !panel.hidden;
       open.setAttribute("aria-expanded", String(!panel.hidden));
       show();
     });
+    const open = withWord(settingsButton, "Options");
     open.setAttribute("aria-expanded", "false");
     document.addEventListener("pointerdown", (event) => {
       if (panel.hidden || holder.contains(event.target as Node)) return;

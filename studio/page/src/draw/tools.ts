@@ -8,29 +8,31 @@ export interface Tool {
   name: ToolName;
   icon: IconName;
   label: string;
+  /** Below the icon. */
+  word: string;
   key: string;
 }
 
 export const kModes: readonly { mode: Mode; label: string; key: string; about: string }[] = [
-  { mode: "draw", label: "Draw", key: "1", about: "Draw a face with a few lines" },
+  { mode: "draw", label: "Sketch", key: "1", about: "Draw a face with a few lines" },
   { mode: "follow_up", label: "Redraw", key: "2", about: "Erase a line of the face and draw it again" },
-  { mode: "refine", label: "Shape in 3-D", key: "3", about: "Turn the face and move its surface" },
+  { mode: "refine", label: "Sculpt", key: "3", about: "Turn the face and move its surface" },
 ];
 
-const kPen: Tool = { name: "pen", icon: "pen", label: "Pen", key: "B" };
-const kEraser: Tool = { name: "eraser", icon: "eraser", label: "Eraser", key: "E" };
+const kPen: Tool = { name: "pen", icon: "pen", label: "Pen", word: "Pen", key: "B" };
+const kEraser: Tool = { name: "eraser", icon: "eraser", label: "Eraser", word: "Eraser", key: "E" };
 
 export function toolsOf(mode: Mode, gestures: boolean): readonly Tool[] {
   if (mode !== "refine") return [kPen, kEraser];
   const tools: Tool[] = [
-    { name: "turn", icon: "turn", label: "Turn the face", key: "T" },
-    { name: "brush", icon: "brush", label: "Brush handles", key: "B" },
-    { name: "unbrush", icon: "unbrush", label: "Remove handles", key: "E" },
-    { name: "translate", icon: "move", label: "Move handles", key: "V" },
-    { name: "pull", icon: "pull", label: "Pull an outline", key: "P" },
-    { name: "region", icon: "lasso", label: "Enclose a region", key: "R" },
+    { name: "turn", icon: "turn", label: "Turn the face", word: "Turn", key: "T" },
+    { name: "brush", icon: "brush", label: "Brush handles", word: "Brush", key: "B" },
+    { name: "unbrush", icon: "unbrush", label: "Remove handles", word: "Release", key: "E" },
+    { name: "translate", icon: "move", label: "Move handles", word: "Move", key: "V" },
+    { name: "pull", icon: "pull", label: "Pull an outline", word: "Pull", key: "P" },
+    { name: "region", icon: "lasso", label: "Enclose a region", word: "Region", key: "R" },
   ];
-  if (gestures) tools.push({ name: "gesture", icon: "gesture", label: "Free gestures", key: "G" });
+  if (gestures) tools.push({ name: "gesture", icon: "gesture", label: "Free gestures", word: "Gesture", key: "G" });
   return tools;
 }
 
@@ -41,24 +43,34 @@ export function firstTool(state: SessionState): ToolName {
   return state.open_ends.length > 0 ? "pen" : "eraser";
 }
 
+/** Lines of a drawing with an outline, two eyes, a nose and a mouth. */
+const kOutlineEyesNoseMouth = 5;
+const kIsTouch = matchMedia("(hover: none)").matches;
+
+/** What is done by touch is told without keys. */
+export function withoutKeys(text: string): string {
+  return kIsTouch ? text.replace(/ \((?:[A-Z]|Ctrl\+Z)\)/g, "") : text;
+}
+
 /** What a person can do now, in one or two sentences. erased: lines of the face wait to be drawn again. */
 export function hintOf(state: SessionState, tool: ToolName, erased: boolean): string {
   if (state.mode === "draw") {
     if (tool === "eraser") return "Rub over lines to cut them.";
     if (state.lines.length === 0)
       return "Draw the outline of a face, then eyes, nose and mouth. The face on the right follows every stroke.";
-    return state.has_face
-      ? "Add brows, lips, ears. When the face is near, choose Redraw to correct single lines."
-      : "These lines are no face yet. Add the outline, eyes, nose or mouth.";
+    if (!state.has_face) return "These lines are no face yet. Add the outline, eyes, nose or mouth.";
+    return state.lines.length < kOutlineEyesNoseMouth
+      ? "Now the eyes, the nose and the mouth, in any order."
+      : "Add brows, lips, ears. Redraw corrects single lines: yours then become the lines of the face, until you undo it.";
   }
   if (state.mode === "follow_up") {
     const gaps = state.open_ends.length;
     if (tool === "eraser")
       return gaps > 0 || erased
-        ? "Take the pen (B) and draw the new path of what is erased, or erase more."
+        ? "Erase more, or take the pen (B) and draw the new line from dot to dot."
         : "Rub over the part of a line that you want to change. Then draw its new path.";
     return gaps > 0
-      ? "Draw from one orange end to the other: the line snaps to them and the face follows."
+      ? "Draw from one orange dot to the other: the line snaps to them and the face follows."
       : erased
         ? "Draw the erased line again, near its old place."
         : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
@@ -69,7 +81,7 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
       return "Drag to turn the face, or choose a side. The arrow keys turn it, too.";
     case "brush":
       return handles > 0
-        ? "Paint more, move the blue handles (V), or bulge them with the buttons on the right."
+        ? "Paint more, move the blue handles (V), or bulge them with the buttons at the side."
         : "Paint over the skin that you want to move.";
     case "unbrush":
       return "Paint over handles to release them.";
@@ -82,6 +94,11 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
     default:
       return "Closed line: region. Straight line: move or pull. Arrow left or right: undo or redo. Loops that rise or fall: bulge or hollow.";
   }
+}
+
+/** Tools that act on the handles: with others these are hidden. */
+export function usesHandles(tool: ToolName): boolean {
+  return tool !== "pull" && tool !== "region";
 }
 
 /** The cursor over the paper: a class of draw.css. */

@@ -61,7 +61,7 @@ export function expressionsPart(info: ShapeInfo, editor: Editor, folded: Memory,
     );
   };
   showStored();
-  const gains = checkbox("Set a gain for each expression", false, (on) => element.body.classList.toggle("p-with-gains", on));
+  const gains = checkbox("Strength of each expression (gain): 2 doubles its movement", false, (on) => element.body.classList.toggle("p-with-gains", on));
 
   const element = section("expressions", folded.get("expressions") ?? false, (open) => {
     if (!searching) folded.set("expressions", open);

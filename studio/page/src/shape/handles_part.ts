@@ -28,7 +28,7 @@ export function handlesPart(editor: Editor, folded: Memory, pick: (on: boolean) 
   const list = el("ol", { class: "p-handles" });
   const hint = el("p", { class: "p-hint" });
   const clear = button("Remove all", () => editor.change({ handles: [] }, "handles", true), { kind: "quiet" });
-  const part = section("points", folded.get("points") ?? false, (open) => folded.set("points", open));
+  const part = section("moved points", folded.get("points") ?? false, (open) => folded.set("points", open));
   const clearRow = el("div", { class: "p-row" }, clear);
   part.body.append(hint, list, clearRow);
 

@@ -49,8 +49,8 @@ export function wholePart(info: ShapeInfo, editor: Editor, folded: Memory, roll:
     greatest: info.exaggeration[1],
     change: (value, done) => editor.change({ exaggeration: value }, "exaggeration", done),
   });
-  caricature.element.title = "Enlarges what differs from the mean face";
-  exaggeration.element.title = "Enlarges what is curved";
+  const ofCaricature = el("p", { class: "p-hint" }, "Enlarges what differs from the average face: a long nose grows longer.");
+  const ofExaggeration = el("p", { class: "p-hint" }, "Enlarges what is curved, whoever the face is: deeper folds, rounder forms.");
 
   const random: Random = { seed: 1, spread: 0.5 };
   const seed = el("input", { type: "number", class: "p-number", min: 0, max: 999999, step: 1, value: random.seed, "aria-label": "seed of the random face" });
@@ -78,8 +78,8 @@ export function wholePart(info: ShapeInfo, editor: Editor, folded: Memory, roll:
   const seedField = el("div", { class: "p-slider" }, el("span", { class: "p-slider-label", "aria-hidden": "true" }, "Seed"), seed);
 
   const face = section("face", folded.get("face") ?? true, (open) => folded.set("face", open));
-  face.body.append(base.element, toward.element, share.element, none, caricature.element, exaggeration.element);
-  const chance = section("random face", folded.get("random") ?? false, (open) => folded.set("random", open));
+  face.body.append(base.element, toward.element, share.element, none, caricature.element, ofCaricature, exaggeration.element, ofExaggeration);
+  const chance = section("chance", folded.get("random") ?? false, (open) => folded.set("random", open));
   chance.body.append(spread.element, seedField);
   const element = el("div", {}, face.element, chance.element);
 
@@ -91,7 +91,7 @@ export function wholePart(info: ShapeInfo, editor: Editor, folded: Memory, roll:
       offered = faces.length;
       const { base: chosen, toward: other } = editor.document;
       const choices = [
-        { value: "mean", label: "The mean face" },
+        { value: "mean", label: "The average face" },
         ...faces.map((each) => ({ value: each.id, label: each.name, group: "Pinned faces" })),
         ...sessions.map((each) => ({ value: each.id, label: each.name, group: "Drawings" })),
       ];

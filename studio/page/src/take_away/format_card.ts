@@ -61,6 +61,24 @@ export class FormatCard {
     for (const field of this.fields) field.element.hidden = target?.kind === "avatar" && field.choice.notOfAvatars === true;
     this.element.classList.toggle("p-not", no !== null);
     if (before !== null && before !== (target && targetKey(target))) this.stale();
+    if (this.result.hidden && !this.job.isBusy) this.showMade().catch(() => undefined);
+  }
+  /** Names what was asked for: the same target with the same choices, unchanged since. */
+  private asked(): string {
+    const { target } = this;
+    if (!target || whyNot(target, this.format.id) !== null) return "";
+    return JSON.stringify([this.format.body(target, this.chosen), target.kind === "session" ? target.changed : 0]);
+  }
+  /** The files that were made before a reload, where the server still has them. */
+  private async showMade(): Promise<void> {
+    const asked = this.asked();
+    const made = this.studio.recall<{ asked: string; job: string } | null>(this.madeKey, null);
+    if (asked === "" || made?.asked !== asked) return;
+    const job = await this.studio.api.get<Job>(`/api/jobs/${made.job}`);
+    if (this.asked() === asked && this.result.hidden && !this.job.isBusy) this.showFiles(job);
+  }
+  private get madeKey(): string {
+    return `take-away.${this.format.id}.made`;
   }
   get id(): FormatId {
     return this.format.id;
@@ -83,9 +101,13 @@ export class FormatCard {
       return;
     }
     this.make.disabled = true;
+    const asked = this.asked();
     try {
       const job = await this.job.run(body, format.doing);
-      if (job) this.showFiles(job);
+      if (!job) return;
+      this.studio.remember(this.madeKey, { asked, job: job.id });
+      this.showFiles(job);
+      this.result.scrollIntoView({ block: "nearest" });
     } finally {
       this.make.disabled = false;
     }
@@ -93,7 +115,7 @@ export class FormatCard {
 
   private async takeSession(target: { id: string; title: string }): Promise<void> {
     const bytes = await this.studio.api.blob(`/api/sessions/${target.id}/session.json`);
-    const name = `${target.title.replace(/[^\p{L}\p{N}_-]+/gu, "_") || "drawing"}.json`;
+    const name = `${fileStem(target.title)}.json`;
     download(bytes, name);
     this.result.hidden = false;
     this.result.replaceChildren(
@@ -122,26 +144,35 @@ export class FormatCard {
     ];
     this.result.hidden = false;
     this.result.replaceChildren(...parts.filter((part) => part !== null));
-    this.result.scrollIntoView({ block: "nearest" });
   }
   private link(job: Job, file: { name: string; size: number }): HTMLButtonElement {
-    const made = button(file.name, () => void this.downloadOne(job, file.name).catch((error) => this.studio.fail(error)), {
+    const name = this.ownName(file.name);
+    const made = button(name, () => void this.downloadOne(job, file.name).catch((error) => this.studio.fail(error)), {
       kind: "quiet",
       icon: "download",
-      title: `Download ${file.name}`,
+      title: `Download ${name}`,
     });
     made.append(el("span", { class: "p-note" }, fileSize(file.size)));
     return made;
   }
   private async downloadOne(job: Job, name: string): Promise<void> {
-    download(await this.studio.api.jobFile(job.id, name), name.split("/").at(-1) ?? name);
+    download(await this.studio.api.jobFile(job.id, name), this.ownName(name.split("/").at(-1) ?? name));
   }
   private async downloadAll(job: Job, names: readonly string[]): Promise<void> {
     const entries = await Promise.all(
       names.map(async (name) => ({ name, bytes: new Uint8Array(await (await this.studio.api.jobFile(job.id, name)).arrayBuffer()) })),
     );
-    download(zipOf(entries), `${this.format.id}.zip`);
+    download(zipOf(entries), `${fileStem(this.target?.title ?? "")}-${this.format.id}.zip`);
   }
+  /** "head.glb" with the name of what was taken away. */
+  private ownName(name: string): string {
+    return name.replace(/^head(?=\.)/, fileStem(this.target?.title ?? ""));
+  }
+}
+
+/** A title as the beginning of a file's name. */
+function fileStem(title: string): string {
+  return title.replace(/\.\w+$/, "").replace(/[^\p{L}\p{N}_-]+/gu, "_") || "head";
 }
 
 /** " 159 x 207 x 245 mm." of a print. */

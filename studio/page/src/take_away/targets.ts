@@ -1,9 +1,9 @@
 // What can be taken away: a drawing, a pinned face, the shape, the last avatar; and which files each of them can become.
 import type { Shape } from "../api_types";
-import type { AvatarState } from "../avatar/state";
+import { avatarKey, type AvatarState } from "../avatar/state";
 
 export type Target =
-  | { kind: "session"; id: string; title: string }
+  | { kind: "session"; id: string; title: string; changed: number }
   | { kind: "face"; id: string; title: string }
   | { kind: "shape"; shape: Shape; title: string }
   | { kind: "avatar"; state: AvatarState; title: string };
@@ -12,7 +12,8 @@ export type FormatId = "glb" | "obj" | "vrm" | "stl" | "turntable" | "session";
 
 /** The same target after a reload. */
 export function targetKey(target: Target): string {
-  return target.kind === "session" || target.kind === "face" ? target.id : target.kind;
+  if (target.kind === "avatar") return avatarKey(target.state);
+  return target.kind === "shape" ? "shape" : target.id;
 }
 
 /** A sentence why a target cannot become a format; null if it can. */
