@@ -13,3 +13,10 @@ if(NODE AND EXISTS ${page_folder}/node_modules/esbuild)
                      VERBATIM)
 endif()
 daumier_embed(daumier_studio daumier::studio studio_page.h ${page_files})
+
+# The page in a browser; skipped where there is none. Browser and server take two processors.
+if(BUILD_TESTING AND page_files AND NOT DAUMIER_SANITIZE)
+  add_test(NAME studio_page COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/studio/page/smoke.mjs $<TARGET_FILE:daumier>
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(studio_page PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120 PROCESSORS 2 LABELS plain)
+endif()

@@ -81,7 +81,7 @@ TEST_F(RigFromCommand, WarnsOfAMeshThatWasDeletedInPart) {
   const ProcessResult result = RigFrom("front.obj", "head.glb", "front.glb", {"--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const int num_missing = num_vertices - int(used.size());
-  EXPECT_GT(num_missing, num_vertices / 4);
+  EXPECT_GT(num_missing, num_vertices / 5);
   EXPECT_EQ(Json::parse(result.out)["missing_vertices"], num_missing);
   EXPECT_THAT(result.err, HasSubstr(fmt::format("front.obj: {} of {} vertices ({:.1f} %)", num_missing, num_vertices,
                                                 100.0 * num_missing / num_vertices)));

@@ -116,47 +116,5 @@ TEST_F(RigOfRealHeads, OfFaceWarehousesTopologyMixesNeitherLipsNorLids) {
   EXPECT_EQ(num_eyes, 2);
 }
 
-class RigOfSumnersHead : public RigOfRealHeads {
- protected:
-  static std::optional<fs::path> Pose(const char* name) {
-    const auto data = SharedData();
-    if (!data) return std::nullopt;
-    return *data / "head_poses" / name;
-  }
-};
-
-TEST_F(RigOfSumnersHead, DoesNotMixLips) {
-  const auto reference = Pose("head-reference.obj");
-  if (!reference) GTEST_SKIP() << "there is no head of Sumner and Popovic; set DAUMIER_SHARED_DATA";
-  ASSERT_NO_FATAL_FAILURE(Rig(*reference));
-  EXPECT_THAT(result_.err, AllOf(Not(HasSubstr("open at rest")), Not(HasSubstr("smile at rest"))));
-  // The lips: open borders around the mouth that part when the head is surprised.
-  const geometry::PolygonMesh surprised = faces::ReadMesh(*Pose("head-09-surprise.obj"));
-  const geometry::TriangleMesh mesh = geometry::TriangulateMesh(mesh_);
-  const Eigen::AlignedBox3d mouth(Eigen::Vector3d(-1.2, -1.6, 5), Eigen::Vector3d(1.2, -0.8, 8));
-  SlitBorders lips;
-  for (const std::vector<int>& loop : geometry::BoundaryLoops(mesh.triangles, int(mesh.vertices.rows()))) {
-    for (const int v : loop) {
-      if (!mouth.contains(mesh.vertices.row(v).transpose())) continue;
-      const double rise = surprised.vertices(v, 1) - mesh.vertices(v, 1);
-      if (rise > -0.1) lips.upper.push_back(v);
-      if (rise < -0.3) lips.lower.push_back(v);
-    }
-  }
-  ExpectNoWrongVertex("jawOpen", 1, 1, lips);
-}
-
-/// A smile with closed lips is within what persons have, and is not recognised. Twin: WarningsOf (tests/rig).
-TEST_F(RigOfSumnersHead, IsSaidToBeOpenWhereItLaughsOrIsSurprised) {
-  for (const char* name : {"head-05-laugh.obj", "head-09-surprise.obj"}) {
-    const auto pose = Pose(name);
-    if (!pose) GTEST_SKIP() << "there is no head of Sumner and Popovic; set DAUMIER_SHARED_DATA";
-    ASSERT_NO_FATAL_FAILURE(Rig(*pose));
-    EXPECT_THAT(result_.err, HasSubstr("the mouth is open at rest")) << name;
-    const bool laughs = std::string_view(name).find("laugh") != std::string_view::npos;
-    EXPECT_EQ(result_.err.find("seems to smile at rest") != std::string::npos, laughs) << name;
-  }
-}
-
 }  // namespace
 }  // namespace daumier::testing

@@ -16,6 +16,7 @@ export async function startStudio(program, folder) {
       if (found) resolve(found[1]);
     });
     child.stderr.on('data', (bytes) => (printed += bytes));
+    child.on('error', reject);
     child.on('exit', (code) => reject(new Error(`the studio ended with ${code}: ${printed}`)));
   });
   const ended = new Promise((resolve) => child.on('exit', resolve));
