@@ -1,5 +1,5 @@
 // `daumier rig` of heads that other people made. What is right is known of slits alone: of FaceWarehouse's topology by the
-// borders of its holes, of Sumner and Popovic's head by where its own mouth opens in another pose.
+// borders of its holes.
 // Without data: RigOfForeignHeads (this folder) and ForeignHeads.TakeNoPlaceForTheOtherSideOfASlit (tests/rig), of heads with known truth.
 #include "core/files.h"
 #include "core/json.h"
@@ -10,9 +10,7 @@
 #include "rig/arkit_names.h"
 #include "tests/cli/pipeline.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +20,6 @@ namespace daumier::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 /// The vertices of the borders of a slit, without its corners.
 struct SlitBorders {
