@@ -263,6 +263,7 @@ class AvatarTab implements Tab {
       state.job = job.id;
       state.made = JSON.stringify(body);
       this.markLast();
+      this.keep();
       await this.takeJob(job, this.info);
       if (this.shown) await this.result.show();
       await this.findLandmarks();

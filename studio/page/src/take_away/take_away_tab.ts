@@ -152,6 +152,7 @@ class TakeAwayTab implements Tab {
     if (target?.kind === "avatar") this.studio.remember(kAvatarSubjectKey, JSON.stringify(this.studio.subject));
     this.studio.refresh();
     if (!target || target.kind === "avatar") return;
+    this.studio.remember(kAvatarSubjectKey, "");
     const body = target.kind === "shape" ? { shape: target.shape } : target.kind === "session" ? { session: target.id } : { face: target.id };
     this.studio.subject = { kind: target.kind, title: target.title, body };
     this.studio.refresh();
