@@ -295,7 +295,7 @@ class DrawTab implements Tab {
       void this.desk.offerNew();
       return;
     }
-    if (state.mode === "draw") this.desk.tellOfLines();
+    if (state.mode === "draw") this.desk.sayOfLines();
     void this.session.send({ do: mode });
   }
   private setTool(tool: ToolName): void {

@@ -103,10 +103,10 @@ export class SessionDesk {
     await this.create({ begin: "blank", name: `Drawing ${numDrawings + 1}` });
   }
   /** Once: what becomes of the lines of a person. */
-  tellOfLines(): void {
+  sayOfLines(): void {
     const { studio } = this.host;
-    if (studio.recall("draw.told", false)) return;
-    studio.remember("draw.told", true);
+    if (studio.recall("draw.said", false)) return;
+    studio.remember("draw.said", true);
     studio.say("The lines are those of the face now. Undo brings yours back.");
   }
 

@@ -47,7 +47,7 @@ export function firstTool(state: SessionState): ToolName {
 const kOutlineEyesNoseMouth = 5;
 const kIsTouch = matchMedia("(hover: none)").matches;
 
-/** What is done by touch is told without keys. */
+/** A tablet has no keys. */
 export function withoutKeys(text: string): string {
   return kIsTouch ? text.replace(/ \((?:[A-Z]|Ctrl\+Z)\)/g, "") : text;
 }
