@@ -33,6 +33,7 @@ export class Viewer {
   readonly orbit: Orbit;
   private readonly stage: HTMLElement;
   private readonly note: HTMLElement;
+  private readonly remarkBox = el("div", { class: "view-remark", role: "note", hidden: true });
   private drawing: { renderer: WebGLRenderer; resolution: AdaptiveResolution } | null = null;
   private readonly camera = new PerspectiveCamera(kFieldOfView, 1, 1, 1000);
   private readonly handlePoints: Points;
@@ -68,6 +69,7 @@ export class Viewer {
       "section",
       { class: "view", "aria-label": "3-D view" },
       this.stage,
+      this.remarkBox,
       el(
         "div",
         { class: "view-buttons", role: "group", "aria-label": "View from" },
@@ -167,6 +169,12 @@ export class Viewer {
     const shown = this.fault ?? text;
     this.note.hidden = shown === null;
     this.note.textContent = shown ?? "";
+  }
+
+  /** A sentence about what is shown, with a button; null removes it. */
+  remark(remark: { text: string; label: string; act: () => void } | null): void {
+    this.remarkBox.hidden = remark === null;
+    if (remark) this.remarkBox.replaceChildren(el("span", {}, remark.text), button(remark.label, remark.act));
   }
 
   get view(): { yaw: number; pitch: number } {

@@ -12,7 +12,7 @@ import {
   avatarBody,
   avatarKey,
   isPortrait,
-  kAskedKey,
+  kWantedKey,
   kAvatarHeadsKey,
   kAvatarKey,
   kAvatarSubjectKey,
@@ -51,7 +51,7 @@ class AvatarTab implements Tab {
     this.avatarJob = new JobCard(studio.api);
     this.result = new ResultPart(studio, () => {
       this.markLast();
-      if (this.state) studio.remember(kAskedKey, avatarKey(this.state));
+      if (this.state) studio.remember(kWantedKey, avatarKey(this.state));
       studio.open("take-away");
     });
     this.pictureSection.body.append(this.landmarksJob.element, this.picture.element);
@@ -263,6 +263,7 @@ class AvatarTab implements Tab {
       state.job = job.id;
       state.made = JSON.stringify(body);
       this.markLast();
+      this.keep();
       await this.takeJob(job, this.info);
       if (this.shown) await this.result.show();
       await this.findLandmarks();

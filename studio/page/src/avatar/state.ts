@@ -27,7 +27,7 @@ export const kMostHeads = 8;
 /** The subject of the page when the last avatar was made: while it stays, the avatar is the last thing a person worked on. */
 export const kAvatarSubjectKey = "avatar.subject";
 /** The key of a target that Take away is opened for. */
-export const kAskedKey = "take-away.asked";
+export const kWantedKey = "take-away.wanted";
 export const kNoPinOfAvatar = "A head of Avatar is not pinned, for a pinned face has no picture. It is kept in the list of Take away.";
 export const kFirstOptions: AvatarOptions = { style: "none", caricature: 0, hair: "auto" };
 

@@ -9,6 +9,7 @@ import { takePicture } from "./picture_drop";
 import { ReferencePicture } from "./reference_picture";
 import { SessionClient } from "./session_client";
 import { clearHandles } from "./handles";
+import { remarkShape } from "./shape_remark";
 import { SheetTurn } from "./sheet_turn";
 import { kNoFaceYet, SessionDesk } from "./session_desk";
 import { StrokeInput, type StrokeContext } from "./stroke_input";
@@ -185,6 +186,7 @@ class DrawTab implements Tab {
   hide(): void {
     this.visible = false;
     this.studio.viewer.setRegion([]);
+    this.studio.viewer.remark(null);
     this.cancel();
     this.session.stopPreview();
   }
@@ -237,6 +239,7 @@ class DrawTab implements Tab {
     this.paper.fit();
   }
   private publishSubject(state: SessionState): void {
+    remarkShape(this.studio, state.id);
     this.studio.subject = state.has_face ? { kind: "session", title: state.name, body: { session: state.id } } : null;
   }
 
@@ -292,7 +295,7 @@ class DrawTab implements Tab {
       void this.desk.offerNew();
       return;
     }
-    if (state.mode === "draw") this.desk.tellOfLines();
+    if (state.mode === "draw") this.desk.sayOfLines();
     void this.session.send({ do: mode });
   }
   private setTool(tool: ToolName): void {
@@ -311,8 +314,7 @@ class DrawTab implements Tab {
     if (!state) return;
     if (bars) this.bars.update(state, this.tool, this.sender.ghosts.length > 0);
     this.paper.element.style.cursor = cursorOf(this.tool);
-    const brushes = this.tool === "brush" || this.tool === "unbrush";
-    if (brushes) this.paper.setRing(this.settings.brushRadius, "screen");
+    if (this.tool === "brush" || this.tool === "unbrush") this.paper.setRing(this.settings.brushRadius, "screen");
     else this.paper.setRing(this.tool === "eraser" ? state.eraser_reach : 0, "sheet");
   }
 
@@ -331,9 +333,8 @@ class DrawTab implements Tab {
     };
   }
   private hovered(at: Point | null): void {
-    const needed = this.tool === "pen" && (this.session.state?.open_ends.length ?? 0) > 0;
     this.pen = at;
-    if (needed) this.paper.invalidate("ink");
+    if (this.tool === "pen" && this.session.state?.open_ends.length) this.paper.invalidate("ink");
   }
   private context(state: SessionState): StrokeContext {
     // A brush has its size on the screen: zoom makes it finer on the face.
@@ -383,14 +384,16 @@ class DrawTab implements Tab {
     const line = made?.do === "draw" && state.mode === "draw" ? this.stroke.line(context) : null;
     const events = made?.do === "draw" ? splitLoop(made, state.open_ends) : made ? [made] : [];
     const { shown } = this.stroke;
+    const isFirst = state.open_ends.length === 0 && this.sender.ghosts.length === 0;
     this.stroke.cancel();
     if (!made) this.session.stopPreview();
-    else void this.sender.send(events, shown, endedAt, line).then((next) => this.sent(made, state, next, event.pointerType));
+    else void this.sender.send(events, shown, endedAt, line).then((next) => this.sent(made, isFirst, next));
     this.paper.invalidate("ink");
   }
-  private sent(event: SessionEvent, before: SessionState, next: SessionState | null, pointer: string): void {
-    const opened = next?.mode === "follow_up" && event.do === "erase" && (next.open_ends.length > before.open_ends.length || this.sender.ghosts.length > 0);
-    if (opened && pointer === "touch" && this.settings.penAfterEraser) this.tool = "pen";
+  /** isFirst: no line of the face was erased before. Who takes the eraser again keeps it. */
+  private sent(event: SessionEvent, isFirst: boolean, next: SessionState | null): void {
+    const isOpened = event.do === "erase" && next?.mode === "follow_up" && (next.open_ends.length > 0 || this.sender.ghosts.length > 0);
+    if (isFirst && isOpened && this.settings.penAfterEraser) this.tool = "pen";
     this.refreshTools();
     this.paper.invalidate("ink");
   }

@@ -123,7 +123,7 @@ function gaps(context: CanvasRenderingContext2D, view: PaperView, content: Paper
     for (const end of ends) {
       const near = [content.pen, stroke].some((place) => place && distance(place, end) <= reach);
       context.beginPath();
-      context.arc(end[0], end[1], (near ? 4 : 2.5) / view.zoom, 0, 7);
+      context.arc(end[0], end[1], (near ? 3.5 : 2.5) / view.zoom, 0, 7);
       context.fillStyle = near ? kInk.gap : "#fffefb";
       context.fill();
       context.lineWidth = 1.5 / view.zoom;

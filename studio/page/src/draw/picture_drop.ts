@@ -56,7 +56,7 @@ export async function takePicture(file: File, studio: Studio, desk: SessionDesk,
   if (use === "under") {
     if (!desk.hasDrawing) await desk.create({ begin: "blank", name: file.name });
     await reference.read(file);
-    studio.say("The picture lies under the paper. Pen and paper, below the mirror, changes how strong it is.");
+    studio.say("The picture lies under the paper. “Options”, below the mirror, changes how strong it is.");
   }
   return true;
 }

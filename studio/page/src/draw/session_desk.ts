@@ -4,7 +4,7 @@ import type { SessionState } from "../api_types";
 import type { Studio } from "../tab";
 import type { SessionClient } from "./session_client";
 import { askNew } from "./new_dialog";
-import { StartScreen } from "./start_screen";
+import { newName, StartScreen } from "./start_screen";
 
 export const kNoFaceYet = "The face appears here with the first lines.";
 
@@ -98,15 +98,14 @@ export class SessionDesk {
 
   /** Free drawing is over in this drawing: another one can be begun. */
   async offerNew(): Promise<void> {
-    const numDrawings = (await this.host.studio.api.sessions().catch(() => [])).length;
     if (!(await askNew())) return;
-    await this.create({ begin: "blank", name: `Drawing ${numDrawings + 1}` });
+    await this.create({ begin: "blank", name: newName(await this.host.studio.api.sessions().catch(() => [])) });
   }
   /** Once: what becomes of the lines of a person. */
-  tellOfLines(): void {
+  sayOfLines(): void {
     const { studio } = this.host;
-    if (studio.recall("draw.told", false)) return;
-    studio.remember("draw.told", true);
+    if (studio.recall("draw.said", false)) return;
+    studio.remember("draw.said", true);
     studio.say("The lines are those of the face now. Undo brings yours back.");
   }
 

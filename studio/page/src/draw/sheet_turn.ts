@@ -25,6 +25,8 @@ export class SheetTurn {
   private request: AbortController | null = null;
   private drag: { x: number; y: number; view: View } | null = null;
   private unfitted = false;
+  /** What has yet to arrive of the drawing and its mode: a fit before that is of an earlier face. */
+  private readonly missing = new Set<"camera" | "vertices">();
 
   constructor(private readonly host: TurnHost) {
     host.viewer.whenHead(() => this.verticesChanged());
@@ -63,6 +65,11 @@ export class SheetTurn {
   /** The mode is new. */
   modeChanged(state: SessionState, before: SessionState["mode"] | null): void {
     this.unfitted = state.mode === "refine";
+    if (this.unfitted) {
+      this.missing.add("camera").add("vertices");
+      // The paper shows the front: the other view shows more.
+      this.host.viewer.lookFrom("three-quarter");
+    }
     if (before === "refine") this.host.paper.fit();
     if (state.mode === "draw") this.mirrorAxis = state.sheet[0] / 2;
     else void this.update();
@@ -71,12 +78,13 @@ export class SheetTurn {
   fit(): void {
     const isRefined = this.host.state?.mode === "refine";
     const box = isRefined ? this.face?.box() : null;
-    this.unfitted = isRefined && !box;
+    this.unfitted = isRefined && (!box || this.missing.size > 0);
     if (box) this.host.paper.fitBox(box);
     else this.host.paper.fit();
   }
   /** Fits the face once it has arrived in its mode. */
   verticesChanged(): void {
+    if (this.host.viewer.hasFace) this.missing.delete("vertices");
     if (this.unfitted && this.face?.hasCamera) this.fit();
     if (this.host.state?.mode === "refine") this.host.paper.invalidate("all");
   }
@@ -98,6 +106,7 @@ export class SheetTurn {
           this.host.paper.addFace(this.face.canvas);
         }
         this.face.setCamera(camera);
+        this.missing.delete("camera");
         if (this.unfitted) this.fit();
       } else {
         // The middle of the face has x = 0 cm.

@@ -35,6 +35,11 @@ const kExamples: Readonly<Record<string, { title: string; doodle: string }>> = {
 };
 const kNumExamples = 3;
 
+/** Counts the drawings that were numbered here: a number that was deleted comes back only as the last one. */
+export function newName(sessions: readonly SessionEntry[]): string {
+  return `Drawing ${1 + Math.max(0, ...sessions.map((session) => Number(/^Drawing (\d+)$/.exec(session.name)?.[1] ?? 0)))}`;
+}
+
 export class StartScreen {
   readonly element: HTMLElement;
   private readonly examples = el("div", { class: "start-examples" });
@@ -46,7 +51,7 @@ export class StartScreen {
     this.sessions,
   );
   private readonly pinned = el("span", { hidden: true }, "or click a pinned face below");
-  private numDrawings = 0;
+  private nextName = newName([]);
   private readonly closeButton: HTMLButtonElement;
 
   constructor(private readonly host: StartHost) {
@@ -69,7 +74,7 @@ export class StartScreen {
         el(
           "div",
           { class: "start-begin" },
-          button("Empty sheet", () => host.begin({ begin: "blank", name: `Drawing ${this.numDrawings + 1}` }), { class: "primary" }),
+          button("Empty sheet", () => host.begin({ begin: "blank", name: this.nextName }), { class: "primary" }),
           button("An average face to redraw", () => host.begin({ begin: "mean", name: "From the average face" })),
           this.pinned,
         ),
@@ -118,8 +123,7 @@ export class StartScreen {
     );
   }
   private showSessions(sessions: readonly SessionEntry[]): void {
-    // Of drawings that were numbered here: a number that was deleted comes back only as the last one.
-    this.numDrawings = Math.max(0, ...sessions.map((session) => Number(/^Drawing (\d+)$/.exec(session.name)?.[1] ?? 0)));
+    this.nextName = newName(sessions);
     this.earlier.hidden = sessions.length === 0;
     this.sessions.replaceChildren(...sessions.map((session) => this.row(session)));
   }

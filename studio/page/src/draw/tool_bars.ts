@@ -9,7 +9,7 @@ export interface PenSettings {
   mirror: boolean;
   /** Pixels of the screen. */
   brushRadius: number;
-  /** A finger that has rubbed out a line of the face draws the new one next. */
+  /** Who has rubbed out a line of the face draws the new one next. */
   penAfterEraser: boolean;
 }
 export const kFirstSettings: PenSettings = { stabiliser: 0, weight: 0, mirror: false, brushRadius: 18, penAfterEraser: true };
@@ -214,7 +214,7 @@ export class ToolBars {
   private makeSettings(): HTMLElement {
     const settings = this.host.settings;
     const reference = this.host.reference;
-    const panel = el("div", { class: "pop", hidden: true, role: "group", "aria-label": "Pen and paper" });
+    const panel = el("div", { class: "pop", hidden: true, role: "group", "aria-label": "Options of pen and paper" });
     const removeButton = button("Remove", () => {
       reference.remove();
       show();
@@ -256,7 +256,7 @@ export class ToolBars {
           this.host.settingsChanged();
         },
       }).element,
-      toggle("Pen after rubbing, by touch", settings.penAfterEraser, (on) => {
+      toggle("Take the pen after the eraser", settings.penAfterEraser, (on) => {
         settings.penAfterEraser = on;
         this.host.settingsChanged();
       }),
@@ -269,7 +269,7 @@ export class ToolBars {
       ),
       opacity.element,
     );
-    const settingsButton = iconButton("settings", "Pen and paper", () => {
+    const settingsButton = iconButton("settings", "Options of pen and paper", () => {
       panel.hidden = !panel.hidden;
       open.setAttribute("aria-expanded", String(!panel.hidden));
       show();

@@ -27,12 +27,12 @@ export function toolsOf(mode: Mode, gestures: boolean): readonly Tool[] {
   const tools: Tool[] = [
     { name: "turn", icon: "turn", label: "Turn the face", word: "Turn", key: "T" },
     { name: "brush", icon: "brush", label: "Brush handles", word: "Brush", key: "B" },
-    { name: "unbrush", icon: "unbrush", label: "Remove handles", word: "Release", key: "E" },
+    { name: "unbrush", icon: "unbrush", label: "Release handles", word: "Release", key: "E" },
     { name: "translate", icon: "move", label: "Move handles", word: "Move", key: "V" },
     { name: "pull", icon: "pull", label: "Pull an outline", word: "Pull", key: "P" },
     { name: "region", icon: "lasso", label: "Enclose a region", word: "Region", key: "R" },
   ];
-  if (gestures) tools.push({ name: "gesture", icon: "gesture", label: "Free gestures", word: "Gesture", key: "G" });
+  if (gestures) tools.push({ name: "gesture", icon: "gesture", label: "Free gesture", word: "Gesture", key: "G" });
   return tools;
 }
 
@@ -47,7 +47,7 @@ export function firstTool(state: SessionState): ToolName {
 const kOutlineEyesNoseMouth = 5;
 const kIsTouch = matchMedia("(hover: none)").matches;
 
-/** What is done by touch is told without keys. */
+/** A tablet has no keys. */
 export function withoutKeys(text: string): string {
   return kIsTouch ? text.replace(/ \((?:[A-Z]|Ctrl\+Z)\)/g, "") : text;
 }
@@ -70,7 +70,7 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
         ? "Erase more, or take the pen (B) and draw the new line from dot to dot."
         : "Rub over the part of a line that you want to change. Then draw its new path.";
     return gaps > 0
-      ? "Draw from one orange dot to the other: the line snaps to them and the face follows."
+      ? "Draw from one orange dot to the other: the line snaps to them. The eraser (E) takes more."
       : erased
         ? "Draw the erased line again, near its old place."
         : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";

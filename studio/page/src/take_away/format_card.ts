@@ -63,19 +63,19 @@ export class FormatCard {
     if (before !== null && before !== (target && targetKey(target))) this.stale();
     if (this.result.hidden && !this.job.isBusy) this.showMade().catch(() => undefined);
   }
-  /** Names what was asked for: the same target with the same choices, unchanged since. */
-  private asked(): string {
+  /** Names what is made: the same target with the same choices, unchanged since. */
+  private request(): string {
     const { target } = this;
     if (!target || whyNot(target, this.format.id) !== null) return "";
     return JSON.stringify([this.format.body(target, this.chosen), target.kind === "session" ? target.changed : 0]);
   }
   /** The files that were made before a reload, where the server still has them. */
   private async showMade(): Promise<void> {
-    const asked = this.asked();
-    const made = this.studio.recall<{ asked: string; job: string } | null>(this.madeKey, null);
-    if (asked === "" || made?.asked !== asked) return;
+    const request = this.request();
+    const made = this.studio.recall<{ request: string; job: string } | null>(this.madeKey, null);
+    if (request === "" || made?.request !== request) return;
     const job = await this.studio.api.get<Job>(`/api/jobs/${made.job}`);
-    if (this.asked() === asked && this.result.hidden && !this.job.isBusy) this.showFiles(job);
+    if (this.request() === request && this.result.hidden && !this.job.isBusy) this.showFiles(job);
   }
   private get madeKey(): string {
     return `take-away.${this.format.id}.made`;
@@ -101,11 +101,11 @@ export class FormatCard {
       return;
     }
     this.make.disabled = true;
-    const asked = this.asked();
+    const request = this.request();
     try {
       const job = await this.job.run(body, format.doing);
       if (!job) return;
-      this.studio.remember(this.madeKey, { asked, job: job.id });
+      this.studio.remember(this.madeKey, { request, job: job.id });
       this.showFiles(job);
       this.result.scrollIntoView({ block: "nearest" });
     } finally {

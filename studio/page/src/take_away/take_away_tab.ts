@@ -1,6 +1,6 @@
 // The tab Take away: what is taken, and a card for each format that it can become.
 import type { SessionEntry, Shape } from "../api_types";
-import { avatarKey, kAskedKey, kAvatarHeadsKey, kAvatarKey, kAvatarSubjectKey, kNoPinOfAvatar, type AvatarState } from "../avatar/state";
+import { avatarKey, kWantedKey, kAvatarHeadsKey, kAvatarKey, kAvatarSubjectKey, kNoPinOfAvatar, type AvatarState } from "../avatar/state";
 import { el } from "../dom";
 import type { HistoryState } from "../history";
 import type { Studio, Tab } from "../tab";
@@ -93,9 +93,12 @@ class TakeAwayTab implements Tab {
   }
   /** What a person chose here, then what was worked on last, where it is still there. */
   private firstTarget(): Target | null {
-    const asked = this.studio.recall(kAskedKey, "");
-    if (asked !== "") this.wanted = asked;
-    this.studio.remember(kAskedKey, "");
+    const next = this.studio.recall(kWantedKey, "");
+    if (next !== "") {
+      this.wanted = next;
+      this.studio.remember("take-away.target", next);
+    }
+    this.studio.remember(kWantedKey, "");
     const byHand = this.wanted ?? (this.studio.subject ? null : this.studio.recall("take-away.target", ""));
     return this.find(byHand) ?? this.find(this.lastKey()) ?? this.targets[0] ?? null;
   }
@@ -135,7 +138,7 @@ class TakeAwayTab implements Tab {
     const last = this.find(this.lastKey());
     const isOther = this.chosen !== null && last !== null && targetKey(last) !== targetKey(this.chosen);
     this.other.hidden = !isOther || (this.chosen?.kind === "avatar" && this.isAvatarLast());
-    if (last) this.other.replaceChildren(el("span", { class: "p-hint" }, "You worked on something else since:"), button(`Take ${last.title}`, () => this.choose(targetKey(last))));
+    if (last) this.other.replaceChildren(el("span", { class: "p-hint" }, "You worked on something else since:"), button(`Take “${last.title}”`, () => this.choose(targetKey(last))));
   }
   private choose(key: string): void {
     this.chosen = this.targets.find((target) => targetKey(target) === key) ?? null;
@@ -152,6 +155,7 @@ class TakeAwayTab implements Tab {
     if (target?.kind === "avatar") this.studio.remember(kAvatarSubjectKey, JSON.stringify(this.studio.subject));
     this.studio.refresh();
     if (!target || target.kind === "avatar") return;
+    this.studio.remember(kAvatarSubjectKey, "");
     const body = target.kind === "shape" ? { shape: target.shape } : target.kind === "session" ? { session: target.id } : { face: target.id };
     this.studio.subject = { kind: target.kind, title: target.title, body };
     this.studio.refresh();
