@@ -28,6 +28,7 @@ const std::vector<std::string> kCommands = {"dataset faces",
                                             "draw",
                                             "rig",
                                             "avatar",
+                                            "studio",
                                             "export",
                                             "info"};
 
