@@ -1,5 +1,5 @@
 // node tests/studio/page/smoke.mjs PROGRAM [SHOTS_FOLDER]: the page of `daumier studio` in a browser, used by pointer and buttons.
-// Draws a face, redraws an eye, drags a handle, exports a .glb, reloads. Exit code 0: all is well; 1: sentences say what is not; 77: no browser.
+// Draws a face, redraws an eye, drags a handle, exports a .glb, reloads, paints handles. Exit code 0: all is well; 1: sentences say what is not; 77: no browser.
 // SHOTS_FOLDER receives a screenshot after each step.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
@@ -139,6 +139,16 @@ async function reloadKeepsTheDrawing(studio) {
   check(JSON.stringify(after.lines) === JSON.stringify(before.lines), 'After a reload the drawing has other lines.');
 }
 
+async function paintsHandles(studio) {
+  await studio.press('Sculpt');
+  const { sheet } = await studio.sessionWhere('the mode Sculpt', (state) => state.mode === 'refine');
+  const middle = sheet.map((side) => side / 2);
+  await studio.stroke([-20, 0, 20].map((x) => [middle[0] + x, middle[1]]), sheet);
+  await studio.sessionWhere('handles', (state) => state.handles.length > 0);
+  await studio.until('the buttons of handles', () => studio.page.getByRole('button', { name: 'Clear all handles' }).isVisible());
+  await checkAccessible(studio);
+}
+
 const steps = [
   ['opens on the first screen', opensOnTheFirstScreen],
   ['draws a face', drawsAFace],
@@ -147,6 +157,7 @@ const steps = [
   ['shows the tab Avatar', showsTheAvatar],
   ['exports a head', exportsAHead],
   ['keeps the drawing in a reload', reloadKeepsTheDrawing],
+  ['paints handles in Sculpt', paintsHandles],
 ];
 
 /** Runs the steps in order; the first that fails is the last. Returns sentences about what is wrong. */

@@ -185,7 +185,7 @@ export class ToolBars {
         ),
       );
     }
-    if (state.handles.length > 0 && usesHandles(tool)) groups.push(group("Handles", word("Clear", "Release all handles", () => this.host.clearHandles())));
+    if (state.handles.length > 0 && usesHandles(tool)) groups.push(group("Handles", word("Clear", "Clear all handles", () => this.host.clearHandles())));
     if (tool === "brush" || tool === "unbrush") {
       const size = group("Brush", el("span", {}, "Brush"), this.brushSize());
       size.classList.add("float-size");
