@@ -46,11 +46,6 @@ struct RecordedState {
   const sketch::SessionEvent* event = nullptr;  ///< Null: the session began with it.
 };
 
-std::shared_ptr<const sketch::SketchPredictor> OpenForSession(const SessionArguments& arguments) {
-  std::shared_ptr<const systems::Predictor> opened = sketch::OpenSketchPredictor(arguments.run, arguments.device);
-  return std::dynamic_pointer_cast<const sketch::SketchPredictor>(std::move(opened));
-}
-
 /// The shipped network of gestures, where a session has any. @throws UsageError if it is not there.
 std::shared_ptr<const sketch::GestureRecogniser> OpenGestures(const sketch::SessionScript& script) {
   const auto is_gesture = [](const sketch::SessionEvent& event) {
@@ -189,7 +184,7 @@ void ReplaySession(const SessionArguments& arguments) {
   std::vector<fs::path> inputs = {arguments.session, arguments.run};
   if (const fs::path face = FaceToBeginWith(arguments, script); !face.empty()) inputs.push_back(face);
   CheckReplacedFolder(arguments.out, kSessionKind, inputs);
-  const auto predictor = OpenForSession(arguments);
+  const auto predictor = sketch::OpenSessionPredictor(arguments.run, arguments.device);
   const faces::FaceTemplate& face_template = predictor->run().face_template;
   sketch::SketchSession session(predictor, script.width, script.height, OpenGestures(script));
   Begin(arguments, script, face_template, session);

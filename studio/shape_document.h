@@ -17,7 +17,7 @@ struct ShapeHandle {
 };
 
 /// A face as a person shapes it: a pure function of this document (FaceShaper). In JSON the same keys; all but base may be absent:
-///   {base: "mean", a pinned face or a session; toward: {face, share: 0 to 1}; controls: {nose_width_left: -3 to 3, ...};
+///   {base: "mean", a pinned face or a session; toward: {face, share: 0 to 1}; controls: {nose_wings_left: -3 to 3, ...};
 ///    exaggeration: 0 to 0.4; caricature: 0 to 2; handles: [{vertex, move: [x, y, z]}, ...]; expressions: {jawOpen: -1 to 2, ...};
 ///    gains: {jawOpen: 0 to 3, ...}}
 struct ShapeDocument {

@@ -29,11 +29,6 @@ struct RandomShapeOptions {
   }
 };
 
-std::shared_ptr<const sketch::SketchPredictor> OpenSketch(const fs::path& weights) {
-  std::shared_ptr<const systems::Predictor> opened = sketch::OpenSketchPredictor(weights, {});
-  return std::dynamic_pointer_cast<const sketch::SketchPredictor>(std::move(opened));
-}
-
 std::shared_ptr<const sketch::GestureRecogniser> OpenGestures(const std::optional<fs::path>& weights) {
   if (!weights) return nullptr;
   return std::make_shared<const sketch::GestureRecogniser>(sketch::OpenGestureRecogniser(*weights));
@@ -67,7 +62,7 @@ std::string TitleOfExample(std::string stem) {
 
 Studio::Studio(const fs::path& folder, const StudioWeights& weights, const fs::path& examples, fs::path program)
     : examples_(examples),
-      predictor_(OpenSketch(weights.sketch)),
+      predictor_(sketch::OpenSessionPredictor(weights.sketch, {})),
       display_(predictor_->run().face_template),
       desk_(folder / "sessions", predictor_, OpenGestures(weights.gestures)),
       tray_(folder / "faces", predictor_->face_template()),

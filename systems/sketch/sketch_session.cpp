@@ -83,6 +83,11 @@ render::Placement WholeSheet(double width, double height) {
 
 }  // namespace
 
+std::shared_ptr<const SketchPredictor> OpenSessionPredictor(const std::filesystem::path& run, const Device& device) {
+  std::shared_ptr<const systems::Predictor> opened = OpenSketchPredictor(run, device, {{"parsing", {{"turn", false}}}});
+  return std::dynamic_pointer_cast<const SketchPredictor>(std::move(opened));
+}
+
 SketchSession::SketchSession(std::shared_ptr<const SketchPredictor> predictor, double width, double height,
                              std::shared_ptr<const GestureRecogniser> gestures)
     : follower_(std::move(predictor)), width_(width), height_(height), gestures_(std::move(gestures)) {

@@ -7,6 +7,7 @@
 #include "systems/sketch/refinement_operation.h"
 #include "systems/sketch/session_pen.h"
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -124,5 +125,9 @@ class SketchSession {
   std::vector<StatePointer> history_;
   size_t current_ = 0;
 };
+
+/// The predictor of sessions: as OpenSketchPredictor, without a search for turned drawings, which costs unfinished ones three more
+/// parses; people draw upright on a screen.
+std::shared_ptr<const SketchPredictor> OpenSessionPredictor(const std::filesystem::path& run, const Device& device);
 
 }  // namespace daumier::sketch

@@ -13,7 +13,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// Landmarks at the origin but for those of a mouth of width 4 and eyes 8 apart; the inner lips are `gap` apart.
 geometry::Points MouthFace(double gap, double rise) {
@@ -50,8 +49,8 @@ TEST(MeasureRest, IsWhatIsWorkedOutByHand) {
 }
 
 TEST(WarningsOf, NameOpenAndSmilingMouths) {
-  EXPECT_THAT(WarningsOf({.lip_gap = 0.1, .corner_rise = 0.1, .mouth_width = 0.6}), IsEmpty());
-  EXPECT_THAT(WarningsOf({.lip_gap = 0.1, .corner_rise = -0.1, .mouth_width = 0.8}), IsEmpty());
+  EXPECT_EQ(WarningsOf({.lip_gap = 0.1, .corner_rise = 0.1, .mouth_width = 0.6}), std::vector<std::string>());
+  EXPECT_EQ(WarningsOf({.lip_gap = 0.1, .corner_rise = -0.1, .mouth_width = 0.8}), std::vector<std::string>());
   EXPECT_THAT(
       WarningsOf({.lip_gap = 0.2, .corner_rise = 0.04, .mouth_width = 0.7}),
       ElementsAre(HasSubstr("open at rest (the lips are 0.20 of its width apart"), HasSubstr("seems to smile")));
@@ -75,7 +74,7 @@ TEST(WarningsOf, OfPersonsAreFewAndOfGrinsAndOpenMouthsAreThere) {
                         Eigen::Map<const geometry::Points>(offset.data(), model.face_template.num_vertices(), 3),
                     landmarks));
   };
-  EXPECT_THAT(warnings("neutral"), IsEmpty());
+  EXPECT_EQ(warnings("neutral"), std::vector<std::string>());
   EXPECT_THAT(warnings("smile"), ElementsAre(HasSubstr("seems to smile")));
   EXPECT_THAT(warnings("mouth_open"), ElementsAre(HasSubstr("open at rest")));
   EXPECT_THAT(warnings("gleeful"), ElementsAre(HasSubstr("open at rest"), HasSubstr("seems to smile")));

@@ -16,8 +16,7 @@ inline std::filesystem::path ShippedFolder(const std::string& name) {
 }
 
 inline std::shared_ptr<const sketch::SketchPredictor> ShippedSketchPredictor() {
-  static const auto predictor = std::dynamic_pointer_cast<const sketch::SketchPredictor>(
-      std::shared_ptr<const systems::Predictor>(sketch::OpenSketchPredictor(ShippedFolder("sketch-ict"), {})));
+  static const auto predictor = sketch::OpenSessionPredictor(ShippedFolder("sketch-ict"), {});
   return predictor;
 }
 

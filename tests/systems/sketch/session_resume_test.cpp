@@ -11,10 +11,7 @@ namespace daumier::sketch {
 namespace {
 
 std::shared_ptr<const SketchPredictor> ShippedPredictor() {
-  static const std::shared_ptr<const SketchPredictor> predictor = [] {
-    std::shared_ptr<const systems::Predictor> opened = OpenSketchPredictor("weights/sketch-ict", {});
-    return std::dynamic_pointer_cast<const SketchPredictor>(std::move(opened));
-  }();
+  static const std::shared_ptr<const SketchPredictor> predictor = OpenSessionPredictor("weights/sketch-ict", {});
   return predictor;
 }
 
@@ -43,6 +40,11 @@ void ExpectEqualHistories(const SessionScript& script) {
   EXPECT_FALSE(resumed.Undo());
   while (replayed.Redo()) ASSERT_TRUE(resumed.Redo());
   ExpectEqualStates(*resumed.state(), *replayed.state());
+}
+
+TEST(OpenSessionPredictor, DoesNotSearchForTurnedDrawings) {
+  EXPECT_FALSE(ShippedPredictor()->options().parsing.turn);
+  EXPECT_TRUE(PredictOptions().parsing.turn);
 }
 
 TEST(SessionResume, EndsAsAReplayWithAnEqualHistory) {
