@@ -5,6 +5,7 @@
 #include "core/interrupt.h"
 #include "core/log.h"
 #include "core/program_folder.h"
+#include "core/runtime.h"
 #include "faces/face_database.h"
 #include "studio/collector.h"
 #include "studio/server.h"
@@ -132,6 +133,7 @@ void ServeStudy(const StudioArguments& arguments) {
 }
 
 void ServeStudio(const StudioArguments& arguments) {
+  ShareOneHeap();
   CheckStudyArguments(arguments.study);
   if (!studio::HasPage())
     throw UsageError(

@@ -97,6 +97,10 @@ void KeepFreedMemory() {
   mallopt(M_TOP_PAD, 256 << 20);
 }
 
+void ShareOneHeap() {
+  mallopt(M_ARENA_MAX, 1);
+}
+
 BlasInfo DescribeBlas() {
   const auto* const sgemm = reinterpret_cast<const void*>(FindSgemm());
   const std::string double_library = LibraryOf(dlsym(RTLD_DEFAULT, "dgemm_"));

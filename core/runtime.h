@@ -16,6 +16,10 @@ void SetUpRuntime(int threads);
 /// faults. For commands that repeat the same work; a process that lives for days would never give memory back.
 void KeepFreedMemory();
 
+/// From now on all threads allocate from one heap, for programs with many threads that are rarely busy at once: what one of them
+/// frees another one reuses. Call it before there are threads. tools/consumers/studio_load measures what it does.
+void ShareOneHeap();
+
 /// The thread count given to SetUpRuntime; the number of cores before that call or if 0 was given.
 int NumThreads();
 
