@@ -99,7 +99,7 @@ void Collector::FillQueue() {
   for (const Kept& kept : kept_) (kept.person == options_.person ? own : others).insert(kept.face);
   std::vector<int> order = Stream(0, "faces that are shown to " + options_.person).Permutation(faces_.size());
   std::erase_if(order, [&](int face) { return own.contains(face); });
-  std::ranges::stable_partition(order, [&](int face) { return !others.contains(face); });
+  std::stable_partition(order.begin(), order.end(), [&](int face) { return !others.contains(face); });
   const size_t wanted =
       options_.count > 0 ? std::min(size_t(options_.count), size_t(faces_.size())) : size_t(faces_.size());
   order.resize(std::min(order.size(), wanted - std::min(wanted, own.size())));

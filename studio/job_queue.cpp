@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -37,9 +36,10 @@ constexpr std::string_view kWarning = "warning: ";
 }  // namespace
 
 std::string ProgressOf(const fs::path& scratch) {
-  for (const std::string& line : std::views::reverse(PrintedLines(scratch)))
-    if (line.find(kWarning) == std::string::npos) return line;
-  return "";
+  std::string last;
+  for (std::string& line : PrintedLines(scratch))
+    if (line.find(kWarning) == std::string::npos) last = std::move(line);
+  return last;
 }
 
 std::vector<std::string> WarningsOf(const fs::path& scratch) {
