@@ -146,14 +146,18 @@ const kIcons = {
 } as const;
 export type IconName = keyof typeof kIcons;
 
-/** A line icon in the colour of the text. */
-export function iconOf(name: IconName): SVGSVGElement {
+/** A line drawing in the colour of the text, in a square of a side; no screen reader sees it. */
+export function lineIcon(line: string, side: number): SVGSVGElement {
   const kSvg = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(kSvg, "svg");
-  svg.setAttribute("viewBox", "0 0 24 24");
+  svg.setAttribute("viewBox", `0 0 ${side} ${side}`);
   svg.setAttribute("aria-hidden", "true");
   const path = document.createElementNS(kSvg, "path");
-  path.setAttribute("d", kIcons[name]);
+  path.setAttribute("d", line);
   svg.append(path);
   return svg;
+}
+
+export function iconOf(name: IconName): SVGSVGElement {
+  return lineIcon(kIcons[name], 24);
 }

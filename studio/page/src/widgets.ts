@@ -1,6 +1,6 @@
 // Elements of the panels: buttons, sections, sliders with a typed number, switches, choices.
 
-import { el } from "./dom";
+import { el, lineIcon } from "./dom";
 
 let lastId = 0;
 /** An id that no other element of the page has. */
@@ -153,15 +153,9 @@ const kIcons = {
 } as const;
 export type IconName = keyof typeof kIcons;
 
-/** A line drawing of 16 px in the colour of the text; no screen reader sees it. */
+/** A small icon of panels. */
 export function icon(name: IconName): SVGSVGElement {
-  const space = "http://www.w3.org/2000/svg";
-  const element = document.createElementNS(space, "svg");
-  const path = document.createElementNS(space, "path");
-  element.setAttribute("viewBox", "0 0 16 16");
+  const element = lineIcon(kIcons[name], 16);
   element.setAttribute("class", "p-icon");
-  element.setAttribute("aria-hidden", "true");
-  path.setAttribute("d", kIcons[name]);
-  element.append(path);
   return element;
 }
