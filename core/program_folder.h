@@ -5,7 +5,7 @@
 
 namespace daumier {
 
-/// The folder of the running program; empty where the system does not say.
+/// The folder of the program that this code is in, or of the shared library (libdaumier.so); empty where the system does not say.
 std::filesystem::path ProgramFolder();
 
 /// The nearest of a folder and the folders above it for which `holds` is true: how the program finds what lies in its
