@@ -49,11 +49,11 @@ daumier_alone(raster SOURCES raster/*.cpp ${parallel_sources} HEADERS raster/*.h
               PACKAGES fmt Threads LIBRARIES fmt::fmt Threads::Threads)
 
 # Exaggeration of faces by the curvature of their surface.
-set(exaggeration_files core/files core/json core/options core/random faces/exaggeration faces/face_model faces/gradient_scaling
+set(exaggeration_files core/files core/json core/options core/random faces/annotation faces/exaggeration faces/face_model faces/gradient_scaling
     geometry/alignment geometry/curvature geometry/flips geometry/normals geometry/operators geometry/poisson geometry/topology)
 list(TRANSFORM exaggeration_files APPEND .cpp OUTPUT_VARIABLE exaggeration_sources)
 list(TRANSFORM exaggeration_files APPEND .h OUTPUT_VARIABLE exaggeration_headers)
 daumier_alone(exaggeration SOURCES ${exaggeration_sources}
-              HEADERS ${exaggeration_headers} core/error.h core/options_impl.h faces/annotation.h geometry/coordinates.h geometry/mesh.h
+              HEADERS ${exaggeration_headers} core/error.h core/options_impl.h geometry/coordinates.h geometry/mesh.h
               PACKAGES fmt Eigen3 nlohmann_json "OpenSSL COMPONENTS Crypto"
               LIBRARIES fmt::fmt Eigen3::Eigen nlohmann_json::nlohmann_json OpenSSL::Crypto)

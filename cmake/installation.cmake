@@ -15,8 +15,8 @@ set_target_properties(daumier PROPERTIES INSTALL_RPATH "\$ORIGIN;\$ORIGIN/${priv
 if(DAUMIER_TRAINING)
   install(TARGETS daumier_training LIBRARY DESTINATION ${daumier_private_folder} COMPONENT training)
 endif()
-install(DIRECTORY weights configs DESTINATION ${daumier_data} COMPONENT program)
-install(FILES LICENSE THIRD_PARTY.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY weights configs DESTINATION ${daumier_data} COMPONENT data)
+install(FILES LICENSE THIRD_PARTY.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
 
 # The C library.
 set_target_properties(daumier_library PROPERTIES EXPORT_NAME c)
@@ -24,9 +24,10 @@ install(TARGETS daumier_library EXPORT daumier_c
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
 install(FILES c_api/daumier.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT daumier_c NAMESPACE daumier:: DESTINATION ${daumier_package} COMPONENT development)
-file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/daumier.pc CONTENT "prefix=${CMAKE_INSTALL_PREFIX}
-libdir=${CMAKE_INSTALL_FULL_LIBDIR}
-includedir=${CMAKE_INSTALL_FULL_INCLUDEDIR}
+file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/daumier.pc CONTENT "prefix=\${pcfiledir}/${prefix_from_pkgconfig}
+libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
+includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 
 Name: daumier
 Description: Faces from drawings and portraits, deformable faces, rigged heads

@@ -3,6 +3,8 @@
 #include "core/error.h"
 #include "geometry/normals.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <numbers>
 #include <set>

@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <utility>

@@ -4,6 +4,8 @@
 #include "geometry/normals.h"
 #include "geometry/topology.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <vector>
 

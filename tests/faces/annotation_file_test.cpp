@@ -84,13 +84,6 @@ TEST(AnnotationFile, RegionsMayBeListsAndUnitsSpecified) {
   EXPECT_EQ(file.regions.back().vertices, (std::vector<int>{4, 2}));
 }
 
-TEST(Region, MissingOneIsNamedWithWhatNeedsIt) {
-  Annotation annotation;
-  annotation.regions["nose"] = {1, 2};
-  EXPECT_EQ(RegionFor(annotation, "nose", "exaggeration").size(), 2u);
-  ExpectError([&] { RegionFor(annotation, "ears", "exaggeration"); }, "exaggeration needs the region 'ears'");
-}
-
 TEST(ExpressionFile, FirstIsNeutralAndNamesAreUnique) {
   const auto text = [](const std::string& expressions) {
     return R"({"format": 1, "source": "small", "expressions": [)" + expressions + "]}";
