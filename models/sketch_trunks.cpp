@@ -8,6 +8,9 @@
 #include <torch/nn/modules/batchnorm.h>
 #include <torch/nn/modules/linear.h>
 #include <torch/nn/modules/pooling.h>
+
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 
@@ -115,14 +118,32 @@ SketchTrunk Points(const TrunkOptions& options) {
   return {layers, Features(from, options.hidden)};
 }
 
+SketchTrunk FeaturesAlone(const TrunkOptions& options) {
+  return {nn::Sequential(), Features(options.shape_size, options.hidden)};
+}
+
+struct TrunkRow {
+  const char* name;
+  SketchTrunk (*make)(const TrunkOptions& options);
+};
+
+/// A new trunk is a row here, and one of sketch::TrunkKinds.
+constexpr TrunkRow kTrunks[] = {
+    {"compact", Compact}, {"alexnet", AlexNet}, {"residual", Residual}, {"points", Points}, {"shape", FeaturesAlone},
+};
+
 }  // namespace
 
-SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size) {
-  if (options.kind == "alexnet") return AlexNet(options);
-  if (options.kind == "residual") return Residual(options);
-  if (options.kind == "points") return Points(options);
-  if (options.kind == "shape") return {nn::Sequential(), Features(shape_size, options.hidden)};
-  return Compact(options);
+SketchTrunk MakeSketchTrunk(const TrunkOptions& options) {
+  for (const TrunkRow& row : kTrunks)
+    if (options.kind == row.name) return row.make(options);
+  throw Error(fmt::format("there is no trunk '{}' (expected {})", options.kind, fmt::join(SketchTrunkNames(), ", ")));
+}
+
+std::vector<std::string> SketchTrunkNames() {
+  std::vector<std::string> names;
+  for (const TrunkRow& row : kTrunks) names.emplace_back(row.name);
+  return names;
 }
 
 torch::Tensor InPlainLayout(const torch::Tensor& sketches) {

@@ -5,16 +5,21 @@
 #include <torch/nn/modules/conv.h>
 #include <torch/nn/pimpl.h>
 
+#include <string>
+#include <vector>
+
 namespace daumier::models {
 
-/// Which trunk, and its size. kind: "compact", "alexnet", "residual", "points" or "shape"; resolution: side of the
-/// sketch in pixels; width: channels of the first convolution; batch_norm: of alexnet alone; hidden: output features.
+/// Which trunk, and its size. kind: one of SketchTrunkNames; resolution: side of the sketch in pixels; width: channels of
+/// the first convolution; batch_norm: of alexnet alone; hidden: output features; shape_size: number of curve
+/// coefficients, for trunk shape alone.
 struct TrunkOptions {
   std::string kind;
   int resolution = 128;
   int width = 16;
   bool batch_norm = true;
   int hidden = 256;
+  int shape_size = 0;
 };
 
 /// The part of a sketch network that comes before its branches, in two: what is frozen in the second step of training
@@ -34,9 +39,11 @@ struct SketchTrunk {
 ///             fully connected layer reads the whole sketch
 ///   points    1 x 1 convolutions of the points, 2, 4 and 16 width channels, and their greatest values [Qi et al. 2017]
 ///   shape     nothing but the layer of features
-/// shape_size: length of the curve coefficients, for trunk shape alone.
-/// @throws Error if the picture is too small for the trunk.
-SketchTrunk MakeSketchTrunk(const TrunkOptions& options, int shape_size);
+/// @throws Error if there is no such trunk, or the picture is too small for it.
+SketchTrunk MakeSketchTrunk(const TrunkOptions& options);
+
+/// The kinds of trunks, those of sketch::TrunkKinds in their order.
+std::vector<std::string> SketchTrunkNames();
 
 /// The same sketches (B, 1, H, W), marked as in plain layout; no pixel is copied. With one channel the two layouts have
 /// the same bytes, and the mark decides in which of them LibTorch runs the convolutions.

@@ -2,8 +2,28 @@
 #include "core/options.h"
 
 #include <string>
+#include <vector>
 
 namespace daumier::sketch {
+
+/// What a trunk reads of a sketch.
+enum class TrunkInput { kPicture, kPoints, kCurves };
+
+/// A row of the table of trunks, which is in network_options.cpp. models/sketch_trunks.cpp has the other half of the row,
+/// the layers.
+struct TrunkKind {
+  std::string name;  ///< `network.trunk`.
+  TrunkInput input = TrunkInput::kPicture;
+  /// All channels of all convolutions are multiples of 8 iff `network.width` is a multiple of this.
+  int width_step = 8;
+  std::string help = "convolutions of its picture";  ///< "a point network on its strokes"
+};
+const std::vector<TrunkKind>& TrunkKinds();
+std::vector<std::string> TrunkNames();
+/// @throws UsageError if there is no trunk of that name.
+const TrunkKind& TrunkNamed(const std::string& name);
+/// Of `network.trunk`: the names with what they are.
+std::string TrunkHelp();
 
 /// Which network; the presets of configs/sketch/ name the rows of DeepSketch2Face's Table 2 in these words.
 struct SketchNetworkOptions {
@@ -26,9 +46,7 @@ struct SketchNetworkOptions {
 
   template <class V>
   void Visit(V&& visit) {
-    visit("trunk", trunk, Choices{{"compact", "alexnet", "residual", "points", "shape"}},
-          "What turns a sketch into features. compact, alexnet, residual: convolutions of its picture; points: a point "
-          "network on its strokes; shape: its curve coefficients alone (models/sketch_trunks.h).");
+    visit("trunk", trunk, Choices{TrunkNames()}, TrunkHelp());
     visit("shape_input", shape_input, Choices{{"none", "late", "early"}},
           "Where the curve coefficients join the features of the trunk. none: nowhere; late: before the output of each "
           "branch, as published; early: before the branches.");
@@ -56,11 +74,10 @@ struct SketchNetworkOptions {
           "weights need gaussian.");
   }
 
-  bool reads_image() const { return trunk == "compact" || trunk == "alexnet" || trunk == "residual"; }
-  bool reads_points() const { return trunk == "points"; }
-  bool reads_shape() const { return trunk == "shape" || shape_input != "none"; }
-  /// All channels of all convolutions are multiples of 8 iff width is a multiple of this.
-  int width_step() const { return trunk == "alexnet" ? 24 : trunk == "points" ? 4 : trunk == "shape" ? 1 : 8; }
+  bool reads_image() const { return TrunkNamed(trunk).input == TrunkInput::kPicture; }
+  bool reads_points() const { return TrunkNamed(trunk).input == TrunkInput::kPoints; }
+  bool reads_shape() const { return TrunkNamed(trunk).input == TrunkInput::kCurves || shape_input != "none"; }
+  int width_step() const { return TrunkNamed(trunk).width_step; }
   bool has_whole_blocks() const { return width % width_step() == 0; }
 };
 

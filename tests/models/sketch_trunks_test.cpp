@@ -13,7 +13,7 @@ namespace daumier::models {
 namespace {
 
 std::vector<int64_t> ConvolutionSizes(const TrunkOptions& options) {
-  SketchTrunk trunk = MakeSketchTrunk(options, 6);
+  SketchTrunk trunk = MakeSketchTrunk(options);
   return trunk.convolutions->forward(torch::rand({2, 1, options.resolution, options.resolution})).sizes().vec();
 }
 
@@ -34,7 +34,7 @@ TEST(SketchTrunks, AlexNetHasTheSidesOfItsPadding) {
   options.resolution = 64;
   EXPECT_EQ(ConvolutionSizes(options), (std::vector<int64_t>{2, 64, 1, 1}));
   options.resolution = 48;
-  testing::ExpectError([&] { MakeSketchTrunk(options, 6); }, "network.resolution=48 is too small");
+  testing::ExpectError([&] { MakeSketchTrunk(options); }, "network.resolution=48 is too small");
 }
 
 TEST(SketchTrunks, ResidualEndsAtSideFourOrLessWithTheWidth) {
@@ -47,11 +47,22 @@ TEST(SketchTrunks, ResidualEndsAtSideFourOrLessWithTheWidth) {
 
 TEST(SketchTrunks, CompactTakesEveryResolution) {
   for (const int resolution : {32, 50, 128}) {
-    SketchTrunk trunk = MakeSketchTrunk({.resolution = resolution, .width = 8, .hidden = 8}, 6);
+    SketchTrunk trunk = MakeSketchTrunk({.kind = "compact", .resolution = resolution, .width = 8, .hidden = 8});
     const auto features =
         trunk.features->forward(trunk.convolutions->forward(torch::rand({2, 1, resolution, resolution})));
     EXPECT_EQ(features.sizes().vec(), (std::vector<int64_t>{2, 8}));
   }
+}
+
+TEST(SketchTrunks, AnUnknownKindIsRefused) {
+  testing::ExpectError([] { MakeSketchTrunk({.kind = "resnet"}); },
+                       "there is no trunk 'resnet' (expected compact, alexnet");
+}
+
+TEST(SketchTrunks, ShapeIsOneLayerOfTheCurveCoefficients) {
+  SketchTrunk trunk = MakeSketchTrunk({.kind = "shape", .hidden = 5, .shape_size = 6});
+  EXPECT_TRUE(trunk.convolutions->is_empty());
+  EXPECT_EQ(trunk.features->forward(torch::rand({2, 6})).sizes().vec(), (std::vector<int64_t>{2, 5}));
 }
 
 TEST(InPlainLayout, MarksTheSameMemoryAndTheConvolutionsKeepIt) {
@@ -64,7 +75,7 @@ TEST(InPlainLayout, MarksTheSameMemoryAndTheConvolutionsKeepIt) {
     EXPECT_EQ(plain.data_ptr<float>(), last.data_ptr<float>());
     EXPECT_TRUE(torch::equal(plain, images));
     EXPECT_EQ(plain.strides(), images.strides());
-    SketchTrunk trunk = MakeSketchTrunk({.kind = "residual", .resolution = 32, .width = 8}, 6);
+    SketchTrunk trunk = MakeSketchTrunk({.kind = "residual", .resolution = 32, .width = 8});
     EXPECT_EQ(trunk.convolutions->forward(plain).suggest_memory_format(), torch::MemoryFormat::Contiguous);
     EXPECT_EQ(trunk.convolutions->forward(last).suggest_memory_format(), torch::MemoryFormat::ChannelsLast);
   }
@@ -77,7 +88,7 @@ TEST(StoreChannelsLast, ChangesNoNumberOfOutputsAndGradients) {
     std::vector<torch::Tensor> outputs;
     for (int i = 0; i < 2; ++i) {
       torch::manual_seed(5);
-      trunks.push_back(MakeSketchTrunk(options, 6));
+      trunks.push_back(MakeSketchTrunk(options));
       if (i == 1) StoreChannelsLast(*trunks[1].convolutions);
       torch::Tensor images = torch::rand({8, 1, 64, 64});
       images = images.as_strided(images.sizes(), {64 * 64, 1, 64, 1});

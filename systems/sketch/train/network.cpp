@@ -59,7 +59,7 @@ SketchNetworkImpl::SketchNetworkImpl(const SketchNetworkOptions& options, const 
   DAUMIER_CHECK(options.trunk != "shape" || options.shape_input == "none",
                 "network.trunk=\"shape\" reads the curve coefficients itself: network.shape_input has to be \"none\"");
   const bool early = options.shape_input == "early", late = options.shape_input == "late";
-  trunk_ = models::MakeSketchTrunk(TrunkOf(options), sizes.num_shape);
+  trunk_ = models::MakeSketchTrunk(TrunkOf(options, sizes.num_shape));
   if (options.has_whole_blocks()) models::StoreChannelsLast(*trunk_.convolutions);
   register_module("convolutions", trunk_.convolutions);
   register_module("features", trunk_.features);
@@ -143,8 +143,8 @@ SketchNetworkSizes SizesOf(const FittedModels& models) {
           models.curves.num_identity + models.curves.num_expression, int(models.bilinear.core.cols() / 3)};
 }
 
-models::TrunkOptions TrunkOf(const SketchNetworkOptions& options) {
-  return {options.trunk, options.resolution, options.width, options.batch_norm, options.hidden};
+models::TrunkOptions TrunkOf(const SketchNetworkOptions& options, int num_shape) {
+  return {options.trunk, options.resolution, options.width, options.batch_norm, options.hidden, num_shape};
 }
 
 torch::Tensor ChannelsLast(const torch::Tensor& images) {

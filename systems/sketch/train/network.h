@@ -19,8 +19,8 @@ struct SketchInput {
   int64_t size() const { return (images.defined() ? images : points.defined() ? points : shape).size(0); }
 };
 
-/// The trunk of these options.
-models::TrunkOptions TrunkOf(const SketchNetworkOptions& options);
+/// The trunk of these options. num_shape: of SketchNetworkSizes.
+models::TrunkOptions TrunkOf(const SketchNetworkOptions& options, int num_shape);
 
 /// Images of one channel, (B, 1, R, R), marked channels-last. This moves no memory, but the convolutions that follow
 /// keep the layout, which is faster. Undefined images stay undefined.

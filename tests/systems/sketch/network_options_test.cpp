@@ -21,5 +21,15 @@ TEST(RequireWholeBlocks, RefusesOtherWidthsAndNamesTheNearest) {
   EXPECT_THROW(require("compact", 255), UsageError);
 }
 
+TEST(TrunkKinds, SayWhatATrunkReads) {
+  EXPECT_TRUE((SketchNetworkOptions{.trunk = "residual"}.reads_image()));
+  EXPECT_TRUE((SketchNetworkOptions{.trunk = "points"}.reads_points()));
+  EXPECT_TRUE((SketchNetworkOptions{.trunk = "shape"}.reads_shape()));
+  testing::ExpectError([] { TrunkNamed("resnet"); }, "there is no network.trunk \"resnet\" (expected compact, alexnet");
+  EXPECT_NE(TrunkHelp().find("compact, alexnet, residual: convolutions of its picture; points: a point network on its "
+                             "strokes; "),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace daumier::sketch

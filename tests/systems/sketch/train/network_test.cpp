@@ -305,11 +305,11 @@ TEST(SketchNetwork, RefusesOtherShapes) {
 }
 
 TEST(SketchNetworkOptions, HasWholeBlocksWhereAllChannelsAreMultiplesOfEight) {
-  for (const char* trunk : {"compact", "alexnet", "residual", "points"}) {
+  for (const std::string& trunk : TrunkNames()) {
     for (int width = 1; width <= 48; ++width) {
       const SketchNetworkOptions options{.trunk = trunk, .resolution = 64, .width = width, .hidden = 1};
       bool whole = true;
-      for (const auto& layer : models::MakeSketchTrunk(TrunkOf(options), 6).convolutions->modules()) {
+      for (const auto& layer : models::MakeSketchTrunk(TrunkOf(options, 6)).convolutions->modules()) {
         if (const auto* convolution = layer->as<torch::nn::Conv2d>())
           whole = whole && convolution->options.out_channels() % 8 == 0;
         if (const auto* convolution = layer->as<torch::nn::Conv1d>())
@@ -318,13 +318,16 @@ TEST(SketchNetworkOptions, HasWholeBlocksWhereAllChannelsAreMultiplesOfEight) {
       EXPECT_EQ(options.has_whole_blocks(), whole) << trunk << " of width " << width;
     }
   }
-  EXPECT_TRUE((SketchNetworkOptions{.trunk = "shape", .width = 5}.has_whole_blocks()));
+}
+
+TEST(SketchNetworkOptions, BothHalvesOfTheTableOfTrunksHaveTheSameRows) {
+  EXPECT_EQ(TrunkNames(), models::SketchTrunkNames());
 }
 
 TEST(SketchNetwork, EveryTrunkEndsInHiddenFeatures) {
   for (const auto& [name, options] : testing::SmallSketchNetworks()) {
     SCOPED_TRACE(name);
-    models::SketchTrunk trunk = models::MakeSketchTrunk(TrunkOf(options), 6);
+    models::SketchTrunk trunk = models::MakeSketchTrunk(TrunkOf(options, 6));
     const SketchInput input = testing::RandomSketchInput(options, 3);
     torch::Tensor features = input.shape;
     if (options.reads_image()) features = trunk.convolutions->forward(input.images);
