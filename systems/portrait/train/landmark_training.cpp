@@ -1,6 +1,5 @@
 #include "systems/portrait/train/landmark_training.h"
 
-#include "core/config.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
@@ -13,8 +12,7 @@
 #include "systems/portrait/train/landmark_recipe.h"
 #include "tensor/runtime.h"
 #include "train/precision.h"
-#include "train/run_folder.h"
-#include "train/trainer.h"
+#include "train/train_run.h"
 
 #include <torch/utils.h>
 
@@ -51,21 +49,12 @@ TrainingSummary TrainLandmarks(const Json& config, const systems::RunPlace& plac
   const datasets::Split split = SplitSamples(source, options.split, options.seed);
 
   const Manifest manifest = ManifestOfLandmarks(options, portraits, source, split);
-  const Json defaults = ToJson(LandmarkTrainingOptions());
-  if (place.resume) train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
-  const bool begun =
-      train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"], defaults);
-  if (begun) VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
-  WriteFileIfChanged(run_directory / "resolved.toml", ToToml(ToJson(options)));
-  if (!begun) WriteManifest(run_directory, manifest);
+  train::StartRun(run_directory, place.resume, {ToJson(options), ToJson(LandmarkTrainingOptions()), manifest});
 
   torch::manual_seed(options.seed);
   LandmarkRecipe recipe(options, source, split.train, split.validation, torch_device);
-  const int64_t num_parameters = recipe.network()->num_parameters();
-  log::Info("Training {} parameters on {} portraits", num_parameters, recipe.num_samples());
-  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task,
-                                         train::EarlierTrainings(run_directory));
-  train::FinishRun(run_directory, summary, num_parameters);
+  TrainingSummary summary =
+      train::TrainRun(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
   exporting::StoreGraph(DescribeLandmarkExport(run_directory));
   log::Info("Best validation: {:.2f} % of the eye distance after epoch {} of {}; run folder {}", summary.best,
             summary.best_epoch, summary.epochs, run_directory.string());

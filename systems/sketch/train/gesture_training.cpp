@@ -1,6 +1,5 @@
 #include "systems/sketch/train/gesture_training.h"
 
-#include "core/config.h"
 #include "core/files.h"
 #include "core/log.h"
 #include "core/runtime.h"
@@ -11,7 +10,7 @@
 #include "tensor/runtime.h"
 #include "train/precision.h"
 #include "train/run_folder.h"
-#include "train/trainer.h"
+#include "train/train_run.h"
 
 #include <torch/utils.h>
 
@@ -62,21 +61,12 @@ TrainingSummary TrainGestures(const Json& config, const systems::RunPlace& place
       datasets::SplitByHand(database, options.split.validation, options.split.test, options.seed);
 
   const Manifest manifest = ManifestOfGestures(options, database, split);
-  const Json defaults = ToJson(GestureTrainingOptions());
-  if (place.resume) train::LengthenFinishedRun(run_directory, manifest.config, manifest.details["data"], defaults);
-  const bool begun =
-      train::OpenRunFolder(run_directory, place.resume, manifest.config, manifest.details["data"], defaults);
-  if (begun) VerifyChecksums(run_directory, ReadManifest(run_directory, "run"));
-  WriteFileIfChanged(run_directory / "resolved.toml", ToToml(ToJson(options)));
-  if (!begun) WriteManifest(run_directory, manifest);
+  train::StartRun(run_directory, place.resume, {ToJson(options), ToJson(GestureTrainingOptions()), manifest});
 
   torch::manual_seed(options.seed);
   GestureRecipe recipe(options, database, split, torch_device);
-  const int64_t num_parameters = NumParameters(recipe.module());
-  log::Info("Training {} parameters on {} strokes", num_parameters, recipe.num_samples());
-  TrainingSummary summary = train::Train(recipe, options.trainer, options.optimiser, options.seed, run_directory, task,
-                                         train::EarlierTrainings(run_directory));
-  train::FinishRun(run_directory, summary, num_parameters);
+  TrainingSummary summary =
+      train::TrainRun(recipe, options.trainer, options.optimiser, options.seed, run_directory, task);
   exporting::StoreGraph(DescribeGestureExport(run_directory));
   const GestureRejection rejection = RejectionOfRun(run_directory, options, database, split.validation);
   StoreRejection(run_directory, rejection);
