@@ -25,8 +25,8 @@ struct RunExport {
   CardText card;
   Json counts;
   Json details = Json::object();  ///< Of the export's manifest, in addition to opset and run_data_hash.
-  /// Writes further files into the folder, the template among them, and returns their checksums by name.
-  std::function<std::map<std::string, std::string>(const std::filesystem::path& folder)> write_rest;
+  /// Writes further files into the folder, the template among them, and returns their checksums by name. May be empty.
+  std::function<std::map<std::string, std::string>(const std::filesystem::path& folder)> write_rest = {};
   /// How the run becomes shipped weights (export/weights.h); absent where its task has none.
   struct ForWeights {
     Json network;  ///< From these options SystemTraining::make_network makes the network, without its numbers.

@@ -28,13 +28,13 @@ namespace fs = std::filesystem;
 
 constexpr int kPictureSide = 360;
 
-/// head: null where the result has no mesh.
+/// Empty where there is nothing to show. head: null where the result has no mesh.
 render::Image SheetOf(const faces::FinishedHead* head, const FaceResult& face) {
   std::vector<render::SheetCell> cells = face.pictures;
   const auto add = [&](const char* caption, render::Image picture) { cells.push_back({std::move(picture), caption}); };
   if (!face.drawn.empty())
     add("sketch, and the face's curves", render::DrawnWithCurves(face.drawn, face.curves, kPictureSide));
-  if (head == nullptr) return render::MakeSheet(cells, int(cells.size()));
+  if (head == nullptr) return cells.empty() ? render::Image() : render::MakeSheet(cells, int(cells.size()));
   const render::RenderInput surface = reports::InputOf(*head, face.vertices);
   const auto frame = render::FrameOf(face.vertices);
   const std::array<render::Camera, 2> cameras = {render::FrontalCamera(frame.centre, frame.half_height, kPictureSide),
@@ -55,7 +55,7 @@ std::vector<std::string> WriteResult(const fs::path& folder, const std::string& 
     reports::WriteHead(file(".obj"), *head, face.vertices);
     files.push_back(name + ".mtl");
   }
-  render::WriteImage(file(".png"), SheetOf(head, face));
+  if (const render::Image sheet = SheetOf(head, face); !sheet.pixels.empty()) render::WriteImage(file(".png"), sheet);
   if (!face.drawn.empty()) render::WriteSvg(file(".svg"), face.drawn, {"line"});
   for (const ResultText& text : face.files) WriteFileAtomically(file(text.suffix), text.text);
   for (const ResultMask& mask : face.masks) render::WriteImage(file(mask.suffix), mask.image);

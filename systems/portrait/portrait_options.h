@@ -96,7 +96,8 @@ struct PortraitLossOptions {
     visit("antialias", antialias, Flag{}, "Whether silhouettes of the rendered face are antialiased.");
   }
   bool renders() const { return photometric > 0; }
-  bool is_supervised() const { return vertices > 0 || coefficients > 0 || angles > 0; }
+  /// Of a picture's face.
+  bool reads_vertices() const { return vertices > 0; }
 };
 
 struct PortraitTrainingOptions {

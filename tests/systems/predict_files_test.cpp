@@ -147,6 +147,24 @@ class MarkPredictor : public Predictor {
   }
 };
 
+/// Finds a number alone.
+class NumberPredictor : public Predictor {
+ public:
+  std::vector<FaceResult> Predict(std::span<const Input>, const Task&) const override {
+    FaceResult result;
+    result.files = {{".json", "7\n"}};
+    return {result};
+  }
+};
+
+TEST_F(PredictFilesTest, AResultWithNothingToShowHasNoPicture) {
+  System system = system_;
+  system.result_files = {".json"};
+  const PredictionInputs inputs = ReadPredictionInputs(system, {Draw("anna.svg")});
+  PredictFiles(system, NumberPredictor(), run(), inputs, out(), Json::object());
+  EXPECT_EQ(Written(), (std::set<std::string>{"anna.json", "manifest.json"}));
+}
+
 TEST_F(PredictFilesTest, AResultWithoutAMeshIsASheetWithItsOwnFiles) {
   System system = system_;
   system.result_files = {".png", ".pts", "_mask.png"};

@@ -88,7 +88,6 @@ exporting::RunExport DescribeLandmarkExport(const std::filesystem::path& run_dir
                           "Faces in full profile and upside down are not among its training data.",
                           "It must not be used to identify or to judge people."}},
       .counts = {{"parameters", run.network->num_parameters()}},
-      .write_rest = [](const std::filesystem::path&) { return std::map<std::string, std::string>(); },
       .for_weights = exporting::RunExport::ForWeights{.network = ToJson(run.network_options), .write_rest = {}},
       .find_samples = [folder](exporting::ExportedFunction& function) { SampleLandmarkCrops(*folder, function); }};
 }

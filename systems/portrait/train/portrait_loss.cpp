@@ -97,7 +97,7 @@ train::LossTerms PortraitLoss::operator()(const torch::Tensor& coefficients, con
         losses::CoefficientPriorLoss(Slot(coefficients, faces::kIdentitySlot),
                                      Slot(coefficients, faces::kExpressionSlot), Slot(coefficients, faces::kAlbedoSlot),
                                      {options_.identity, options_.expression, options_.albedo}));
-  const bool with_vertices = options_.renders() || options_.vertices > 0;
+  const bool with_vertices = options_.renders() || options_.reads_vertices();
   const torch::Tensor vertices = with_vertices ? renderer_.layer().Vertices(coefficients) : torch::Tensor();
   if (options_.renders() || options_.reflectance > 0) {
     const torch::Tensor albedo = renderer_.layer().Albedo(coefficients);

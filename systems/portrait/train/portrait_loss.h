@@ -41,7 +41,7 @@ class PortraitLoss {
   const PortraitLossOptions& options() const { return options_; }
   /// Of the batch's arrays those that it reads.
   bool reads_pictures() const { return options_.renders(); }
-  bool reads_vertices() const { return options_.vertices > 0; }
+  bool reads_vertices() const { return options_.reads_vertices(); }
 
  private:
   const PortraitLossOptions options_;

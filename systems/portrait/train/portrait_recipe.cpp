@@ -41,7 +41,7 @@ PortraitRecipe::PortraitRecipe(const PortraitTrainingOptions& options, const fac
     : options_(options),
       device_(device),
       training_(portraits, TrainingImages(options, sets.train), sets.real, options, Jitter::kRandom,
-                {.picture = options.loss.renders(), .vertices = options.loss.vertices > 0}),
+                {.picture = options.loss.renders(), .vertices = options.loss.reads_vertices()}),
       validation_(portraits, EvenlySpaced(sets.validation, options.validation_images), nullptr, options, Jitter::kNone,
                   {.picture = false, .vertices = true}),
       loss_(model, options.loss),

@@ -77,7 +77,6 @@ exporting::RunExport DescribeGestureExport(const std::filesystem::path& run_dire
                               "threshold of `details.rejection`."}},
           .counts = {{"parameters", num_parameters}},
           .details = {{"rejection", rejection}},
-          .write_rest = [](const std::filesystem::path&) { return std::map<std::string, std::string>(); },
           .for_weights = exporting::RunExport::ForWeights{
               .network = ToJson(run.network_options),
               .write_rest = [rejection](const std::filesystem::path&, const std::filesystem::path&) {

@@ -102,7 +102,6 @@ exporting::RunExport DescribeParserExport(const std::filesystem::path& run_direc
                               "It expects one face; a drawing of something else is parsed as if it were one.",
                               "It must not be used to identify or to judge people."}},
           .counts = {{"parameters", run.network->num_parameters()}},
-          .write_rest = [](const std::filesystem::path&) { return std::map<std::string, std::string>(); },
           .for_weights = exporting::RunExport::ForWeights{.network = ToJson(run.network_options), .write_rest = {}}};
 }
 
