@@ -7,7 +7,7 @@ namespace {
 
 thread_local std::string last_error;
 
-/// A library writes nothing to the stderr of a program that has not asked for it.
+/// A library writes nothing to the stderr of a program by itself.
 [[maybe_unused]] const bool is_silent = [] {
   log::SetLevel(log::Level::kOff);
   return true;
