@@ -1,0 +1,37 @@
+// The example's page, used by a pen. node tests/web/example.mjs BUILD [SHOT.png]; also called by run.mjs.
+import { fileURLToPath } from 'node:url';
+import { exampleMounts } from '../../web/example/mounts.mjs';
+import { serve } from '../../web/example/server.mjs';
+import { launchBrowser, newPage } from '../studio/page/browser.mjs';
+import { drawnFace } from './drawings.mjs';
+
+/** Sentences of what is not well. shot: a file for a picture of the page. */
+export async function useExample(packageFolder, shot) {
+  const failures = [], { origin, close } = await serve(exampleMounts(packageFolder)), browser = await launchBrowser();
+  try {
+    const page = await newPage(browser);
+    page.setDefaultTimeout(60000);
+    page.on('pageerror', (error) => failures.push(`the example reports: ${error.message}`));
+    await page.goto(`${origin}/`);
+    await page.locator('#status', { hasText: 'Draw a face' }).waitFor();
+    const paper = page.locator('#paper'), view = page.locator('#view'), { x, y } = await paper.boundingBox(), before = await view.screenshot();
+    const { width, strokes } = drawnFace(1), scale = 400 / width;
+    for (const stroke of strokes) {
+      const [first, ...rest] = stroke.map(([px, py]) => [x + 1 + scale * px, y + 40 + scale * py]);
+      await page.mouse.move(...first);
+      await page.mouse.down();
+      for (const point of rest) await page.mouse.move(...point);
+      await page.mouse.up();
+    }
+    await page.locator('#status', { hasText: /face of your lines|hardly a face/ }).waitFor();
+    await page.waitForTimeout(500);
+    if ((await view.screenshot()).equals(before)) failures.push('the example shows the same face after a drawing');
+    if (shot !== undefined) await page.screenshot({ path: shot });
+  } finally {
+    await browser.close();
+    close();
+  }
+  return failures;
+}
+
+if (fileURLToPath(import.meta.url) === process.argv[1]) console.log(await useExample(process.argv[2], process.argv[3]));

@@ -1,0 +1,146 @@
+import { type Camera, checkedCamera, project } from "./camera.js";
+import { checkedStrokes, composed, type Drawing, inverse, mapToCanvas, type Placement, type Stroke, sheetPlacement, toCanvas } from "./drawing.js";
+import { DrawingParser } from "./drawing_parser.js";
+import { check } from "./error.js";
+import { findFaceFrame } from "./face_frame.js";
+import { type FacePointVertices, findFacePoints } from "./face_points.js";
+import { type FaceTemplate, readFaceTemplate } from "./face_template.js";
+import { type Folder, folderAt, type Place } from "./folder.js";
+import { withoutFarMarks } from "./framing.js";
+import { type FloatArray, type Manifest, Network, type OrtModule, outputOf, readManifest, type SessionOptions } from "./network.js";
+import { linesOfFace, parseWarnings, type ParsedDrawing, refuseProfile } from "./parsed_drawing.js";
+import { drawingOfPicture, type Picture } from "./picture.js";
+import { inkOf, sampleRows } from "./raster.js";
+import { Safetensors } from "./safetensors.js";
+
+export interface SketchOptions {
+  /**
+   * parser (default): a parser of drawings finds the face on the sheet, as `daumier predict --no-fit`. canvas: the sheet is the canvas of the
+   * training's sketches, as `daumier predict --keep-frame --no-refine`; all that an export of a run can do.
+   */
+  framing?: "parser" | "canvas";
+  /** Folder of the parser; default: `parser` next to the model. */
+  parser?: Place;
+  session?: SessionOptions;
+}
+
+/** A predicted face. */
+export interface SketchFace {
+  /** x, y, z of each vertex of the template in cm: to the face's own left, up, to the front. */
+  readonly vertices: Float32Array;
+  /** Coefficients by the name of the network's output: `u` identity, `v` expression, `residual` where it has one. */
+  readonly coefficients: Readonly<Record<string, Float32Array>>;
+  /** From the sheet to the canvas that the network saw. */
+  readonly frame: Placement;
+  /** With framing by a parser. */
+  readonly parsed?: ParsedDrawing;
+  readonly warnings: readonly string[];
+}
+
+/** What framing by a parser needs in addition. */
+interface Framing {
+  parser: DrawingParser;
+  points: FacePointVertices;
+  /** The mean face on the canvas. */
+  projected: Float64Array;
+}
+
+/** mean = basis^T coefficients, of shipped weights. */
+function meanFace(basis: Float32Array, coefficients: readonly number[]): Float32Array {
+  const size = basis.length / coefficients.length, sum = new Float64Array(size);
+  coefficients.forEach((coefficient, row) => {
+    for (let i = 0; i < size; ++i) sum[i]! += coefficient * basis[row * size + i]!;
+  });
+  return Float32Array.from(sum);
+}
+
+async function openFraming(ort: OrtModule, folder: Folder, manifest: Manifest, template: FaceTemplate, options: SketchOptions): Promise<Framing> {
+  const file = `${folder.name}/manifest.json`;
+  const { sketches, gaussian } = manifest.details as { sketches?: { camera?: unknown }; gaussian?: { mean?: number[] } };
+  check(manifest.kind === "weights", file, "an export has no camera and no mean face, by which drawings are framed",
+    'Draw on the canvas of the training\'s sketches and give framing: "canvas", or use shipped weights (daumier export RUN --weights)');
+  check(Array.isArray(gaussian?.mean), file, "details.gaussian.mean is missing", "Copy the weights again");
+  const camera: Camera = checkedCamera(sketches?.camera, file);
+  const numbers = new Safetensors(`${folder.name}/network.safetensors`, await folder.read("network.safetensors"));
+  const mean = meanFace(numbers.floats("basis"), gaussian.mean);
+  check(mean.length === template.neutral.length, numbers.file, `faces of 'basis' have ${mean.length / 3} vertices (expected ${template.neutral.length / 3})`, "Copy the weights again");
+  const parser = await DrawingParser.open(ort, folderAt(options.parser ?? folder.neighbour("parser")), options.session);
+  return { parser, points: findFacePoints(template), projected: project(camera, mean) };
+}
+
+/** From drawings to faces, by a network that reads sketches or points. */
+export class SketchModel {
+  private constructor(private readonly network: Network, readonly template: FaceTemplate, private readonly framing: Framing | undefined) {}
+
+  /**
+   * place: shipped weights, next to their face model and `parser`, or the export of a run.
+   * @throws DaumierError naming file, cause and repair.
+   */
+  static async open(ort: OrtModule, place: Place, options: SketchOptions = {}): Promise<SketchModel> {
+    const folder = folderAt(place), manifest = await readManifest(folder, "sketch"), file = `${folder.name}/manifest.json`;
+    const model = manifest.details["face_model"];
+    check(manifest.kind === "export" || typeof model === "string", file, "details.face_model is missing", "Copy the weights again");
+    const template = await readFaceTemplate(manifest.kind === "export" ? folder : folder.neighbour(String(model)));
+    const network = await Network.open(ort, folder, manifest, options.session);
+    const readable = network.inputNames.filter((name) => name === "sketch" || name === "points");
+    network.requireNames(readable.length > 0 ? readable : ["sketch"], ["u", "v", "vertices"]);
+    return new SketchModel(network, template, options.framing === "canvas" ? undefined : await openFraming(ort, folder, manifest, template, options));
+  }
+
+  /** The face of a drawing, or of a picture of one. @throws DaumierError if it is empty or shows a profile. */
+  async predict(input: Drawing | Picture): Promise<SketchFace> {
+    const drawing = "data" in input ? drawingOfPicture(input) : input;
+    const strokes = checkedStrokes(drawing);
+    if (this.framing === undefined) {
+      const frame = sheetPlacement(drawing);
+      return { ...(await this.faceOf(mapToCanvas(strokes, frame))), frame, warnings: [] };
+    }
+    const { parser, points, projected } = this.framing, parsed = await parser.parse(withoutFarMarks(strokes).strokes);
+    refuseProfile(parsed);
+    const onCanvas = parsed.points.map((point) => toCanvas(parsed.frame, point));
+    const frame = composed(inverse(findFaceFrame(points, projected, onCanvas, parsed.confidences)), parsed.frame);
+    const face = await this.faceOf(mapToCanvas(linesOfFace(parsed), frame));
+    return { ...face, frame, parsed, warnings: parseWarnings(parsed) };
+  }
+
+  /** The network alone, of strokes on the canvas. */
+  async faceOf(strokes: readonly Stroke[]): Promise<{ vertices: Float32Array; coefficients: Record<string, Float32Array> }> {
+    const inputs: Record<string, FloatArray> = {};
+    if (this.network.inputNames.includes("sketch")) {
+      const [, , side] = this.network.inputShape("sketch");
+      check(side !== undefined, this.network.file, "the size of its pictures is not fixed", "Export the run again");
+      inputs["sketch"] = { data: inkOf(strokes, side), shape: [1, 1, side, side] };
+    }
+    if (this.network.inputNames.includes("points")) {
+      const [, , count] = this.network.inputShape("points");
+      check(count !== undefined, this.network.file, "the number of its points is not fixed", "Export the run again");
+      inputs["points"] = { data: sampleRows(strokes, count), shape: [1, 4, count] };
+    }
+    return this.faceOfInputs(inputs);
+  }
+
+  /** The network alone. @throws DaumierError if an input has another size than the network's. */
+  async faceOfInputs(inputs: Readonly<Record<string, FloatArray>>): Promise<{ vertices: Float32Array; coefficients: Record<string, Float32Array> }> {
+    for (const [name, { shape }] of Object.entries(inputs)) {
+      const expected = this.network.inputShape(name).map((side) => side ?? 1);
+      check(shape.join() === expected.join(), name, `it is ${shape.join(" x ")} (expected ${expected.join(" x ")})`, "Give the size that the network reads");
+    }
+    const outputs = await this.network.run(inputs), { data: vertices, shape } = outputOf(outputs, "vertices", this.network);
+    check(vertices.length === this.template.neutral.length, this.network.file, `its faces are ${shape.join(" x ")} (expected ${this.template.neutral.length / 3} vertices, as the template)`,
+      "Give the model and the template of one export");
+    const coefficients: Record<string, Float32Array> = {};
+    for (const [name, { data }] of Object.entries(outputs)) if (name !== "vertices") coefficients[name] = data;
+    return { vertices, coefficients };
+  }
+
+  /** Frees the memory of the networks. */
+  async release(): Promise<void> {
+    await this.network.release();
+    await this.framing?.parser.release();
+  }
+}
+
+/** SketchModel.open */
+export function openSketchModel(ort: OrtModule, place: Place, options?: SketchOptions): Promise<SketchModel> {
+  return SketchModel.open(ort, place, options);
+}
