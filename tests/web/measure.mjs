@@ -1,6 +1,6 @@
 // node tests/web/measure.mjs BUILD: sizes of the package and of what it fetches, and times in Chromium (docs/web.md). BUILD: the built package.
 import { execFileSync } from 'node:child_process';
-import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -17,10 +17,11 @@ function printSize(name, files) {
 }
 const filesOf = (folder, names) => names.map((name) => join(folder, name));
 printSize('modules of the package', filesOf(build, readdirSync(build).filter((name) => name.endsWith('.js'))));
-printSize('onnxruntime-web', filesOf(ort, ['ort.wasm.bundle.min.mjs', 'ort-wasm-simd-threaded.wasm']));
-for (const name of ['sketch-ict', 'parser', 'portrait']) printSize(name, filesOf(join(weights, name), ['manifest.json', 'network.onnx', 'network.safetensors']));
+printSize('onnxruntime-web', filesOf(ort, ['ort.wasm.min.mjs', 'ort-wasm-simd-threaded.mjs', 'ort-wasm-simd-threaded.wasm']));
+for (const name of ['sketch-ict', 'parser', 'portrait'])
+  printSize(name, filesOf(join(weights, name), ['manifest.json', 'network.onnx', 'network.safetensors', ...(name === 'portrait' ? ['identity.safetensors'] : [])]));
 printSize('face-ict, template', filesOf(join(weights, 'face-ict'), ['template.json', 'template.safetensors']));
-console.log(`npm pack: ${execFileSync('npm', ['pack', '--dry-run', '--ignore-scripts', '--json'], { cwd: web, encoding: 'utf8' }).match(/"size": (\d+)/)[1]} bytes, of web/dist ${statSync(join(web, 'dist')).isDirectory()}`);
+console.log(`npm pack: ${execFileSync('npm', ['pack', '--dry-run', '--ignore-scripts', '--json'], { cwd: web, encoding: 'utf8' }).match(/"size": (\d+)/)[1]} bytes`);
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 const text = (values) => `least ${Math.min(...values).toFixed(1)} ms, median ${median(values).toFixed(1)} ms`;

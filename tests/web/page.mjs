@@ -3,11 +3,11 @@ import { createHash } from 'node:crypto';
 import { launchBrowser, newPage } from '../studio/page/browser.mjs';
 import { serve } from '../../web/example/server.mjs';
 
-const importMap = JSON.stringify({ imports: { 'onnxruntime-web/wasm': '/ort/ort.wasm.bundle.min.mjs', 'daumier-web': '/daumier/index.js', 'three': '/three/three.module.js' } });
+const importMap = JSON.stringify({ imports: { 'onnxruntime-web/wasm': '/ort/ort.wasm.min.mjs', 'daumier-web': '/daumier/index.js', 'three': '/three/three.module.js' } });
 const importMapHash = createHash('sha256').update(importMap).digest('base64');
 export const pageText = `<!doctype html><meta charset="utf-8"><title>daumier-web</title><link rel="icon" href="data:,"><script type="importmap">${importMap}</script>`;
 /** What a page needs: the import map is inline, all else are files. */
-export const policy = `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${importMapHash}'; worker-src 'self' blob:; img-src 'self' data:`;
+export const policy = `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${importMapHash}'; worker-src 'self'; img-src 'self' data:`;
 
 /** Numbers that the page sent by `packed`. */
 export function unpacked(text) {

@@ -27,7 +27,7 @@ export async function readFaceTemplate(folder: Folder): Promise<FaceTemplate> {
   check(version === 1 || version === 2, text, `its version is ${String(version)} (expected 1 or 2)`, "Install a newer daumier-web");
   const repair = "Export the model again";
   const neutral = arrays.floats("neutral"), numVertices = neutral.length / 3;
-  const inside = (vertices: ArrayLike<number>): boolean => Array.from(vertices).every((v) => Number.isInteger(v) && v >= 0 && v < numVertices);
+  const inside = (vertices: number[] | Int32Array): boolean => vertices.every((v) => Number.isInteger(v) && v >= 0 && v < numVertices);
   check(Array.isArray(landmarks) && landmarks.length === 68 && inside(landmarks), text, "it has no 68 landmarks on the mesh", repair);
   check(Array.isArray(curves) && curves.every(({ vertices }) => inside(vertices)), text, "it has no feature curves on the mesh", repair);
   const triangles = arrays.integers("triangles"), closing = arrays.integers("closing_triangles");

@@ -10,9 +10,9 @@ interface Sample {
   length: number;
 }
 
-function weightedQuantile(samples: readonly Sample[], share: number): number {
-  const sorted = [...samples].sort((a, b) => a.at - b.at);
-  const total = samples.reduce((sum, { length }) => sum + length, 0);
+/** The coordinate below which `share` of the length lies. */
+function weightedQuantile(sorted: readonly Sample[], share: number): number {
+  const total = sorted.reduce((sum, { length }) => sum + length, 0);
   let sum = 0;
   for (const { at, length } of sorted) {
     sum += length;
@@ -41,6 +41,7 @@ function coreBox(strokes: readonly Stroke[], least: number): Box {
       }
     }
   const box = new Box();
+  for (const samples of [xs, ys]) samples.sort((a, b) => a.at - b.at);
   if (xs.length > 0) for (const share of [kShareOutside, 1 - kShareOutside]) box.extend([weightedQuantile(xs, share), weightedQuantile(ys, share)]);
   return box;
 }

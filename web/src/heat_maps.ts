@@ -11,12 +11,12 @@ export interface Peak {
 const kWindow = 2, kSteps = 8;
 
 export function softmax(scores: ArrayLike<number>): Float64Array {
-  let largest = -Infinity;
-  for (let i = 0; i < scores.length; ++i) largest = Math.max(largest, scores[i]!);
-  const p = Float64Array.from(scores, (score) => Math.exp(score - largest));
-  let sum = 0;
-  for (const value of p) sum += value;
-  return p.map((value) => value / sum);
+  const count = scores.length, p = new Float64Array(count);
+  let largest = -Infinity, sum = 0;
+  for (let i = 0; i < count; ++i) if (scores[i]! > largest) largest = scores[i]!;
+  for (let i = 0; i < count; ++i) sum += p[i] = Math.exp(scores[i]! - largest);
+  for (let i = 0; i < count; ++i) p[i]! /= sum;
+  return p;
 }
 
 /** The first of the greatest. */
@@ -59,13 +59,11 @@ export function findPeak(scores: Float32Array, side: number, deviation: number):
 /** The mean of maps and of those of the mirror image, in which map m shows, mirrored, what map order[m] shows. */
 export function averageWithMirrored(maps: Float32Array, mirrored: Float32Array, side: number, order: readonly number[]): Float32Array {
   const mean = new Float32Array(maps.length), cells = side * side;
-  order.forEach((other, map) => {
-    for (let row = 0; row < side; ++row)
-      for (let column = 0; column < side; ++column) {
-        const at = map * cells + row * side + column;
-        mean[at] = 0.5 * Math.fround(maps[at]! + mirrored[other * cells + row * side + side - 1 - column]!);
-      }
-  });
+  for (let map = 0; map < order.length; ++map)
+    for (let row = 0; row < side; ++row) {
+      const to = map * cells + row * side, from = order[map]! * cells + row * side + side - 1;
+      for (let column = 0; column < side; ++column) mean[to + column] = 0.5 * (maps[to + column]! + mirrored[from - column]!);
+    }
   return mean;
 }
 

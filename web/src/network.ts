@@ -38,18 +38,23 @@ export async function readManifest(folder: Folder, system: string): Promise<Mani
   return { kind, system: found, details };
 }
 
+/** The numbers of a network of shipped weights. */
+export async function readNumbers(folder: Folder): Promise<Safetensors> {
+  return new Safetensors(`${folder.name}/network.safetensors`, await folder.read("network.safetensors"));
+}
+
 /** A network in a session of ONNX Runtime; runs follow one another. */
 export class Network {
   private last: Promise<unknown> = Promise.resolve();
 
   private constructor(private readonly ort: OrtModule, private readonly session: Ort.InferenceSession, readonly file: string) {}
 
-  /** @throws DaumierError if a file is missing or no network that ONNX Runtime reads. */
-  static async open(ort: OrtModule, folder: Folder, manifest: Manifest, options: SessionOptions = {}): Promise<Network> {
+  /** numbers: those of shipped weights, where they have been read. @throws DaumierError if a file is missing or no network that ONNX Runtime reads. */
+  static async open(ort: OrtModule, folder: Folder, manifest: Manifest, options: SessionOptions = {}, numbers?: Safetensors): Promise<Network> {
     const isWhole = manifest.kind === "export", name = isWhole ? "model.onnx" : "network.onnx";
     const file = `${folder.name}/${name}`;
     let bytes = await folder.read(name);
-    if (!isWhole) bytes = completeOnnx(file, bytes, new Safetensors(`${folder.name}/network.safetensors`, await folder.read("network.safetensors")));
+    if (!isWhole) bytes = completeOnnx(file, bytes, numbers ?? (await readNumbers(folder)));
     try {
       return new Network(ort, await ort.InferenceSession.create(bytes, { executionProviders: ["wasm"], ...options }), file);
     } catch (error) {
@@ -98,7 +103,7 @@ export class Network {
     const outputs: Record<string, FloatArray> = {};
     for (const [name, tensor] of Object.entries(found)) {
       const data = tensor.data as Float32Array;
-      check(data.every(Number.isFinite), this.file, `the output '${name}' has a number that is not finite`, "Copy the model again; the inputs may be too large");
+      check(areFinite(data), this.file, `the output '${name}' has a number that is not finite`, "Copy the model again; the inputs may be too large");
       outputs[name] = { data, shape: tensor.dims };
     }
     return outputs;
@@ -109,6 +114,13 @@ export class Network {
     await this.last;
     await this.session.release();
   }
+}
+
+/** A product with 0 is NaN of infinities and NaN alone. */
+function areFinite(numbers: Float32Array): boolean {
+  let sum = 0;
+  for (let i = 0; i < numbers.length; ++i) sum += 0 * numbers[i]!;
+  return sum === 0;
 }
 
 /** @throws DaumierError naming the network if there is no such output. */

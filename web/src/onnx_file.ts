@@ -79,10 +79,9 @@ function join(parts: Parts): Uint8Array {
   return joined;
 }
 
-function littleEndian(numbers: Float32Array): Uint8Array {
-  const bytes = new Uint8Array(4 * numbers.length), view = new DataView(bytes.buffer);
-  numbers.forEach((number, i) => view.setFloat32(4 * i, number, true));
-  return bytes;
+/** Processors that run WebAssembly are little-endian, as ONNX is. */
+function bytesOf({ buffer, byteOffset, byteLength }: Float32Array): Uint8Array {
+  return new Uint8Array(buffer, byteOffset, byteLength);
 }
 
 function dimsOf(file: string, tensor: Field[]): number[] {
@@ -112,7 +111,7 @@ function completeTensor(file: string, whole: Field, numbers: Safetensors): Parts
   check(shape === dims, numbers.file, `'${name}' is ${shape} (expected ${dims} by ${file})`, kRepair);
   const kept = fields.filter(({ number }) => ![kDataType, kRawData, kExternalData, kDataLocation].includes(number));
   return field(kInitializer, [...kept.map((each) => each.whole), varint(kDataType * 8), varint(kFloat),
-    ...field(kRawData, [littleEndian(numbers.floats(name))])]);
+    ...field(kRawData, [bytesOf(numbers.floats(name))])]);
 }
 
 /** The graph with all numbers in it, as float32. @throws DaumierError if the two files do not belong together. */

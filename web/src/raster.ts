@@ -61,7 +61,9 @@ export function rasteriseStrokes(strokes: readonly Stroke[], size: number): Uint
 
 /** Strokes of the canvas as a network reads them: ink 1, paper 0, row 0 on top. */
 export function inkOf(strokes: readonly Stroke[], size: number): Float32Array {
-  return Float32Array.from(rasteriseStrokes(strokes, size), (grey) => (255 - grey) / 255);
+  const pixels = rasteriseStrokes(strokes, size), ink = new Float32Array(pixels.length);
+  for (let i = 0; i < ink.length; ++i) ink[i] = (255 - pixels[i]!) / 255;
+  return ink;
 }
 
 /** Points at equal distances along all strokes, 4 x count: x, y in -1 .. 1, cosine and sine of twice the line's angle. */

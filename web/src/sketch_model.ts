@@ -7,11 +7,11 @@ import { type FacePointVertices, findFacePoints } from "./face_points.js";
 import { type FaceTemplate, readFaceTemplate } from "./face_template.js";
 import { type Folder, folderAt, type Place } from "./folder.js";
 import { withoutFarMarks } from "./framing.js";
-import { type FloatArray, type Manifest, Network, type OrtModule, outputOf, readManifest, type SessionOptions } from "./network.js";
+import { type FloatArray, type Manifest, Network, type OrtModule, outputOf, readManifest, readNumbers, type SessionOptions } from "./network.js";
 import { linesOfFace, parseWarnings, type ParsedDrawing, refuseProfile } from "./parsed_drawing.js";
 import { drawingOfPicture, type Picture } from "./picture.js";
 import { inkOf, sampleRows } from "./raster.js";
-import { Safetensors } from "./safetensors.js";
+import type { Safetensors } from "./safetensors.js";
 
 export interface SketchOptions {
   /**
@@ -54,14 +54,13 @@ function meanFace(basis: Float32Array, coefficients: readonly number[]): Float32
   return Float32Array.from(sum);
 }
 
-async function openFraming(ort: OrtModule, folder: Folder, manifest: Manifest, template: FaceTemplate, options: SketchOptions): Promise<Framing> {
+async function openFraming(ort: OrtModule, folder: Folder, manifest: Manifest, template: FaceTemplate, numbers: Safetensors | undefined, options: SketchOptions): Promise<Framing> {
   const file = `${folder.name}/manifest.json`;
   const { sketches, gaussian } = manifest.details as { sketches?: { camera?: unknown }; gaussian?: { mean?: number[] } };
-  check(manifest.kind === "weights", file, "an export has no camera and no mean face, by which drawings are framed",
+  check(numbers !== undefined, file, "an export has no camera and no mean face, by which drawings are framed",
     'Draw on the canvas of the training\'s sketches and give framing: "canvas", or use shipped weights (daumier export RUN --weights)');
   check(Array.isArray(gaussian?.mean), file, "details.gaussian.mean is missing", "Copy the weights again");
   const camera: Camera = checkedCamera(sketches?.camera, file);
-  const numbers = new Safetensors(`${folder.name}/network.safetensors`, await folder.read("network.safetensors"));
   const mean = meanFace(numbers.floats("basis"), gaussian.mean);
   check(mean.length === template.neutral.length, numbers.file, `faces of 'basis' have ${mean.length / 3} vertices (expected ${template.neutral.length / 3})`, "Copy the weights again");
   const parser = await DrawingParser.open(ort, folderAt(options.parser ?? folder.neighbour("parser")), options.session);
@@ -81,10 +80,12 @@ export class SketchModel {
     const model = manifest.details["face_model"];
     check(manifest.kind === "export" || typeof model === "string", file, "details.face_model is missing", "Copy the weights again");
     const template = await readFaceTemplate(manifest.kind === "export" ? folder : folder.neighbour(String(model)));
-    const network = await Network.open(ort, folder, manifest, options.session);
+    const numbers = manifest.kind === "export" ? undefined : await readNumbers(folder);
+    const framing = options.framing === "canvas" ? undefined : await openFraming(ort, folder, manifest, template, numbers, options);
+    const network = await Network.open(ort, folder, manifest, options.session, numbers);
     const readable = network.inputNames.filter((name) => name === "sketch" || name === "points");
     network.requireNames(readable.length > 0 ? readable : ["sketch"], ["u", "v", "vertices"]);
-    return new SketchModel(network, template, options.framing === "canvas" ? undefined : await openFraming(ort, folder, manifest, template, options));
+    return new SketchModel(network, template, framing);
   }
 
   /** The face of a drawing, or of a picture of one. @throws DaumierError if it is empty or shows a profile. */
@@ -101,6 +102,11 @@ export class SketchModel {
     const frame = composed(inverse(findFaceFrame(points, projected, onCanvas, parsed.confidences)), parsed.frame);
     const face = await this.faceOf(mapToCanvas(linesOfFace(parsed), frame));
     return { ...face, frame, parsed, warnings: parseWarnings(parsed) };
+  }
+
+  /** While a line is drawn: the network alone, in the frame of an earlier prediction; all lines count as the face's. */
+  async preview(drawing: Drawing, frame: Placement): Promise<SketchFace> {
+    return { ...(await this.faceOf(mapToCanvas(checkedStrokes(drawing), frame))), frame, warnings: [] };
   }
 
   /** The network alone, of strokes on the canvas. */

@@ -41,18 +41,16 @@ export function thin(ink: Uint8Array, width: number, height: number): Uint8Array
   for (let row = 0; row < height; ++row) for (let column = 0; column < width; ++column) mask[(row + 1) * stride + column + 1] = ink[row * width + column]!;
   const offsets = [-stride, -stride + 1, 1, stride + 1, stride, stride - 1, -1, -stride - 1];
   const neighboursOf = (at: number): number => offsets.reduce((bits, offset, i) => bits | (mask[at + offset]! << i), 0);
-  let idle = 0;
+  let left: number[] = [], idle = 0;
+  for (let at = 0; at < mask.length; ++at) if (mask[at] !== 0) left.push(at);
   for (let pass = 0; idle < 2; pass = 1 - pass) {
-    const going: number[] = [];
-    mask.forEach((isInk, at) => {
-      if (isInk !== 0 && kGoes[pass]![neighboursOf(at)]) going.push(at);
-    });
+    const staying: number[] = [], going: number[] = [];
+    for (const at of left) (kGoes[pass]![neighboursOf(at)] ? going : staying).push(at);
     for (const at of going) mask[at] = 0;
+    left = staying;
     idle = going.length > 0 ? 0 : idle + 1;
   }
-  mask.forEach((isInk, at) => {
-    if (isInk !== 0 && kIsSuperfluous[neighboursOf(at)]) mask[at] = 0;
-  });
+  for (const at of left) if (kIsSuperfluous[neighboursOf(at)]) mask[at] = 0;
   const skeleton = new Uint8Array(width * height);
   for (let row = 0; row < height; ++row) for (let column = 0; column < width; ++column) skeleton[row * width + column] = mask[(row + 1) * stride + column + 1]!;
   return skeleton;
