@@ -34,3 +34,27 @@ export function drawnFace(seed) {
   const place = ([px, py]) => [x + cos * px - sin * py + tremor * (random() - 0.5), y + sin * px + cos * py + tremor * (random() - 0.5)].map(Math.fround);
   return { width: 600, height: 480, strokes: strokes.map((stroke) => stroke.map(place)) };
 }
+
+function shifted(strokes, dx) {
+  return strokes.map((stroke) => stroke.map(([x, y]) => [Math.fround(x + dx), y]));
+}
+
+/** The face over a title of seven letters. */
+export function titledFace(seed) {
+  const face = drawnFace(seed), points = face.strokes.flat(), bottom = Math.max(...points.map(([, y]) => y)), left = Math.min(...points.map(([x]) => x));
+  const letters = Array.from({ length: 7 }, (_, i) => [[0, 0], [6, 20], [12, 0]].map(([x, y]) => [left + 20 * i + x, bottom + 60 + y].map(Math.fround)));
+  return { ...face, height: 700, strokes: [...face.strokes, ...letters] };
+}
+
+/** Two faces side by side, the right one with other features. */
+export function twoFaces(seed) {
+  return { width: 1200, height: 480, strokes: [...drawnFace(seed).strokes, ...shifted(drawnFace(seed + 1).strokes, 500)] };
+}
+
+/** The face with hair of 12,000 points, more than the networks' pictures need. */
+export function scribbledFace(seed) {
+  const face = drawnFace(seed), random = randomNumbers(seed), points = face.strokes.flat(), xs = points.map(([x]) => x), top = Math.min(...points.map(([, y]) => y));
+  const left = Math.min(...xs), width = Math.max(...xs) - left;
+  const hair = Array.from({ length: 60 }, () => Array.from({ length: 200 }, () => [left + width * random(), top - 20 + 60 * random()].map(Math.fround)));
+  return { ...face, strokes: [...face.strokes, ...hair] };
+}

@@ -120,3 +120,9 @@ export function boxOf(stroke: Stroke): Box {
   for (const point of stroke) box.extend(point);
   return box;
 }
+
+export function boxOfStrokes(strokes: readonly Stroke[]): Box {
+  const box = new Box();
+  for (const stroke of strokes) for (const point of stroke) box.extend(point);
+  return box;
+}

@@ -1,5 +1,5 @@
 import { check } from "./error.js";
-import { Box, boxOf, type Point, type Stroke } from "./drawing.js";
+import { Box, boxOf, boxOfStrokes, kSketchCanvas, type Point, type Stroke } from "./drawing.js";
 
 const kShareOutside = 0.02;  // Of the length of all strokes, beyond each side of the core box.
 const kReach = 0.15;  // From the core box, as a share of its longer side, within which strokes belong to the drawing.
@@ -46,10 +46,11 @@ function coreBox(strokes: readonly Stroke[], least: number): Box {
   return box;
 }
 
-/** The drawing without marks far outside of it (dirt, a signature), and its box: render::FrameDrawing. */
-export function withoutFarMarks(strokes: readonly Stroke[]): { strokes: Stroke[]; box: Box } {
-  const whole = new Box();
-  for (const stroke of strokes) for (const point of stroke) whole.extend(point);
+const kCurveHeight = 0.62, kMaxWidth = 0.8;  // Of the drawing on the canvas, shares of its side.
+
+/** The drawing without marks far outside of it (dirt, a signature), its box, and pixels of the canvas of one of the sheet: render::FrameDrawing. */
+export function withoutFarMarks(strokes: readonly Stroke[]): { strokes: Stroke[]; box: Box; scale: number } {
+  const whole = boxOfStrokes(strokes);
   check(!whole.isEmpty && whole.longerSide > 0, "drawing", "it has no extent", "Draw a face by lines");
   const core = coreBox(strokes, whole.longerSide / kNumSteps), reach = core.isEmpty ? whole : core;
   const margin = kReach * reach.longerSide, kept: Stroke[] = [], box = new Box();
@@ -61,5 +62,6 @@ export function withoutFarMarks(strokes: readonly Stroke[]): { strokes: Stroke[]
     box.extend([own.maxX, own.maxY]);
     kept.push(stroke);
   }
-  return { strokes: kept, box };
+  const least = 1e-9 * whole.longerSide;
+  return { strokes: kept, box, scale: kSketchCanvas * Math.min(kCurveHeight / Math.max(box.height, least), kMaxWidth / Math.max(box.width, least)) };
 }

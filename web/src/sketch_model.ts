@@ -5,6 +5,7 @@ import { check } from "./error.js";
 import { findFaceFrame } from "./face_frame.js";
 import { type FacePointVertices, findFacePoints } from "./face_points.js";
 import { type FaceTemplate, readFaceTemplate } from "./face_template.js";
+import { largestFace } from "./faces_on_sheet.js";
 import { type Folder, folderAt, type Place } from "./folder.js";
 import { withoutFarMarks } from "./framing.js";
 import { type FloatArray, type Manifest, Network, type OrtModule, outputOf, readManifest, readNumbers, type SessionOptions } from "./network.js";
@@ -12,6 +13,7 @@ import { linesOfFace, parseWarnings, type ParsedDrawing, refuseProfile } from ".
 import { drawingOfPicture, type Picture } from "./picture.js";
 import { inkOf, sampleRows } from "./raster.js";
 import type { Safetensors } from "./safetensors.js";
+import { sparseStrokes } from "./sparse_strokes.js";
 
 export interface SketchOptions {
   /**
@@ -94,14 +96,18 @@ export class SketchModel {
     const strokes = checkedStrokes(drawing);
     if (this.framing === undefined) {
       const frame = sheetPlacement(drawing);
-      return { ...(await this.faceOf(mapToCanvas(strokes, frame))), frame, warnings: [] };
+      return { ...(await this.faceOf(mapToCanvas(sparseStrokes(strokes, frame.scale), frame))), frame, warnings: [] };
     }
-    const { parser, points, projected } = this.framing, parsed = await parser.parse(withoutFarMarks(strokes).strokes);
+    const largest = largestFace(strokes), near = withoutFarMarks(largest.strokes);
+    const { parser, points, projected } = this.framing, parsed = await parser.parse(sparseStrokes(near.strokes, near.scale));
     refuseProfile(parsed);
     const onCanvas = parsed.points.map((point) => toCanvas(parsed.frame, point));
     const frame = composed(inverse(findFaceFrame(points, projected, onCanvas, parsed.confidences)), parsed.frame);
     const face = await this.faceOf(mapToCanvas(linesOfFace(parsed), frame));
-    return { ...face, frame, parsed, warnings: parseWarnings(parsed) };
+    const warnings = parseWarnings(parsed);
+    if (largest.numFaces > 1) warnings.push(`the sheet holds ${largest.numFaces} faces, of which the largest is predicted`);
+    if (largest.numLeftOut > 0) warnings.push(`${largest.numLeftOut} strokes apart from the face are left out`);
+    return { ...face, frame, parsed, warnings };
   }
 
   /** While a line is drawn: the network alone, in the frame of an earlier prediction; all lines count as the face's. */
