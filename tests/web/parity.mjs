@@ -50,7 +50,7 @@ export async function compareWithProgram(program, packageFolder) {
     await compareDrawings({ program, page, report, drawings, ink, numNumbers: mean.length });
     await compareRun({ program, page, report, run: small.sketch, drawing: drawings[0][1], numNumbers: mean.length });
     await compareSurfaces({ program, page, report, run: small.deform, numNumbers: mean.length });
-    await comparePortraits({ program, page, report, numNumbers: mean.length });
+    await comparePortraits({ program, page, report, run: small.portrait, numNumbers: mean.length });
     await readPicture({ page, report, drawing: drawings.find(([name]) => name.includes('man.svg'))[1] });
     if (faults.length > 0) failures.push(`the page reports: ${faults.join('; ')}`);
     await checkErrors({ page, failures });  // Last: the browser, too, reports what the server lacks.
@@ -89,7 +89,6 @@ async function compareDrawings({ program, page, report, drawings, ink, numNumber
 
 /** The whole model.onnx of an exported run. */
 async function compareRun({ program, page, report, run, drawing, numNumbers }) {
-  if (run === undefined) return;
   const file = join(program.scratch, 'drawings/drawing0.svg');
   const { folder } = program.predict([run, file], '--keep-frame', '--no-refine');
   const found = await page.evaluate(async (given) => {
@@ -101,7 +100,6 @@ async function compareRun({ program, page, report, run, drawing, numNumbers }) {
 
 /** SIREN: codes of `daumier edit`, whose vertices our own kernel computes. */
 async function compareSurfaces({ program, page, report, run, numNumbers }) {
-  if (run === undefined) return;
   const folder = join(program.scratch, 'edit');
   program.run('edit', run, '--random', '3', '--seed', '3', '--out', folder);
   const { faces } = JSON.parse(readFileSync(join(folder, 'edit.json'), 'utf8'));
@@ -115,26 +113,32 @@ async function compareSurfaces({ program, page, report, run, numNumbers }) {
 }
 
 /** The browser decodes the JPEG; the program reads the same pixels from a PNG. */
-async function comparePortraits({ program, page, report, numNumbers }) {
+async function comparePortraits({ program, page, report, run, numNumbers }) {
   const { manifest } = program.predict([join(repository, 'docs/examples/portraits/woman.jpg')], '--weights', 'portrait', 'fine=false');
   const { landmarks } = manifest.details.drawings.woman, text = join(program.scratch, 'landmarks.txt');
   writeFileSync(text, landmarks.map((point) => point.join(' ')).join('\n'));
   for (const size of [1, 2.3]) {
     const found = await page.evaluate(async ([points, times]) => {
-      window.portraits ??= await daumier.openPortraitModel(ort, '/weights/portrait');
+      window.portraits ??= [await daumier.openPortraitModel(ort, '/weights/portrait'), await daumier.openPortraitModel(ort, '/runs/portrait_export')];
       const picture = await createImageBitmap(await (await fetch('/portraits/woman.jpg')).blob(), { colorSpaceConversion: 'none' });
       const canvas = new OffscreenCanvas(Math.round(picture.width * times), Math.round(picture.height * times)), context = canvas.getContext('2d');
       context.drawImage(picture, 0, 0, canvas.width, canvas.height);
-      const pixels = context.getImageData(0, 0, canvas.width, canvas.height), face = await portraits.predict(pixels, points.flat().map((at) => at * times));
-      return { width: canvas.width, height: canvas.height, data: packed(pixels.data), vertices: packed(face.vertices), coefficients: Object.values(face.coefficients).flatMap((each) => [...each]) };
+      const pixels = context.getImageData(0, 0, canvas.width, canvas.height), faces = [];
+      for (const model of portraits) {
+        const { vertices, coefficients } = await model.predict(pixels, points.flat().map((at) => at * times));
+        faces.push({ vertices: packed(vertices), coefficients: Object.values(coefficients).flatMap((each) => [...each]) });
+      }
+      return { width: canvas.width, height: canvas.height, data: packed(pixels.data), faces };
     }, [landmarks, size]);
     const file = join(program.scratch, `woman${size}.png`);
     writeFileSync(file, pngOf({ ...found, data: Buffer.from(found.data, 'base64') }));
     writeFileSync(text, landmarks.map((point) => point.map((at) => at * size).join(' ')).join('\n'));
-    const own = program.predict([file], '--weights', 'portrait', 'fine=false', `landmarks=${text}`), [name] = Object.keys(own.manifest.details.drawings);
-    const { coefficients } = own.manifest.details.drawings[name], kinds = ['identity', 'expression', 'albedo', 'light', 'pose'];
-    report(`portrait of ${found.width} x ${found.height}, coefficients`, difference(found.coefficients, kinds.flatMap((kind) => coefficients[kind])));
-    report(`portrait of ${found.width} x ${found.height}, face`, difference(unpacked(found.vertices), verticesOfObj(join(own.folder, `${name}.obj`), numNumbers)));
+    for (const [i, model] of [['--weights', 'portrait'], [run]].entries()) {
+      const own = program.predict(i === 0 ? [file] : [...model, file], ...(i === 0 ? model : []), 'fine=false', `landmarks=${text}`), [name] = Object.keys(own.manifest.details.drawings);
+      const { coefficients } = own.manifest.details.drawings[name], kinds = ['identity', 'expression', 'albedo', 'light', 'pose'], title = `portrait of ${found.width} x ${found.height}, ${i === 0 ? 'shipped' : 'exported run'}`;
+      report(`${title}, coefficients`, difference(found.faces[i].coefficients, kinds.flatMap((kind) => coefficients[kind])));
+      report(`${title}, face`, difference(unpacked(found.faces[i].vertices), verticesOfObj(join(own.folder, `${name}.obj`), numNumbers)));
+    }
   }
 }
 

@@ -19,9 +19,14 @@ function checkedFrame(json: unknown, file: string): ModelFrame {
 
 /** A deformable model of heads: a code to a surface. */
 export class DeformModel {
-  private constructor(private readonly network: Network, readonly template: FaceTemplate, private readonly frame: ModelFrame, private readonly points: Float32Array,
+  private constructor(
+    private readonly network: Network,
+    readonly template: FaceTemplate,
+    private readonly frame: ModelFrame,
+    private readonly points: Float32Array,
     /** Numbers of a code. */
-    readonly codeLength: number) {}
+    readonly codeLength: number,
+  ) {}
 
   /** place: the export of a run of the task `deform`. @throws DaumierError naming file, cause and repair. */
   static async open(ort: OrtModule, place: Place, session?: SessionOptions): Promise<DeformModel> {
@@ -44,8 +49,8 @@ export class DeformModel {
     const code = { data: latent, shape: [1, this.codeLength] };
     const readsPoints = this.network.inputNames.includes("points");
     const outputs = await this.network.run(readsPoints ? { latent: code, points: { data: this.points, shape: [this.points.length / 3, 3] } } : { latent: code });
-    const positions = outputOf(outputs, readsPoints ? "positions" : "vertices", this.network).data, { scale, offset } = this.frame;
-    check(positions.length === this.template.neutral.length, this.network.file, `it has ${positions.length / 3} vertices (expected ${this.template.neutral.length / 3})`, "Export the run again");
+    const positions = outputOf(outputs, readsPoints ? "positions" : "vertices", this.network).data, { scale, offset } = this.frame, expected = this.template.neutral.length;
+    check(positions.length === expected, this.network.file, `it has ${positions.length / 3} vertices (expected ${expected / 3})`, "Export the run again");
     return positions.map((value, i) => (value - offset[i % 3]!) / scale);
   }
 

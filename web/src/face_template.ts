@@ -23,7 +23,8 @@ export async function readFaceTemplate(folder: Folder): Promise<FaceTemplate> {
   const file = `${folder.name}/template.safetensors`, text = `${folder.name}/template.json`;
   const [bytes, json] = await Promise.all([folder.read("template.safetensors"), readJson(folder, "template.json")]);
   const arrays = new Safetensors(file, bytes);
-  const { format_version: version, landmarks, curves, source } = json as { format_version?: unknown; landmarks?: number[]; curves?: { name: string; vertices: number[] }[]; source?: string };
+  const { format_version: version, landmarks, curves, source } =
+    json as { format_version?: unknown; landmarks?: number[]; curves?: { name: string; vertices: number[] }[]; source?: string };
   check(version === 1 || version === 2, text, `its version is ${String(version)} (expected 1 or 2)`, "Install a newer daumier-web");
   const repair = "Export the model again";
   const neutral = arrays.floats("neutral"), numVertices = neutral.length / 3;

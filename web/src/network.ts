@@ -19,6 +19,8 @@ export interface Manifest {
   readonly kind: string;
   readonly system: string;
   readonly details: Readonly<Record<string, unknown>>;
+  /** The options of the run. */
+  readonly config: Readonly<Record<string, unknown>>;
 }
 
 const kExport = "Give the folder of shipped weights (weights/NAME), or make one: daumier export RUN --out FOLDER";
@@ -35,7 +37,7 @@ export async function readManifest(folder: Folder, system: string): Promise<Mani
   const config = (json["config"] ?? {}) as Record<string, unknown>;
   const found = String(details["system"] ?? config["system"] ?? system);
   check(found === system, file, `this is a model of the task '${found}' (expected '${system}')`, "Give the folder of a model of this task");
-  return { kind, system: found, details };
+  return { kind, system: found, details, config };
 }
 
 /** The numbers of a network of shipped weights. */

@@ -48,14 +48,16 @@ export function linesOfFace({ strokes, labels }: ParsedDrawing): Stroke[] {
 export function refuseProfile({ view }: ParsedDrawing): void {
   const profile = view[kDrawnViews.indexOf("profile")]!;
   if (profile >= kLeastProfile)
-    throw new DaumierError("drawing", `it shows a face from the side (probability ${profile.toFixed(2)})`, "Faces are predicted from the front, or turned by up to about 60 degrees: draw both eyes");
+    throw new DaumierError("drawing", `it shows a face from the side (probability ${profile.toFixed(2)})`,
+      "Faces are predicted from the front, or turned by up to about 60 degrees: draw both eyes");
 }
 
 /** What a person should hear of it. */
 export function parseWarnings(parsed: ParsedDrawing): string[] {
   const warnings: string[] = [], confidence = confidenceOf(parsed);
   if (confidence < kLeastConfidence)
-    warnings.push(`hardly a face is seen: the points are found with a confidence of ${confidence.toFixed(2)} (faces by most people 0.7 or more). Is it one face from the front, drawn by lines?`);
+    warnings.push(`hardly a face is seen: the points are found with a confidence of ${confidence.toFixed(2)} (faces by most people 0.7 or more). `
+      + "Is it one face from the front, drawn by lines?");
   const turn = parsed.frame.turnDegrees - 360 * Math.round(parsed.frame.turnDegrees / 360);
   if (Math.abs(turn) > kTurned) warnings.push(`the face is not upright on the sheet: it is read turned by ${turn.toFixed(0)} degrees`);
   return warnings;

@@ -13,7 +13,8 @@ const kLongerSide = 512, kLeastContrast = 32, kLeastPixels = 3;
 
 /** @throws DaumierError unless data has 4 numbers a pixel. */
 export function checkPicture({ width, height, data }: Picture): void {
-  check(width > 0 && height > 0 && data.length === 4 * width * height, "picture", `${data.length} numbers are no RGBA of ${width} x ${height} pixels (expected ${4 * width * height})`,
+  check(width > 0 && height > 0 && data.length === 4 * width * height, "picture",
+    `${data.length} numbers are no RGBA of ${width} x ${height} pixels (expected ${4 * width * height})`,
     "Give context.getImageData(0, 0, canvas.width, canvas.height)");
 }
 

@@ -54,15 +54,18 @@ export class PortraitModel {
   /** place: shipped weights next to their face model, or the export of a run. @throws DaumierError naming file, cause and repair. */
   static async open(ort: OrtModule, place: Place, session?: SessionOptions): Promise<PortraitModel> {
     const folder = folderAt(place), manifest: Manifest = await readManifest(folder, "portrait"), isExport = manifest.kind === "export";
-    const file = `${folder.name}/manifest.json`, { face_model: name, pictures } = manifest.details as { face_model?: string; pictures?: { crop: string; size: number } };
-    check(isExport || (typeof name === "string" && pictures !== undefined), file, "details.face_model or details.pictures is missing", "Copy the weights again");
+    const { face_model: name } = manifest.details as { face_model?: string };
+    const { pictures } = (isExport ? manifest.config : manifest.details) as { pictures?: { crop?: string; size?: number } };
+    check((isExport || typeof name === "string") && typeof pictures?.crop === "string" && typeof pictures.size === "number", `${folder.name}/manifest.json`,
+      "details.face_model or the options of pictures are missing", "Copy the model again");
+    const crop = { crop: pictures.crop, size: pictures.size };
     const faceModel = isExport ? folder : folder.neighbour(name!), template = await readFaceTemplate(faceModel);
     const model = await (isExport ? readExportedModel(folder, template) : readShippedModel(folder, faceModel, template));
     const network = await Network.open(ort, folder, manifest, session);
     network.requireNames(["crop"], ["coefficients"]);
     const [, , side] = network.inputShape("crop");
     check(side !== undefined && side <= 224, network.file, `it reads crops of ${side} pixels (expected at most 224)`, "Export the run again");
-    return new PortraitModel(network, template, model, side, pictures ?? { crop: "landmarks", size: 0.56 });
+    return new PortraitModel(network, template, model, side, crop);
   }
 
   /**
