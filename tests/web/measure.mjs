@@ -21,6 +21,7 @@ printSize('onnxruntime-web', filesOf(ort, ['ort.wasm.min.mjs', 'ort-wasm-simd-th
 for (const name of ['sketch-ict', 'parser', 'portrait'])
   printSize(name, filesOf(join(weights, name), ['manifest.json', 'network.onnx', 'network.safetensors', ...(name === 'portrait' ? ['identity.safetensors'] : [])]));
 printSize('face-ict, template', filesOf(join(weights, 'face-ict'), ['template.json', 'template.safetensors']));
+execFileSync(process.execPath, [join(web, 'node_modules/typescript/bin/tsc'), '-p', web]);
 console.log(`npm pack: ${execFileSync('npm', ['pack', '--dry-run', '--ignore-scripts', '--json'], { cwd: web, encoding: 'utf8' }).match(/"size": (\d+)/)[1]} bytes`);
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -35,7 +36,7 @@ for (const { isolated, threads } of [{ isolated: true, threads: 1 }, { isolated:
       return performance.now() - begin;
     };
     let canvas, framed;
-    const found = { isolated: crossOriginIsolated, open: await timed(async () => (framed = await daumier.openSketchModel(ort, '/weights/sketch-ict'))), again: [], canvas: [], framed: [], ink: [] };
+    const found = { isolated: crossOriginIsolated, open: await timed(async () => (framed = await daumier.openSketchModel(ort, '/weights/sketch-ict'))), again: [], canvas: [], framed: [] };
     for (let i = 0; i < 3; ++i) {
       await canvas?.release();
       found.again.push(await timed(async () => (canvas = await daumier.openSketchModel(ort, '/weights/sketch-ict', { framing: 'canvas' }))));
@@ -43,13 +44,12 @@ for (const { isolated, threads } of [{ isolated: true, threads: 1 }, { isolated:
     for (let i = 0; i < runs; ++i) {
       found.canvas.push(await timed(() => canvas.predict(drawing)));
       found.framed.push(await timed(() => framed.predict(drawing)));
-      found.ink.push(await timed(async () => daumier.inkOf(drawing.strokes, 256)));
     }
     return found;
   }, [drawnFace(1), kRuns]);
   console.log(`${threads} threads set, ${times.isolated ? 'isolated' : 'not isolated, so 1'} (load ${loadavg()[0].toFixed(1)}):`);
   console.log(`  onnxruntime-web, both networks and the template until they are ready: ${times.open.toFixed(0)} ms; the network and the template again: ${text(times.again)}`);
-  console.log(`  a face on the canvas: ${text(times.canvas)}; framed by the parser: ${text(times.framed)}; of that one picture of 256 x 256: ${text(times.ink)}`);
+  console.log(`  a face on the canvas: ${text(times.canvas)}; framed by the parser: ${text(times.framed)}`);
   if (faults.length > 0) console.log(`  the page reports: ${faults.join('; ')}`);
   await close();
 }
