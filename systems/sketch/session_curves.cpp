@@ -1,6 +1,7 @@
 #include "systems/sketch/session_curves.h"
 
 #include "core/error.h"
+#include "systems/sketch/loop_halves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -270,6 +271,13 @@ std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, cons
   DAUMIER_CHECK(widths.empty() || widths.size() == stroke.size(), "{} widths of {} points", widths.size(),
                 stroke.size());
   const PenLine forwards{stroke, widths}, backwards = Reversed(forwards);
+  if (const auto loop = HalvesOfLoop(lines, forwards)) {
+    for (const size_t c : loop->erased) lines.curves[c].gap = CurveGap{1, lines.curves[c].points.size() - 2};
+    // Gaps that are equally near are filled in the order of the curves, in which upper lids and lips come first.
+    const auto& [upper, lower] = loop->lines;
+    Draw(lines, upper.points, upper.widths);
+    return Draw(lines, lower.points, lower.widths);
+  }
   std::optional<size_t> filled;
   const PenLine* direction = nullptr;
   double least = kSnapReach;

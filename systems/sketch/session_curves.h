@@ -58,7 +58,8 @@ bool Erase(SessionLines& lines, const CanvasPoints& path);
 /// Adds a stroke. If a gap's open ends lie within kSnapReach of its ends, it fills the nearest such gap, in either
 /// direction: its ends are moved to the open ends, what is between follows in proportion to arc length, and the points
 /// of the gap are laid on it by arc length. A partner of the curve is mapped by the similarity that takes the curve's old
-/// ends to its new ones, and moved where the curve has crossed it, so that lips that were closed stay closed in a smile. A closed curve that is erased whole is filled by the stroke as a loop, which begins where it fits it best. Else it is a wrinkle. Returns the curve's index, or nothing for a wrinkle.
+/// ends to its new ones, and moved where the curve has crossed it, so that lips that were closed stay closed in a smile. A closed curve that is erased whole is filled by the stroke as a loop, which begins where it fits it best. A stroke
+/// that closes around two lids or lips redraws both (HalvesOfLoop). Else it is a wrinkle. Returns the index of the curve that was filled last, or nothing for a wrinkle.
 /// widths: of PenLine; the redrawn points have those of the stroke where it is laid on, all others keep their own.
 /// @throws Error as CheckStroke.
 std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, const std::vector<double>& widths = {});
