@@ -60,7 +60,8 @@ Json SketchStateJson(const sketch::SketchState& state) {
                {"eraser_reach", Rounded(sketch::kEraserReach / state.frame.scale)},
                {"handles", Json::array()},
                {"region", Json::array()},
-               {"warnings", state.warnings}};
+               {"warnings", state.warnings},
+               {"drawn_parts", state.drawn_parts}};
   if (!state.is_refinement()) return json;
   json["handles"] = state.refinement->handles;
   if (!state.refinement->region->is_whole) json["region"] = state.refinement->region->deformation.region();

@@ -12,6 +12,25 @@ namespace daumier::sketch {
 namespace {
 
 constexpr double kLeastProfile = 0.6;  // Probability of a profile that is refused.
+constexpr double kShownPoint = 0.5;    // Support of a point that the drawing shows.
+
+using Point = faces::FacePoint;
+struct FacePart {
+  const char* name;
+  std::vector<Point> points;
+};
+
+const std::vector<FacePart>& FaceParts() {
+  using enum faces::FacePoint;
+  static const std::vector<FacePart> kParts = {
+      {"outline", {kContourRight, kContourLeft, kChin}},
+      {"right eye", {kEyeRightOuter, kEyeRightInner, kEyeRightTop, kEyeRightBottom, kEyeRightCentre}},
+      {"left eye", {kEyeLeftOuter, kEyeLeftInner, kEyeLeftTop, kEyeLeftBottom, kEyeLeftCentre}},
+      {"brows", {kBrowRightOuter, kBrowRightInner, kBrowLeftInner, kBrowLeftOuter}},
+      {"nose", {kNoseBottom, kNoseWingRight, kNoseWingLeft}},
+      {"mouth", {kMouthRight, kMouthLeft, kLipTop, kLipBottom, kInnerTop, kInnerBottom}}};
+  return kParts;
+}
 
 }  // namespace
 
@@ -90,6 +109,20 @@ std::array<double, faces::kNumFacePoints> SupportOf(const ParsedDrawing& drawing
     return std::exp(-0.5 * beyond * beyond);
   });
   return support;
+}
+
+std::vector<std::string> DrawnParts(const ParsedDrawing& drawing) {
+  const std::array<double, faces::kNumFacePoints> support = SupportOf(drawing);
+  std::vector<std::string> parts;
+  for (const FacePart& part : FaceParts()) {
+    const auto is_shown = [&](Point point) { return support[size_t(point)] >= kShownPoint; };
+    if (3 * size_t(std::ranges::count_if(part.points, is_shown)) >= part.points.size()) parts.emplace_back(part.name);
+  }
+  const auto has_ear = [](const std::vector<faces::LineLabel>& labels) {
+    return 2 * std::ranges::count(labels, faces::LineLabel::kEar) > std::ranges::ssize(labels);
+  };
+  if (std::ranges::any_of(drawing.labels, has_ear)) parts.emplace_back("ears");
+  return parts;
 }
 
 }  // namespace daumier::sketch

@@ -31,4 +31,8 @@ std::array<double, faces::kNumFacePoints> SupportOf(const ParsedDrawing& drawing
 
 inline constexpr double kSupportTolerance = 4, kSupportReach = 4;
 
+/// Parts of the face that lines of the drawing show: "outline", "right eye", "left eye", "brows", "nose", "mouth", "ears", in this
+/// order. A part is shown if a third of its points are supported (SupportOf) by one half or more; ears, which have no points, by a line of them.
+std::vector<std::string> DrawnParts(const ParsedDrawing& drawing);
+
 }  // namespace daumier::sketch

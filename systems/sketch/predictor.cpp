@@ -115,6 +115,7 @@ SketchPredictor::Found SketchPredictor::OfParsed(const Strokes& strokes, const T
   found.placement = fitter_->FrameOf(parsed);
   found.face = FromStrokes({render::MapToCanvas(LinesOfFace(parsed), found.placement)}).front();
   found.record["states"] = StatesToJson(parsed);
+  found.record["drawn_parts"] = DrawnParts(parsed);
   task.ThrowIfCancelled("stopped before the face was complete");
   if (options_.fit) FitTo(parsed, found);
   return found;

@@ -195,6 +195,8 @@ void SketchSession::Predict(SketchState& state, const Task& task) const {
     state.vertices = std::move(face.vertices);
     state.frame = face.frame.value_or(state.frame);
     state.warnings = std::move(face.warnings);
+    if (face.record.contains("drawn_parts"))
+      state.drawn_parts = face.record.at("drawn_parts").get<std::vector<std::string>>();
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {  // Of a few strokes that show no face yet.

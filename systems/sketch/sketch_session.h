@@ -21,11 +21,12 @@ struct SketchState {
   std::shared_ptr<const FollowUpStart> start;         ///< Of follow-up mode alone.
   std::shared_ptr<const RefinementState> refinement;  ///< Of refinement mode alone.
   SessionLines lines;                                 ///< Of both: curves of the face on the canvas.
-  render::Placement frame;            ///< Sheet to canvas, where the camera of the sketches sees the face.
-  geometry::Points vertices;          ///< V x 3, cm; empty while there is no face.
-  std::vector<std::string> warnings;  ///< Of the face.
-  bool is_drawn = false;              ///< The face is that of the lines, and can be predicted again.
-  bool is_pending = false;            ///< The face is not there, until it is needed.
+  render::Placement frame;               ///< Sheet to canvas, where the camera of the sketches sees the face.
+  geometry::Points vertices;             ///< V x 3, cm; empty while there is no face.
+  std::vector<std::string> warnings;     ///< Of the face.
+  std::vector<std::string> drawn_parts;  ///< Of initial mode: DrawnParts.
+  bool is_drawn = false;                 ///< The face is that of the lines, and can be predicted again.
+  bool is_pending = false;               ///< The face is not there, until it is needed.
 
   bool is_follow_up() const { return start != nullptr; }
   bool is_refinement() const { return refinement != nullptr; }

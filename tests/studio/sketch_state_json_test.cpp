@@ -28,7 +28,7 @@ TEST(SketchStateJson, OfABlankSheetHasNoFace) {
   const Json json = SketchStateJson(SketchState());
   EXPECT_EQ(json["mode"], "draw");
   EXPECT_EQ(json["has_face"], false);
-  for (const char* list : {"lines", "open_ends", "handles", "region", "warnings"})
+  for (const char* list : {"lines", "open_ends", "handles", "region", "warnings", "drawn_parts"})
     EXPECT_EQ(json[list], Json::array()) << list;
 }
 

@@ -68,6 +68,22 @@ TEST(SupportOf, FallsWithTheDistanceOnTheCanvas) {
   EXPECT_EQ(support[at(FacePoint::kChin)], 0) << "no line can show it";
 }
 
+TEST(DrawnParts, AreThoseWhosePointsLinesShow) {
+  EXPECT_TRUE(DrawnParts(LinesOfLabels({kHair, kOther})).empty());
+  ParsedDrawing drawing = LinesOfLabels({kSilhouette, kIris, kNose, kInnerMouth, kEar});
+  drawing.points.fill({1000, 1000});
+  const auto at = [&](FacePoint point) -> Eigen::Vector2d& { return drawing.points[size_t(point)]; };
+  at(FacePoint::kChin) = {0, 10};
+  at(FacePoint::kEyeLeftCentre) = {0, 20};  // One of five points.
+  at(FacePoint::kNoseBottom) = {0, 31};
+  at(FacePoint::kMouthLeft) = {5, 51};  // On no line of a mouth.
+  EXPECT_EQ(DrawnParts(drawing), (std::vector<std::string>{"outline", "nose", "ears"}));
+  at(FacePoint::kEyeLeftTop) = {5, 21};
+  at(FacePoint::kMouthLeft) = {5, 41};
+  at(FacePoint::kMouthRight) = {0, 41};
+  EXPECT_EQ(DrawnParts(drawing), (std::vector<std::string>{"outline", "left eye", "nose", "mouth", "ears"}));
+}
+
 TEST(ParseWarnings, SayThatNoFaceIsSeenOrThatItWasTurned) {
   ParsedDrawing drawing;
   drawing.confidences.fill(0.9);
