@@ -200,7 +200,7 @@ Json SketchDesk::State(std::string_view id) {
   return StateOf(id, *open);
 }
 
-Json SketchDesk::Do(std::string_view id, const Json& json) {
+SketchDesk::SeenState SketchDesk::DoAndSee(std::string_view id, const Json& json) {
   const Stopwatch watch;
   const std::shared_ptr<OpenSession> open = Open(id);
   sketch::SessionEvent event = sketch::EventFromJson(json);
@@ -227,7 +227,7 @@ Json SketchDesk::Do(std::string_view id, const Json& json) {
   state["changed"] = is_changed;
   if (gesture) state["gesture"] = datasets::NameOf(*gesture);
   state["milliseconds"] = 1e3 * watch.seconds();
-  return state;
+  return {std::move(state), open->session->state()->vertices};
 }
 
 geometry::Points SketchDesk::Face(std::string_view id) {
@@ -238,9 +238,12 @@ std::vector<render::WeightedStroke> SketchDesk::DrawnStrokes(std::string_view id
   return Open(id)->session->state()->strokes;
 }
 
-geometry::Points SketchDesk::Preview(std::string_view id, const sketch::CanvasPoints& stroke) {
-  sketch::CheckStroke(stroke);
-  return Open(id)->session->Preview(stroke);
+geometry::Points SketchDesk::Preview(std::string_view id, const sketch::SessionEvent& event) {
+  using enum sketch::SessionEvent::What;
+  if (event.what == kOperation) return Open(id)->session->Preview(event.operation);
+  DAUMIER_CHECK(event.what == kDraw, "'{}' has no preview", sketch::NameOf(event));
+  sketch::CheckStroke(event.points);
+  return Open(id)->session->Preview(event.points);
 }
 
 Eigen::Matrix<double, 3, 4> SketchDesk::PixelFromCm(std::string_view id, const sketch::View& view) {

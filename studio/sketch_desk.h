@@ -51,14 +51,21 @@ class SketchDesk {
   /// Does an event, appends it to the file, and returns the state with `changed` (whether there was anything to act on),
   /// `gesture` (of a gesture, what it was) and `milliseconds`. @throws NotFound; Error as sketch::EventFromJson and sketch::Do,
   /// or if the session is full (sketch::kMostEvents, kMostSessionPoints).
-  Json Do(std::string_view id, const Json& event);
+  Json Do(std::string_view id, const Json& event) { return DoAndSee(id, event).state; }
+  /// The same with the face of that state, whatever other calls do meanwhile.
+  struct SeenState {
+    Json state;
+    geometry::Points face;  ///< V x 3, cm; no rows where there is none.
+  };
+  SeenState DoAndSee(std::string_view id, const Json& event);
 
   /// V x 3, cm; no rows while there is no face. @throws NotFound.
   geometry::Points Face(std::string_view id);
   /// The strokes of a session in initial mode, in pixels of its sheet; none in other modes. @throws NotFound.
   std::vector<render::WeightedStroke> DrawnStrokes(std::string_view id);
-  /// SketchSession::Preview. @throws NotFound; Error if the stroke has no extent.
-  geometry::Points Preview(std::string_view id, const sketch::CanvasPoints& stroke);
+  /// SketchSession::Preview of an event that draws a stroke, or of an operation of refinement. @throws NotFound; Error if it is another
+  /// event, the stroke has no extent, or as SketchSession::Apply.
+  geometry::Points Preview(std::string_view id, const sketch::SessionEvent& event);
   /// 3 x 4: sheet pixels and depth (cm) of a point (x, y, z, 1) as the view shows it. @throws NotFound.
   Eigen::Matrix<double, 3, 4> PixelFromCm(std::string_view id, const sketch::View& view);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <utility>
 
 namespace daumier::studio {
@@ -92,6 +93,17 @@ ApiReply Studio::VerticesReply(const geometry::Points& face) const {
   return BinaryReply(display_.Vertices(face));
 }
 
+ApiReply Studio::StateWithFaceReply(const Json& state, const geometry::Points& face) const {
+  std::string json = JsonReply(state).body;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto length = uint32_t(json.size());
+  std::string bytes(sizeof length, '\0');
+  std::memcpy(bytes.data(), &length, sizeof length);  // Little endian, as the face's numbers (display_head.cpp).
+  bytes += json;
+  if (face.rows() > 0) bytes += display_.Vertices(face);
+  return BinaryReply(std::move(bytes));
+}
+
 void Studio::AddHead(const StudioWeights& weights) {
   const Json can = {{"gestures", weights.gestures.has_value()}, {"portraits", weights.has_portraits}};
   Add("GET", "/api/info", "Version, what the weights can do, and the size of a new sheet", [can](const ApiRequest&) {
@@ -163,21 +175,31 @@ void Studio::AddSessions() {
     return JsonReply(Json::object());
   });
   Add(
-      "POST", "/api/sessions/{id}/events", "Does an event of a recorded session (docs/sketching.md)",
-      [this](const ApiRequest& request) { return JsonReply(desk_.Do(IdOf(request), BodyOf(request))); },
+      "POST", "/api/sessions/{id}/events",
+      "Does an event of a recorded session (docs/sketching.md). With ?face=1 the reply is bytes: the length of the "
+      "state "
+      "(uint32), the state (JSON, spaces up to a multiple of 4 bytes), and the face (float32; nothing without one)",
+      [this](const ApiRequest& request) {
+        if (!request.query.contains("face")) return JsonReply(desk_.Do(IdOf(request), BodyOf(request)));
+        const SketchDesk::SeenState seen = desk_.DoAndSee(IdOf(request), BodyOf(request));
+        return StateWithFaceReply(seen.state, seen.face);
+      },
       ObjectSchema(
           {{"do",
             "draw, erase, follow_up, refine, region, translate, pull, brush, unbrush, roll, gesture, undo or redo"},
            {"points", "[[x, y], ...], pixels of the sheet"}}));
   Add(
-      "POST", "/api/sessions/{id}/preview", "The face of the network alone with an unfinished stroke",
+      "POST", "/api/sessions/{id}/preview",
+      "The face while the pen is down, float32: of the network alone with an unfinished stroke, or of an operation of "
+      "refinement, which changes nothing yet",
       [this](const ApiRequest& request) {
-        const Json body = BodyOf(request);
-        const sketch::SessionEvent stroke =
-            sketch::EventFromJson({{"do", "draw"}, {"points", body.value("points", Json())}});
-        return VerticesReply(desk_.Preview(IdOf(request), stroke.points));
+        Json body = BodyOf(request);
+        if (!body.contains("do")) body["do"] = "draw";
+        return VerticesReply(desk_.Preview(IdOf(request), sketch::EventFromJson(body)));
       },
-      ObjectSchema({{"points", "[[x, y], ...], pixels of the sheet"}}), kBytes);
+      ObjectSchema({{"do", "draw, if absent; region, translate, pull, brush, unbrush or roll"},
+                    {"points", "[[x, y], ...], pixels of the sheet"}}),
+      kBytes);
   Add(
       "GET", "/api/sessions/{id}/vertices", "The face, float32; 204 while there is none",
       [this](const ApiRequest& request) { return VerticesReply(desk_.Face(IdOf(request))); }, {}, kBytes);

@@ -47,6 +47,7 @@ class Studio {
   std::string BeginSession(const Json& body);
   geometry::Points FaceOf(const Json& body) { return FaceOfRequest(body, material_); }
   ApiReply VerticesReply(const geometry::Points& face) const;
+  ApiReply StateWithFaceReply(const Json& state, const geometry::Points& face) const;
 
   const std::filesystem::path examples_;
   const std::shared_ptr<const sketch::SketchPredictor> predictor_;

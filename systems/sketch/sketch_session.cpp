@@ -366,6 +366,14 @@ geometry::Points SketchSession::Preview(const CanvasPoints& stroke) const {
   return follower_.NetworkOf(render::MapToCanvas(framed.strokes, framed.placement));
 }
 
+geometry::Points SketchSession::Preview(const RefinementOperation& operation) const {
+  CheckOnSheet(operation.points);
+  const StatePointer now = state();
+  DAUMIER_CHECK(now->is_refinement(), "an operation of refinement, but refinement has not begun");
+  // refinement_ was made before the first such state was.
+  return sketch::Apply(operation, *refinement_, *now->refinement, CameraOf(*now, operation.view)).vertices;
+}
+
 std::vector<render::WeightedStroke> SketchSession::OnSheet(const SketchState& state) {
   if (!state.is_follow_up() && !state.is_refinement()) return state.strokes;
   return render::MapWeighted(WeightedStrokesOf(state.lines), render::Inverse(state.frame));

@@ -88,6 +88,8 @@ class SketchSession {
 
   /// While the pen is down: the face of the network alone, for the strokes of initial mode and this one. V x 3, cm.
   geometry::Points Preview(const CanvasPoints& stroke) const;
+  /// The same in refinement mode: the face that Apply would make. @throws Error as Apply.
+  geometry::Points Preview(const RefinementOperation& operation) const;
 
   /// Sees the face of a state as a view of its sheet shows it. The face turns about the middle of the template.
   render::Camera CameraOf(const SketchState& state, const View& view) const;

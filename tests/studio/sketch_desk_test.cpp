@@ -149,7 +149,7 @@ TEST_F(SketchDeskTest, ARemovedSessionIsGoneAndItsIdIsNotUsedAgain) {
     EXPECT_THROW(desk.Do(name, WrinkleEvent()), NotFound) << name;
     EXPECT_THROW(desk.Face(name), NotFound) << name;
     EXPECT_THROW(desk.DrawnStrokes(name), NotFound) << name;
-    EXPECT_THROW(desk.Preview(name, {{1, 1}, {9, 9}}), NotFound) << name;
+    EXPECT_THROW(desk.Preview(name, {.points = {{1, 1}, {9, 9}}}), NotFound) << name;
     EXPECT_THROW(desk.PixelFromCm(name, {}), NotFound) << name;
     EXPECT_THROW(desk.FileOf(name), NotFound) << name;
     EXPECT_THROW(desk.Rename(name, "x"), NotFound) << name;
@@ -162,10 +162,30 @@ TEST_F(SketchDeskTest, APreviewChangesNothing) {
   const std::string id = desk.Add({});
   desk.Do(id, testing::FaceEvents().front());
   const Json state = desk.State(id);
-  EXPECT_EQ(desk.Preview(id, {{20, 20}, {200, 90}}).rows(), Neutral().rows());
+  EXPECT_EQ(desk.Preview(id, {.points = {{20, 20}, {200, 90}}}).rows(), Neutral().rows());
   EXPECT_EQ(desk.State(id), state);
-  ExpectError([&] { desk.Preview(id, {{20, 20}}); }, "shorter than a pixel");
+  ExpectError([&] { desk.Preview(id, {.points = {{20, 20}}}); }, "shorter than a pixel");
   ExpectError([&] { desk.Preview(id, {}); }, "");
+  ExpectError([&] { desk.Preview(id, {.what = sketch::SessionEvent::What::kUndo}); }, "'undo' has no preview");
+}
+
+TEST_F(SketchDeskTest, APreviewOfAnOperationIsTheFaceThatItMakes) {
+  SketchDesk desk = OpenDesk();
+  const std::string id = desk.Add({.begins_with_mean = true});
+  const Json translate = {{"do", "translate"}, {"points", {{250, 250}, {270, 240}}}};
+  const sketch::SessionEvent event = sketch::EventFromJson(translate);
+  ExpectError([&] { desk.Preview(id, event); }, "refinement has not begun");
+  desk.Do(id, EventOf("refine"));
+  desk.Do(id, {{"do", "brush"}, {"points", {{250, 250}, {256, 250}}}, {"radius", 20}});
+  const Json state = desk.State(id);
+  const geometry::Points before = desk.Face(id), preview = desk.Preview(id, event);
+  EXPECT_EQ(desk.State(id), state);
+  EXPECT_EQ(desk.Face(id), before);
+  EXPECT_NE(preview, before);
+  const SketchDesk::SeenState seen = desk.DoAndSee(id, translate);
+  EXPECT_EQ(seen.face, preview);
+  EXPECT_EQ(seen.face, desk.Face(id));
+  EXPECT_EQ(seen.state["revision"], desk.State(id)["revision"]);
 }
 
 TEST_F(SketchDeskTest, StrokesAreThoseOfInitialModeAlone) {

@@ -119,6 +119,26 @@ TEST_F(StudioTest, ABlankSessionHasNoFaceYet) {
   EXPECT_EQ(Reply("POST", path + "/preview", R"({"points": [[100, 100], [300, 120]]})").body.size(), NumBytes());
   EXPECT_EQ(PostStatus(path + "/preview", {{"points", {{1, 1}}}}), 400);
   EXPECT_EQ(PostStatus(path + "/preview", Json::object()), 400);
+  EXPECT_EQ(PostStatus(path + "/preview", {{"do", "roll"}, {"level", 1}}), 400) << "refinement has not begun";
+}
+
+TEST_F(StudioTest, AnEventCanBringItsFaceAlong) {
+  const std::string id = NewSession({{"begin", "mean"}}), path = "/api/sessions/" + id;
+  for (const char* what : {"refine", "undo"}) {
+    const ApiReply reply = Reply("POST", path + "/events", Json({{"do", what}}).dump(), {{"face", "1"}});
+    EXPECT_EQ(reply.type, "application/octet-stream");
+    uint32_t length = 0;
+    ASSERT_GT(reply.body.size(), sizeof length);
+    std::memcpy(&length, reply.body.data(), sizeof length);
+    EXPECT_EQ(length % 4, 0u) << "float32 numbers begin at a multiple of their size";
+    EXPECT_EQ(Json::parse(reply.body.substr(sizeof length, length))["revision"], Get(path)["revision"]);
+    EXPECT_EQ(reply.body.substr(sizeof length + length), Reply("GET", path + "/vertices").body);
+  }
+  const std::string blank = "/api/sessions/" + NewSession() + "/events";
+  const std::string none = Reply("POST", blank, R"({"do": "undo"})", {{"face", "1"}}).body;
+  uint32_t length = 0;
+  std::memcpy(&length, none.data(), sizeof length);
+  EXPECT_EQ(none.size(), sizeof length + length) << "there is no face";
 }
 
 TEST_F(StudioTest, RefusedEventsAre400AndSayWhy) {
