@@ -19,9 +19,13 @@ export class AdaptiveResolution {
     private readonly redraw: () => void,
   ) {}
 
+  /** Drawing takes long, as in software. */
+  get isSlow(): boolean {
+    return this.cost > kSlow;
+  }
   /** Before a drawing. */
   begin(): void {
-    const coarse = this.cost > kSlow && !this.isRest;
+    const coarse = this.isSlow && !this.isRest;
     const ratio = coarse ? this.fine * kCoarse : this.fine;
     if (ratio !== this.ratio) this.renderer.setPixelRatio(ratio);
     this.ratio = ratio;

@@ -125,15 +125,22 @@ export class Api {
   deleteSession(id: string): Promise<unknown> {
     return this.remove(`/api/sessions/${id}`);
   }
-  sendEvent(id: string, event: SessionEvent): Promise<SessionState> {
-    return this.post(`/api/sessions/${id}/events`, event);
+  /** The new state and its face, N x 3 vertices in cm; null while there is none. */
+  async sendEvent(id: string, event: SessionEvent): Promise<{ state: SessionState; vertices: Float32Array | null }> {
+    const response = await this.request("POST", `/api/sessions/${id}/events?face=1`, { json: event });
+    const bytes = await response.arrayBuffer();
+    const kLength = 4;
+    const length = new DataView(bytes).getUint32(0, true);
+    const state = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, kLength, length))) as SessionState;
+    return { state, vertices: bytes.byteLength > kLength + length ? new Float32Array(bytes, kLength + length) : null };
   }
   /** N x 3 vertices in cm, or null while there is no face. */
   sessionVertices(id: string, revision: number, signal?: AbortSignal): Promise<Float32Array | null> {
     return this.floats(this.request("GET", `/api/sessions/${id}/vertices?revision=${revision}`, undefined, signal));
   }
-  preview(id: string, points: readonly (readonly number[])[], signal?: AbortSignal): Promise<Float32Array | null> {
-    return this.floats(this.request("POST", `/api/sessions/${id}/preview`, { json: { points } }, signal));
+  /** The face while the pen is down: of a stroke of Sketch, or of an operation of Sculpt. */
+  preview(id: string, event: SessionEvent, signal?: AbortSignal): Promise<Float32Array | null> {
+    return this.floats(this.request("POST", `/api/sessions/${id}/preview`, { json: event }, signal));
   }
   camera(id: string, yaw: number, pitch: number, signal?: AbortSignal): Promise<SheetCamera> {
     return this.get(`/api/sessions/${id}/camera?yaw=${yaw}&pitch=${pitch}`, signal);

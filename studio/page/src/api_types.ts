@@ -26,7 +26,10 @@ export type Mode = "draw" | "follow_up" | "refine";
 export interface Line {
   kind: "stroke" | "curve" | "wrinkle";
   points: Point[];
+  /** The greatest, pixels of the sheet; 0: as thin as lines are. */
   width: number;
+  /** Of each point, where a pen drew with pressure. */
+  widths?: number[];
 }
 
 export interface SessionState {
@@ -43,6 +46,8 @@ export interface SessionState {
   handles: number[];
   region: number[];
   warnings: string[];
+  /** In mode draw, what of "outline", "right eye", "left eye", "brows", "nose", "mouth", "ears" the lines show. */
+  drawn_parts: string[];
   can_undo: boolean;
   can_redo: boolean;
   milliseconds: number;

@@ -2,7 +2,8 @@
 import type { Face } from "./api_types";
 import type { FaceTray, Subject } from "./tab";
 import type { Api } from "./api";
-import { el, iconButton, iconOf } from "./dom";
+import { el, iconButton } from "./dom";
+import { iconOf } from "./icons";
 
 /** What the tray needs of the page. */
 export interface TrayOwner {

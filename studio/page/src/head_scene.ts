@@ -15,6 +15,7 @@ import {
   type Object3D,
 } from "three";
 import type { Head } from "./api_types";
+import { computeNormals } from "./vertex_normals";
 
 export class HeadScene {
   readonly scene = new Scene();
@@ -25,7 +26,7 @@ export class HeadScene {
 
   constructor(
     readonly head: Head,
-    triangles: Uint32Array,
+    private readonly triangles: Uint32Array,
   ) {
     const positions = new BufferAttribute(new Float32Array(3 * head.num_vertices), 3);
     positions.setUsage(DynamicDrawUsage);
@@ -70,7 +71,9 @@ export class HeadScene {
       throw new Error(`The face has ${vertices.length / 3} vertices (expected ${this.head.num_vertices}).`);
     this.positions.set(vertices);
     this.geometry.getAttribute("position").needsUpdate = true;
-    this.geometry.computeVertexNormals();
+    const normals = this.geometry.getAttribute("normal");
+    computeNormals(this.positions, this.triangles, normals.array as Float32Array);
+    normals.needsUpdate = true;
     this.geometry.boundingSphere = null;
     this.geometry.boundingBox = null;
     this.mesh.visible = this.rigged === null;

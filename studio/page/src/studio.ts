@@ -30,6 +30,8 @@ export class StudioPage implements Studio, TrayOwner {
   constructor(readonly api: Api) {
     this.store = this.readStore();
     this.faces = new Tray(this);
+    this.viewer.second.set(this.recall("view.second", false));
+    this.viewer.second.onToggle = (on) => this.remember("view.second", on);
     const theme = new Theme(this);
     this.undoButton = iconButton("undo", "Undo", () => this.current?.undo?.(), "Ctrl+Z");
     this.redoButton = iconButton("redo", "Redo", () => this.current?.redo?.(), "Ctrl+Shift+Z");

@@ -1,5 +1,6 @@
 // Light and dark: as the system has it until a person chooses.
-import { iconButton, iconOf } from "./dom";
+import { iconButton } from "./dom";
+import { iconOf } from "./icons";
 import type { Studio } from "./tab";
 
 export class Theme {

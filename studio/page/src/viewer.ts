@@ -2,11 +2,10 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  CanvasTexture,
   DynamicDrawUsage,
   PerspectiveCamera,
-  Points,
-  PointsMaterial,
+  type Points,
+  type PointsMaterial,
   Raycaster,
   Vector2,
   Vector3,
@@ -18,11 +17,13 @@ import { button, el } from "./dom";
 import { HeadScene } from "./head_scene";
 import { Orbit } from "./orbit";
 import { readRiggedHead, type RiggedHead } from "./rigged_head";
+import { SecondView } from "./second_view";
+import { type Frame, kFieldOfView, placeCamera } from "./view_camera";
+import { surfacePoints } from "./surface_points";
 
-const kFieldOfView = 22;
-/** Share of the height of the view that the head fills. */
-const kFill = 0.9;
 const kManyHandles = 150;
+/** Milliseconds after which a view that waits for a face is drawn all the same. */
+const kLongestHold = 400;
 
 export type { RiggedHead } from "./rigged_head";
 export const kViews = { front: [0, 0], side: [-90, 0], "three-quarter": [-35, 5] } as const;
@@ -31,6 +32,7 @@ export class Viewer {
   /** The view with its buttons; the page puts it next to the tab. */
   readonly element: HTMLElement;
   readonly orbit: Orbit;
+  readonly second = new SecondView((name) => this.lookFrom(name), () => this.invalidate());
   private readonly stage: HTMLElement;
   private readonly note: HTMLElement;
   private readonly remarkBox = el("div", { class: "view-remark", role: "note", hidden: true });
@@ -48,6 +50,9 @@ export class Viewer {
   /** Why nothing is ever seen. */
   private fault: string | null = null;
   private frame = 0;
+  /** A drawing waits for the face that is on its way. */
+  private holding = 0;
+  private isStale = false;
   private readonly waiting: (() => void)[] = [];
   /** Vertices that arrived before the head. */
   private early: Float32Array | null = null;
@@ -69,6 +74,7 @@ export class Viewer {
       "section",
       { class: "view", "aria-label": "3-D view" },
       this.stage,
+      this.second.element,
       this.remarkBox,
       el(
         "div",
@@ -76,6 +82,7 @@ export class Viewer {
         look("Front", "front"),
         look("¾", "three-quarter"),
         look("Side", "side"),
+        this.second.toggle,
       ),
     );
     this.element.querySelectorAll(".view-buttons button")[1]?.setAttribute("aria-label", "Three-quarter");
@@ -83,19 +90,9 @@ export class Viewer {
       this.invalidate();
       for (const listener of this.listeners) listener();
     });
-    const disc = discTexture();
-    const points = (colour: number, size: number) => {
-      const made = new Points(
-        new BufferGeometry(),
-        new PointsMaterial({ color: colour, size, sizeAttenuation: false, map: disc, alphaTest: 0.5 }),
-      );
-      made.frustumCulled = false;
-      made.renderOrder = 1;
-      return made;
-    };
-    this.handlePoints = points(0x1d6fd6, 5);
-    this.chosenPoint = points(0xe0572a, 11);
-    this.regionPoints = points(0x2f9e8f, 2.5);
+    this.handlePoints = surfacePoints(0x1d6fd6, 5);
+    this.chosenPoint = surfacePoints(0xe0572a, 11);
+    this.regionPoints = surfacePoints(0x2f9e8f, 2.5);
     new ResizeObserver(() => this.resize()).observe(this.stage);
   }
 
@@ -301,27 +298,14 @@ export class Viewer {
     this.invalidate();
   }
 
+  private get frameOfHead(): Frame {
+    return this.rig?.frame ?? { centre: new Vector3(...this.scene.head.centre), halfHeight: this.scene.head.half_height };
+  }
   private placeCamera(): void {
-    const { yaw, pitch, zoom, pan } = this.orbit.pose;
-    const frame = this.rig?.frame ?? { centre: new Vector3(...this.scene.head.centre), halfHeight: this.scene.head.half_height };
     const width = this.stage.clientWidth || 1;
     const height = this.stage.clientHeight || 1;
-    this.camera.aspect = width / height;
-    // A narrow view must hold the width of the head, which is about 0.85 of its height.
-    const half = frame.halfHeight / kFill / zoom / Math.min(1, this.camera.aspect / 0.85);
-    const distance = half / Math.tan((Math.PI * kFieldOfView) / 360) + frame.halfHeight * 0.5;
-    const y = (Math.PI * yaw) / 180;
-    const p = (Math.PI * pitch) / 180;
-    const direction = new Vector3(Math.sin(y) * Math.cos(p), Math.sin(p), Math.cos(y) * Math.cos(p));
-    this.camera.position.copy(frame.centre).addScaledVector(direction, distance);
-    this.camera.lookAt(frame.centre);
-    this.camera.updateMatrixWorld();
-    const shift = new Vector3(-pan[0] * half, pan[1] * half, 0).applyQuaternion(this.camera.quaternion);
-    this.camera.position.add(shift);
-    this.camera.near = Math.max(distance * 0.05, 1e-3);
-    this.camera.far = distance * 4;
-    this.camera.updateProjectionMatrix();
-    this.camera.updateMatrixWorld();
+    this.camera.setViewOffset(width, height, -this.second.shift(width, height), 0, width, height);
+    placeCamera(this.camera, this.frameOfHead, this.orbit.pose, width, height);
   }
 
   /** Draws once, at the next frame of the browser. */
@@ -329,10 +313,22 @@ export class Viewer {
     if (this.frame !== 0 || !this.head) return;
     this.frame = requestAnimationFrame(() => {
       this.frame = 0;
-      this.draw();
+      if (this.isHeld) this.isStale = true;
+      else this.draw();
     });
   }
-  private draw(): void {
+  /** Until a new face has arrived, a slow drawing would take the processor from the program that computes it. */
+  hold(on: boolean): void {
+    clearTimeout(this.holding);
+    this.holding = on ? window.setTimeout(() => this.hold(false), kLongestHold) : 0;
+    if (on || !this.isStale) return;
+    this.isStale = false;
+    this.invalidate();
+  }
+  private get isHeld(): boolean {
+    return this.holding !== 0 && (this.drawing?.resolution.isSlow ?? false);
+  }
+  private draw(withSecond = true): void {
     if (!this.head || !this.drawing || this.stage.clientWidth === 0) return;
     const { renderer, resolution } = this.drawing;
     this.placeCamera();
@@ -343,6 +339,9 @@ export class Viewer {
     this.chosenPoint.visible = shown && this.chosen !== null;
     resolution.begin();
     renderer.render(this.head.scene, this.camera);
+    const { clientWidth, clientHeight } = this.stage;
+    if (!shown && !this.rig) this.second.element.hidden = true;
+    else if (withSecond) this.second.draw(renderer, this.head, this.frameOfHead, this.orbit.pose.yaw, clientWidth, clientHeight);
     resolution.end();
   }
   private resize(): void {
@@ -352,23 +351,11 @@ export class Viewer {
   }
 
   async screenshot(): Promise<Blob> {
-    this.draw();
+    this.draw(false);
     const canvas = this.drawing?.renderer.domElement;
     if (!canvas) throw new Error("The head has not arrived.");
     return new Promise((done, fail) => {
       canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error("The picture could not be made."))));
     });
   }
-}
-
-/** A white disc: points are round. */
-function discTexture(): CanvasTexture {
-  const canvas = el("canvas", { width: 32, height: 32 });
-  const context = canvas.getContext("2d");
-  if (context) {
-    context.fillStyle = "#fff";
-    context.arc(16, 16, 15, 0, 7);
-    context.fill();
-  }
-  return new CanvasTexture(canvas);
 }

@@ -1,6 +1,7 @@
 // Elements of the panels: buttons, sections, sliders with a typed number, switches, choices.
 
-import { el, lineIcon } from "./dom";
+import { el } from "./dom";
+import { iconOf, type IconName } from "./icons";
 
 let lastId = 0;
 /** An id that no other element of the page has. */
@@ -125,37 +126,9 @@ export function fileSize(bytes: number): string {
   return `${(bytes / 1e6).toFixed(1)} MB`;
 }
 
-const kIcons = {
-  chevron: "M6 4l4 4-4 4",
-  link: "M6.5 9.5l3-3M7 5l1.5-1.5a2.5 2.5 0 0 1 4 4L11 9M9 11l-1.5 1.5a2.5 2.5 0 0 1-4-4L5 7",
-  remove: "M4 4l8 8M12 4l-8 8",
-  reset: "M3 3v4h4M3.5 7a5 5 0 1 1-.3 3",
-  dice: "M3 3h10v10H3zM5.8 5.8h.01M10.2 5.8h.01M8 8h.01M5.8 10.2h.01M10.2 10.2h.01",
-  pin: "M8 10v4M5 10h6M6 2h4l-.5 4L11 8v2H5V8l1.5-2z",
-  play: "M5 3l8 5-8 5z",
-  pause: "M5 3v10M11 3v10",
-  plus: "M8 3v10M3 8h10",
-  minus: "M3 8h10",
-  fit: "M3 6V3h3M10 3h3v3M13 10v3h-3M6 13H3v-3",
-  download: "M8 2v8M4.5 7L8 10.5 11.5 7M3 13.5h10",
-  upload: "M8 11V3M4.5 6L8 2.5 11.5 6M3 13.5h10",
-  copy: "M6 6h7v7H6zM10 6V3H3v7h3",
-  point: "M8 5.5a2.5 2.5 0 1 0 0 5 2.5 2.5 0 0 0 0-5M8 1v2M8 13v2M1 8h2M13 8h2",
-  search: "M7 3a4 4 0 1 0 0 8 4 4 0 0 0 0-8M10 10l3.5 3.5",
-  undo: "M6 3L3 6l3 3M3 6h6a4 4 0 0 1 0 8H7",
-  redo: "M10 3l3 3-3 3M13 6H7a4 4 0 0 0 0 8h2",
-  mesh: "M8 2l5.5 10h-11zM8 2v10M5.2 7h5.6",
-  cube: "M8 2l5 3v6l-5 3-5-3V5zM3 5l5 3 5-3M8 8v6",
-  person: "M8 2.5a2.5 2.5 0 1 0 0 5 2.5 2.5 0 0 0 0-5M3 13.5c0-3 2-4.5 5-4.5s5 1.5 5 4.5",
-  layers: "M8 2l6 3-6 3-6-3zM2 8l6 3 6-3M2 11l6 3 6-3",
-  film: "M2.5 3h11v10h-11zM5 3v10M11 3v10M2.5 8h11",
-  pen: "M3 13l1-3.5L11 2.5 13.5 5 6.5 12z",
-} as const;
-export type IconName = keyof typeof kIcons;
-
 /** A small icon of panels. */
 export function icon(name: IconName): SVGSVGElement {
-  const element = lineIcon(kIcons[name], 16);
+  const element = iconOf(name);
   element.setAttribute("class", "p-icon");
   return element;
 }

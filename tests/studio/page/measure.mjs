@@ -1,6 +1,7 @@
 // node tests/studio/page/measure.mjs PROGRAM: times and sizes of the page of `daumier studio`, on an otherwise idle machine.
 // Prints sizes of the page, times of first views in new profiles, times from the end of a stroke to the vertices that it has shaped (software
-// drawing apart), and the frames that a resting page requests. By hand; no test.
+// drawing apart) twice, with WebGL drawn by the processor and with WebGL that draws nothing, as a graphics card leaves the processor free; and
+// the frames that a resting page requests. By hand; no test.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { cpus, loadavg, tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -58,6 +59,13 @@ function observePage() {
   }).observe({ type: 'resource', buffered: true });
 }
 
+/** Runs in the page before its own code: WebGL is there and draws nothing. */
+function drawNothing() {
+  for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced', 'clear', 'blitFramebuffer']) {
+    WebGL2RenderingContext.prototype[name] = () => {};
+  }
+}
+
 async function firstView(browser, server) {
   const page = await newPage(browser);
   await page.addInitScript(observePage);
@@ -69,10 +77,11 @@ async function firstView(browser, server) {
 }
 
 /** Draws at the pace of a hand, waits for the face after each stroke, then rests. */
-async function drawAndRest(browser, server) {
+async function drawAndRest(browser, server, isDrawn) {
   const studio = new StudioDriver(await newPage(browser), server);
   const { page } = studio;
   await page.addInitScript(observePage);
+  if (!isDrawn) await page.addInitScript(drawNothing);
   await studio.open();
   await studio.press('Empty sheet');
   const { sheet } = await studio.sessionWhere('an empty drawing', (state) => state.lines.length === 0);
@@ -95,6 +104,7 @@ async function drawAndRest(browser, server) {
   await delay(kRestMs);
   const frames = (await page.evaluate(() => window.framesRequested)) - before;
   const [first, last] = await page.evaluate(() => [window.daumierTimes, window.daumierFinalTimes]);
+  await page.context().close();
   return { first, last, frames };
 }
 
@@ -114,10 +124,13 @@ try {
   printTimes('first contentful paint', views.map((view) => view.paint));
   printTimes('first screen in the page', views.map((view) => view.screen));
   printTimes('first head drawn', views.map((view) => view.head));
-  const { first, last, frames } = await drawAndRest(browser, server);
-  printTimes('pen up to first vertices (daumierTimes)', first);
-  printTimes('pen up to last vertices (daumierFinalTimes)', last);
-  console.log(`frames requested in ${kRestMs / 1000} s of rest: ${frames} (expected: 0)`);
+  for (const isDrawn of [true, false]) {
+    const { first, last, frames } = await drawAndRest(browser, server, isDrawn);
+    console.log(isDrawn ? 'WebGL drawn by the processor:' : 'WebGL that draws nothing:');
+    printTimes('  pen up to first vertices (daumierTimes)', first);
+    printTimes('  pen up to last vertices (daumierFinalTimes)', last);
+    console.log(`  frames requested in ${kRestMs / 1000} s of rest: ${frames} (expected: 0)`);
+  }
 } finally {
   await browser.close();
   server.child.kill();

@@ -1,5 +1,5 @@
 // node tests/studio/page/smoke.mjs PROGRAM [SHOTS_FOLDER]: the page of `daumier studio` in a browser, used by pointer and buttons.
-// Draws a face, redraws an eye, drags a handle, exports a .glb, reloads, paints handles. Exit code 0: all is well; 1: sentences say what is not; 77: no browser.
+// Draws a face, redraws an eye, drags a handle, exports a .glb, reloads, paints handles and moves them, draws with a pen's pressure. Exit code 0: all is well; 1: sentences say what is not; 77: no browser.
 // SHOTS_FOLDER receives a screenshot after each step.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
@@ -46,6 +46,7 @@ async function drawsAFace(studio) {
   await studio.stroke(outline, sheet);
   await studio.sessionWhere('a face after one stroke', (state) => state.has_face);
   const first = await studio.sessionVertices();
+  await studio.until('what is still missing', () => studio.page.getByText('Still missing: both eyes, the nose and the mouth.').isVisible());
   for (const stroke of others) await studio.stroke(stroke, sheet);
   const { lines } = await studio.sessionWhere(`${strokes.length} lines`, (state) => state.lines.length === strokes.length);
   await studio.until('faces that the page has applied', () => studio.page.evaluate(() => (window.daumierFinalTimes?.length ?? 0) > 0));
@@ -56,8 +57,20 @@ async function drawsAFace(studio) {
   check(farthest < 2, `A line lies ${farthest.toFixed(1)} sheet pixels from where the pen was.`);
   const inked = await studio.inkedShare(strokes.flat(), sheet);
   check(inked > 0.95, `Of the points that the pen passed ${Math.round(100 * inked)} % have ink on the paper.`);
+  await studio.until('no missing part', () => studio.page.getByText('All parts are there.').isVisible());
   check(!(await studio.viewPicture()).equals(emptyView), 'The 3-D view shows no face.');
   await checkAccessible(studio);
+}
+
+async function showsTheSideToo(studio) {
+  const before = await studio.viewPicture();
+  const toggle = studio.page.getByRole('button', { name: 'front and side at once' });
+  await toggle.click();
+  await studio.until('the small view', () => studio.page.locator('.view-second').isVisible());
+  check(!(await studio.viewPicture()).equals(before), 'The small view shows nothing.');
+  await checkAccessible(studio);
+  await toggle.click();
+  await studio.until('the view without the small one', async () => (await studio.viewPicture()).equals(before));
 }
 
 async function redrawsAnEye(studio) {
@@ -149,15 +162,53 @@ async function paintsHandles(studio) {
   await checkAccessible(studio);
 }
 
+async function movesHandlesBeforeTheReleaseShows(studio) {
+  const { page } = studio;
+  const { sheet, revision } = await studio.session();
+  const middle = sheet.map((side) => side / 2);
+  const places = await studio.onScreen([0, 5, 10, 15, 20, 25, 30].map((x) => [middle[0] + x, middle[1]]), sheet);
+  let inFlight = 0, most = 0, done = 0;
+  const isPreview = (request) => request.url().endsWith('/preview');
+  page.on('request', (request) => isPreview(request) && (most = Math.max(most, ++inFlight)));
+  page.on('requestfinished', (request) => isPreview(request) && (--inFlight, ++done));
+  await page.keyboard.press('v');
+  const before = await studio.viewPicture();
+  await page.mouse.move(...places[0]);
+  await page.mouse.down();
+  for (const place of places.slice(1)) await page.mouse.move(...place);
+  await studio.until('a preview of moved handles', () => done > 0 && inFlight === 0);
+  check(most === 1, `${most} previews were under way at once.`);
+  check(!(await studio.viewPicture()).equals(before), 'The face does not follow the handles while they are dragged.');
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  check((await studio.session()).revision === revision, 'A cancelled drag has changed the drawing.');
+  await studio.until('the face as it was', async () => (await studio.viewPicture()).equals(before));
+}
+
+async function drawsWithPressure(studio) {
+  await studio.press('Drawings');
+  await studio.press('Empty sheet');
+  const { sheet } = await studio.sessionWhere('an empty drawing', (state) => state.lines.length === 0);
+  await studio.page.locator('.start').waitFor({ state: 'hidden' });
+  const points = [...Array(9).keys()].map((i) => [100 + 30 * i, 200]);
+  await studio.penStroke(points, points.map((_, i) => 0.1 + 0.1 * i), sheet);
+  const { lines } = await studio.sessionWhere('the line of a pen', (state) => state.lines.length === 1);
+  const { widths } = lines[0];
+  check(widths?.at(-1) > 3 * widths?.[0], `The line has the widths ${widths}.`);
+}
+
 const steps = [
   ['opens on the first screen', opensOnTheFirstScreen],
   ['draws a face', drawsAFace],
+  ['shows the side, too', showsTheSideToo],
   ['redraws an eye', redrawsAnEye],
   ['drags a handle', dragsAHandle],
   ['shows the tab Avatar', showsTheAvatar],
   ['exports a head', exportsAHead],
   ['keeps the drawing in a reload', reloadKeepsTheDrawing],
   ['paints handles in Sculpt', paintsHandles],
+  ['moves them before the release', movesHandlesBeforeTheReleaseShows],
+  ['draws with pressure', drawsWithPressure],
 ];
 
 /** Runs the steps in order; the first that fails is the last. Returns sentences about what is wrong. */

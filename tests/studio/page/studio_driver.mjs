@@ -88,6 +88,17 @@ export class StudioDriver {
     await Promise.all(rest.map((point) => this.page.mouse.move(...point)));
     await this.page.mouse.up();
   }
+  /** A stroke of a pen whose pressure, 0 to 1, is given for each point. */
+  async penStroke(points, pressures, sheet) {
+    const places = await this.onScreen(points, sheet);
+    const devtools = await this.page.context().newCDPSession(this.page);
+    const pen = (type, [x, y], force) =>
+      devtools.send('Input.dispatchMouseEvent', { type, x, y, force, pointerType: 'pen', button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1 });
+    await pen('mousePressed', places[0], pressures[0]);
+    for (const [i, place] of places.entries()) await pen('mouseMoved', place, pressures[i]);
+    await pen('mouseReleased', places.at(-1), 0);
+    await devtools.detach();
+  }
   /** The share of points of the sheet that have ink within 3 pixels of the screen. */
   async inkedShare(points, sheet) {
     await this.nextFrame();

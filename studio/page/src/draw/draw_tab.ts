@@ -1,5 +1,5 @@
 // The tab Draw: a paper next to the 3-D face, in three modes.
-import type { Mode, Point, SessionEvent, SessionState } from "../api_types";
+import type { Mode, SessionState } from "../api_types";
 import { el } from "../dom";
 import type { Studio, Tab } from "../tab";
 import { Paper } from "./paper";
@@ -12,15 +12,9 @@ import { clearHandles } from "./handles";
 import { remarkShape } from "./shape_remark";
 import { SheetTurn } from "./sheet_turn";
 import { kNoFaceYet, SessionDesk } from "./session_desk";
-import { StrokeInput, type StrokeContext } from "./stroke_input";
-import { splitLoop } from "./loop_split";
-import type { Sample } from "./stroke_path";
-import { StrokeSender } from "./stroke_sender";
+import { PenInput } from "./pen_input";
 import { kFirstSettings, ToolBars, type PenSettings } from "./tool_bars";
 import { cursorOf, firstTool, gestureWords, usesHandles, type ToolName } from "./tools";
-
-/** Samples of the pen from which on a preview is worth a request. */
-const kFewSamples = 4;
 
 export function createDrawTab(studio: Studio): Tab {
   return new DrawTab(studio);
@@ -40,10 +34,8 @@ class DrawTab implements Tab {
   private readonly settings: PenSettings;
   private readonly file = el("input", { type: "file", accept: "image/*", hidden: true, "aria-label": "Picture under the paper" });
   private tool: ToolName = "pen";
-  private readonly stroke = new StrokeInput();
   private readonly turn: SheetTurn;
-  private readonly sender: StrokeSender;
-  private pen: Point | null = null;
+  private readonly pen: PenInput;
   private vertices: Float32Array | null = null;
   private visible = false;
   private gestures = false;
@@ -56,16 +48,15 @@ class DrawTab implements Tab {
       waiting: (count) => this.showWaiting(count),
       fail: (error) => studio.fail(error),
     });
-    this.sender = new StrokeSender(this.session);
     this.reference = new ReferencePicture(() => this.paper.invalidate("all"));
     this.paper = new Paper({
       content: () => this.content(),
       face: () => this.turn.face,
-      hovered: (at) => this.hovered(at),
-      begin: (sample, event) => this.begin(sample, event),
-      extend: (samples, event) => this.extend(samples, event),
-      end: (event) => this.end(event),
-      cancel: () => this.cancel(),
+      hovered: (at) => this.pen.hovered(at),
+      begin: (sample, event) => this.pen.begin(sample, event),
+      extend: (samples, event) => this.pen.extend(samples, event),
+      end: (event) => this.pen.end(event),
+      cancel: () => this.pen.cancel(),
     });
     const tab = this;
     this.turn = new SheetTurn({
@@ -78,6 +69,7 @@ class DrawTab implements Tab {
       turned: (yaw) => this.bars.setYaw(yaw),
       fail: (error) => studio.fail(error),
     });
+    this.pen = this.makePen();
     this.bars = this.makeBars();
     this.desk = new SessionDesk({
       studio,
@@ -88,7 +80,7 @@ class DrawTab implements Tab {
       cleared: () => this.clear(),
       opened: () => this.paper.element.focus({ preventScroll: true }),
       renamed: (state) => {
-        this.bars.update(state, this.tool, this.sender.ghosts.length > 0);
+        this.bars.update(state, this.tool, this.pen.sender.ghosts.length > 0);
         this.publishSubject(state);
       },
       busy: (is) => this.bars.setBusy(is),
@@ -124,6 +116,24 @@ class DrawTab implements Tab {
     );
   }
 
+  private makePen(): PenInput {
+    const { studio, session, paper, turn, settings } = this;
+    const tab = this;
+    return new PenInput({
+      studio,
+      session,
+      paper,
+      turn,
+      settings,
+      get tool() {
+        return tab.tool;
+      },
+      set tool(tool) {
+        tab.tool = tool;
+      },
+      refreshTools: () => this.refreshTools(),
+    });
+  }
   private makeKeys(): KeyHost {
     const tab = this;
     return {
@@ -187,17 +197,16 @@ class DrawTab implements Tab {
     this.visible = false;
     this.studio.viewer.setRegion([]);
     this.studio.viewer.remark(null);
-    this.cancel();
-    this.session.stopPreview();
+    this.pen.cancel();
   }
   undo(): void {
-    if (this.session.state?.can_undo || this.sender.isWaiting) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
+    if (this.session.state?.can_undo || this.pen.sender.isWaiting) void this.session.send({ do: "undo" }).then(() => this.forgetGhosts());
   }
   redo(): void {
     if (this.session.state?.can_redo) void this.session.send({ do: "redo" }).then(() => this.forgetGhosts());
   }
   private forgetGhosts(): void {
-    this.sender.ghosts = [];
+    this.pen.sender.ghosts = [];
     this.paper.invalidate("ink");
   }
   canUndo(): boolean {
@@ -216,7 +225,7 @@ class DrawTab implements Tab {
   key(event: KeyboardEvent): boolean {
     if (event.key === "Escape") {
       if (!this.desk.start.element.hidden && this.session.state) this.desk.start.hide();
-      else this.cancel();
+      else this.pen.cancel();
       return true;
     }
     const state = this.session.state;
@@ -230,7 +239,7 @@ class DrawTab implements Tab {
 
   /** Another drawing comes. */
   private clear(): void {
-    this.sender.clear();
+    this.pen.sender.clear();
     this.reference.remove();
     this.vertices = null;
     this.turn.view = [0, 0];
@@ -249,8 +258,9 @@ class DrawTab implements Tab {
     this.studio.remember("session", state.id);
     if (this.visible) this.publishSubject(state);
     this.paper.setSheet(state.sheet);
-    if (state.mode !== this.modeShown) {
-      this.sender.ghosts = [];
+    const isOther = state.mode !== this.modeShown;
+    if (isOther) {
+      this.pen.sender.ghosts = [];
       this.tool = firstTool(state);
       const before = this.modeShown;
       this.modeShown = state.mode;
@@ -260,7 +270,7 @@ class DrawTab implements Tab {
     else if (state.changed === false) this.studio.say("Nothing was there to change.");
     this.showHandles(state);
     this.refreshTools();
-    this.paper.invalidate("all");
+    this.paper.invalidate(isOther ? "all" : "ink");
     this.studio.refresh();
   }
   private showVertices(vertices: Float32Array | null): void {
@@ -278,8 +288,9 @@ class DrawTab implements Tab {
   private busyTimer = 0;
   private showWaiting(count: number): void {
     clearTimeout(this.busyTimer);
+    this.studio.viewer.hold(count > 0);
     if (count === 0) {
-      this.sender.clear();
+      this.pen.sender.clear();
       this.bars.setBusy(false);
       this.paper.invalidate("ink");
     } else {
@@ -312,7 +323,7 @@ class DrawTab implements Tab {
   private refreshTools(bars = true): void {
     const state = this.session.state;
     if (!state) return;
-    if (bars) this.bars.update(state, this.tool, this.sender.ghosts.length > 0);
+    if (bars) this.bars.update(state, this.tool, this.pen.sender.ghosts.length > 0);
     this.paper.element.style.cursor = cursorOf(this.tool);
     if (this.tool === "brush" || this.tool === "unbrush") this.paper.setRing(this.settings.brushRadius, "screen");
     else this.paper.setRing(this.tool === "eraser" ? state.eraser_reach : 0, "sheet");
@@ -324,77 +335,12 @@ class DrawTab implements Tab {
     const mode = state?.mode;
     return {
       state,
-      local: [...this.sender.shown, ...this.stroke.shown],
+      local: this.pen.shown,
       mirrorAxis: this.settings.mirror && mode !== "refine" ? this.turn.mirrorAxis : null,
       reference: this.reference.content,
-      ghosts: this.sender.ghosts,
-      pen: this.pen,
+      ghosts: this.pen.sender.ghosts,
+      pen: this.pen.place,
       faceBelow: mode === "refine" && this.turn.face !== null,
     };
-  }
-  private hovered(at: Point | null): void {
-    this.pen = at;
-    if (this.tool === "pen" && this.session.state?.open_ends.length) this.paper.invalidate("ink");
-  }
-  private context(state: SessionState): StrokeContext {
-    // A brush has its size on the screen: zoom makes it finer on the face.
-    const brushRadius = this.settings.brushRadius / this.paper.view.zoom;
-    return { state, tool: this.tool, settings: this.settings, brushRadius, mirrorAxis: this.turn.mirrorAxis, view: this.turn.view };
-  }
-  private begin(sample: Sample, event: PointerEvent): void {
-    const state = this.session.state;
-    if (!state) return;
-    if (state.mode === "refine" && (this.tool === "turn" || event.button === 2)) {
-      this.turn.beginDrag(event);
-      return;
-    }
-    if (event.button !== 0) return;
-    if (this.tool === "translate" && state.handles.length === 0) {
-      this.studio.say("Paint handles with the brush (B) first. Then a drag moves them.");
-      return;
-    }
-    this.stroke.begin(sample, this.context(state));
-    this.paper.invalidate("ink");
-  }
-  private extend(samples: Sample[], event: PointerEvent): void {
-    if (this.turn.turning) this.turn.moveDrag(event);
-    const state = this.session.state;
-    if (!state || !this.stroke.active) return;
-    const context = this.context(state);
-    const grew = this.stroke.extend(samples, context);
-    this.pen = this.stroke.end;
-    if (!grew) return;
-    this.paper.invalidate("ink");
-    if (this.tool === "pen" && state.mode === "draw" && this.stroke.length > kFewSamples) this.session.preview(this.stroke.line(context));
-  }
-  private cancel(): void {
-    this.stroke.cancel();
-    this.turn.endDrag();
-    this.session.stopPreview();
-    this.paper.invalidate("ink");
-  }
-  private end(event: PointerEvent): void {
-    const endedAt = performance.now();
-    this.turn.endDrag();
-    const state = this.session.state;
-    if (!state || !this.stroke.active) return;
-    const context = this.context(state);
-    this.stroke.extend([{ ...this.paper.toSheet(event.clientX, event.clientY), pressure: this.stroke.pressure }], context);
-    const made = this.stroke.event(context, event.pointerType === "pen");
-    const line = made?.do === "draw" && state.mode === "draw" ? this.stroke.line(context) : null;
-    const events = made?.do === "draw" ? splitLoop(made, state.open_ends) : made ? [made] : [];
-    const { shown } = this.stroke;
-    const isFirst = state.open_ends.length === 0 && this.sender.ghosts.length === 0;
-    this.stroke.cancel();
-    if (!made) this.session.stopPreview();
-    else void this.sender.send(events, shown, endedAt, line).then((next) => this.sent(made, isFirst, next));
-    this.paper.invalidate("ink");
-  }
-  /** isFirst: no line of the face was erased before. Who takes the eraser again keeps it. */
-  private sent(event: SessionEvent, isFirst: boolean, next: SessionState | null): void {
-    const isOpened = event.do === "erase" && next?.mode === "follow_up" && (next.open_ends.length > 0 || this.sender.ghosts.length > 0);
-    if (isFirst && isOpened && this.settings.penAfterEraser) this.tool = "pen";
-    this.refreshTools();
-    this.paper.invalidate("ink");
   }
 }

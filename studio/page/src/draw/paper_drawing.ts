@@ -21,6 +21,8 @@ export interface LocalStroke {
   kind: "line" | "erase" | "trail" | "arrow" | "loop";
   points: Point[];
   width: number;
+  /** Of each point, where the pen's pressure changes it. */
+  widths?: readonly number[];
 }
 
 export interface PaperContent {
@@ -89,8 +91,7 @@ export function drawInk(context: CanvasRenderingContext2D, view: PaperView, cont
     for (const ghost of content.ghosts) path(context, ghost);
     for (const line of content.state?.lines ?? []) {
       context.strokeStyle = kInk[line.kind];
-      context.lineWidth = line.width > 0 ? line.width : thin;
-      path(context, line.points);
+      inkLine(context, line, thin);
     }
     if (content.state?.mode === "follow_up") gaps(context, view, content);
   }
@@ -109,6 +110,23 @@ function path(context: CanvasRenderingContext2D, points: readonly Point[]): void
     if (point) context.lineTo(point[0], point[1]);
   }
   context.stroke();
+}
+
+/** A line of one width, or of the widths of its points. */
+function inkLine(context: CanvasRenderingContext2D, line: { points: readonly Point[]; width: number; widths?: readonly number[] }, thin: number): void {
+  const widthAt = (i: number) => line.widths?.[i] || thin;
+  context.lineWidth = line.width > 0 ? line.width : thin;
+  if (!line.widths || line.points.length < 2) {
+    path(context, line.points);
+    return;
+  }
+  for (let i = 1; i < line.points.length; ++i) {
+    const from = line.points[i - 1];
+    const to = line.points[i];
+    if (!from || !to) continue;
+    context.lineWidth = (widthAt(i - 1) + widthAt(i)) / 2;
+    path(context, [from, to]);
+  }
 }
 
 function gaps(context: CanvasRenderingContext2D, view: PaperView, content: PaperContent): void {
@@ -175,7 +193,7 @@ function local(context: CanvasRenderingContext2D, view: PaperView, stroke: Local
     return;
   }
   if (stroke.kind === "loop") context.setLineDash([7 / view.zoom, 5 / view.zoom]);
-  path(context, stroke.points);
+  inkLine(context, stroke, thin);
   context.setLineDash([]);
 }
 function arrow(context: CanvasRenderingContext2D, view: PaperView, points: readonly Point[]): void {

@@ -1,11 +1,10 @@
-// A drawing session on the server: events are sent one after the other, previews at most one at a time, vertices of the newest state alone.
+// A drawing session on the server: events are sent one after the other, previews at most one at a time.
 import type { Api } from "../api";
-import { isAbort } from "../api";
-import type { Point, SessionEvent, SessionState } from "../api_types";
+import type { SessionEvent, SessionState } from "../api_types";
 
 declare global {
   interface Window {
-    /** Milliseconds from the end of a stroke to the first applied vertices that it has shaped, without WebGL drawing; at most 100, newest last. */
+    /** Milliseconds from the pointer event that ends a stroke to the first applied vertices that it has shaped, before they are drawn; at most 100, newest last. */
     daumierTimes?: number[];
     /** The same to the vertices of the state on the server, where those of the network alone came first. */
     daumierFinalTimes?: number[];
@@ -28,9 +27,11 @@ export class SessionClient {
   private current: SessionState | null = null;
   private queue: Promise<unknown> = Promise.resolve();
   private count = 0;
-  private fetching: AbortController | null = null;
   private previewing: AbortController | null = null;
-  private nextPreview: { points: Point[]; endedAt: number | null } | null = null;
+  private nextPreview: { event: SessionEvent; endedAt: number | null } | null = null;
+  /** Vertices of the state, which a preview that comes to nothing gives back. */
+  private settled: Float32Array | null = null;
+  private isPreviewShown = false;
   private recorded = -1;
 
   constructor(
@@ -49,20 +50,22 @@ export class SessionClient {
   async open(state: SessionState): Promise<void> {
     this.stopPreview();
     this.current = state;
+    this.settled = null;
     this.listener.state(state);
-    await this.fetchVertices(state, null);
+    const vertices = state.has_face ? await this.api.sessionVertices(state.id, state.revision) : null;
+    // An event may have been sent meanwhile.
+    if (this.current === state) this.take(vertices);
   }
   close(): void {
     this.stopPreview();
-    this.fetching?.abort();
     this.current = null;
   }
 
   /**
-   * Sends an event after those that wait. endedAt: performance.now() when the pen was lifted. line: the whole stroke, of which a last
+   * Sends an event after those that wait. endedAt: the time stamp of the pen that was lifted. line: the whole stroke, of which a last
    * preview arrives before the state does. Null: it failed.
    */
-  send(event: SessionEvent, endedAt = performance.now(), line: Point[] | null = null): Promise<SessionState | null> {
+  send(event: SessionEvent, endedAt = performance.now(), line: SessionEvent | null = null): Promise<SessionState | null> {
     if (line && this.count === 0) this.preview(line, endedAt);
     else this.stopPreview();
     const id = this.id;
@@ -70,15 +73,16 @@ export class SessionClient {
     const sent = this.queue.then(async () => {
       try {
         if (id === null || id !== this.id) return null;
-        const state = await this.api.sendEvent(id, event);
+        const { state, vertices } = await this.api.sendEvent(id, event);
         if (id !== this.id) return null;
         this.stopPreview();
         this.current = state;
         this.listener.state(state);
-        // The next event need not wait for the vertices of this one.
-        void this.fetchVertices(state, endedAt);
+        this.take(vertices);
+        if (vertices) this.recordTime(endedAt, true);
         return state;
       } catch (error) {
+        this.dropPreview();
         this.listener.fail(error);
         return null;
       } finally {
@@ -89,18 +93,10 @@ export class SessionClient {
     return sent;
   }
 
-  private async fetchVertices(state: SessionState, endedAt: number | null): Promise<void> {
-    this.fetching?.abort();
-    const control = new AbortController();
-    this.fetching = control;
-    try {
-      const vertices = state.has_face ? await this.api.sessionVertices(state.id, state.revision, control.signal) : null;
-      if (control.signal.aborted || this.id !== state.id) return;
-      this.listener.vertices(vertices);
-      if (endedAt !== null && vertices) this.recordTime(endedAt, true);
-    } catch (error) {
-      if (!isAbort(error)) this.listener.fail(error);
-    }
+  private take(vertices: Float32Array | null): void {
+    this.settled = vertices;
+    this.isPreviewShown = false;
+    this.listener.vertices(vertices);
   }
   /** Of the faces of one stroke the first one is recorded. */
   private recordTime(endedAt: number, isFinal: boolean): void {
@@ -113,10 +109,10 @@ export class SessionClient {
     this.recorded = endedAt;
   }
 
-  /** The face while the pen is down. While one request is under way the newest points wait, older ones are dropped. */
-  preview(points: Point[], endedAt: number | null = null): void {
-    if (!this.current || this.current.mode !== "draw" || this.count > 0) return;
-    this.nextPreview = { points, endedAt };
+  /** The face while the pen is down. While one request is under way the newest event waits, older ones are dropped. */
+  preview(event: SessionEvent, endedAt: number | null = null): void {
+    if (!this.current || this.count > 0) return;
+    this.nextPreview = { event, endedAt };
     if (!this.previewing) void this.runPreviews(this.current.id);
   }
   private async runPreviews(id: string): Promise<void> {
@@ -124,10 +120,11 @@ export class SessionClient {
     this.previewing = control;
     try {
       while (this.nextPreview && !control.signal.aborted) {
-        const { points, endedAt } = this.nextPreview;
+        const { event, endedAt } = this.nextPreview;
         this.nextPreview = null;
-        const vertices = await this.api.preview(id, points, control.signal);
+        const vertices = await this.api.preview(id, event, control.signal);
         if (control.signal.aborted || !vertices) continue;
+        this.isPreviewShown = true;
         this.listener.vertices(vertices);
         if (endedAt !== null) this.recordTime(endedAt, false);
       }
@@ -141,5 +138,10 @@ export class SessionClient {
     this.nextPreview = null;
     this.previewing?.abort();
     this.previewing = null;
+  }
+  /** The stroke came to nothing: the face of the state is shown again. */
+  dropPreview(): void {
+    this.stopPreview();
+    if (this.isPreviewShown) this.take(this.settled);
   }
 }

@@ -1,7 +1,8 @@
 // What a person sees before a drawing: examples, ways to begin, earlier drawings.
 import type { Api } from "../api";
 import type { Example, SessionEntry } from "../api_types";
-import { button, el, iconButton, iconOf } from "../dom";
+import { button, el, iconButton } from "../dom";
+import { iconOf } from "../icons";
 
 export interface StartHost {
   readonly api: Api;

@@ -1,12 +1,14 @@
 // The stroke under the pen: what is shown of it at once, and the event that it becomes.
 import type { Point, SessionEvent, SessionState, View } from "../api_types";
 import type { LocalStroke } from "./paper_drawing";
-import { append, lengthOf, mirrored, pointsOf, pressureOf, stabilised, type Sample } from "./stroke_path";
+import { append, lengthOf, mirrored, pointsOf, pressureOf, stabilised, widthsOf, type Sample } from "./stroke_path";
 import type { PenSettings } from "./tool_bars";
 import type { ToolName } from "./tools";
 
 /** Sheet pixels: a shorter path of the pen is a slip, not a stroke. */
 const kLeastLength = 2.5;
+/** Share of the sheet's longer side that a line of full pressure is wide, where no weight is chosen: twice as wide as a thin line. */
+const kPenWeight = 5 / 512;
 
 export interface StrokeContext {
   readonly state: SessionState;
@@ -17,6 +19,8 @@ export interface StrokeContext {
   /** x of the mirror, sheet pixels. */
   readonly mirrorAxis: number;
   readonly view: View;
+  /** The pointer is a pen, which has pressure. */
+  readonly isPen: boolean;
 }
 
 export class StrokeInput {
@@ -55,8 +59,18 @@ export class StrokeInput {
     this.shown = [];
   }
   /** The line as it will be, with the stabiliser. */
-  line(context: StrokeContext): Point[] {
-    return stabilised(pointsOf(this.path), context.settings.stabiliser);
+  private line(context: StrokeContext): Sample[] {
+    return stabilised(this.path, context.settings.stabiliser);
+  }
+  /** What shows the face while the pen is down; null: it shows at the end of the stroke. */
+  preview(context: StrokeContext): SessionEvent | null {
+    const { mode } = context.state;
+    if (mode === "draw" && context.tool === "pen") return { do: "draw", points: pointsOf(this.line(context)) };
+    if (mode === "refine" && (context.tool === "translate" || context.tool === "pull")) return this.event(context);
+    return null;
+  }
+  private weight({ settings, state, isPen }: StrokeContext): number {
+    return settings.weight > 0 || !isPen || !settings.pressure ? settings.weight : kPenWeight * Math.max(...state.sheet);
   }
 
   private show(context: StrokeContext): void {
@@ -66,7 +80,7 @@ export class StrokeInput {
       settings.mirror ? [stroke, { ...stroke, points: mirrored(stroke.points, mirrorAxis) }] : [stroke];
     switch (context.tool) {
       case "pen":
-        this.shown = withImage({ kind: "line", points: this.line(context), width: settings.weight });
+        this.shown = withImage(this.shownLine(context));
         break;
       case "eraser":
         this.shown = withImage({ kind: state.mode === "draw" ? "erase" : "trail", points, width: 2 * state.eraser_reach });
@@ -86,9 +100,17 @@ export class StrokeInput {
     }
   }
 
+  private shownLine(context: StrokeContext): LocalStroke {
+    const line = this.line(context);
+    const width = this.weight(context);
+    const hasPressure = context.isPen && context.settings.pressure;
+    return { kind: "line", points: pointsOf(line), width, ...(hasPressure ? { widths: widthsOf(line, width) } : {}) };
+  }
+
   /** Null: the stroke is too short to mean anything. */
-  event(context: StrokeContext, isPen: boolean): SessionEvent | null {
-    const { tool, settings } = context;
+  event(context: StrokeContext): SessionEvent | null {
+    const { tool, settings, isPen } = context;
+    const weight = this.weight(context);
     const points = pointsOf(this.path);
     const mirror = settings.mirror ? { mirror: true } : {};
     const view = { view: context.view };
@@ -102,8 +124,8 @@ export class StrokeInput {
           points,
           ...mirror,
           ...(settings.stabiliser > 0 ? { stabiliser: settings.stabiliser } : {}),
-          ...(settings.weight > 0 ? { weight: settings.weight } : {}),
-          ...(settings.weight > 0 && isPen ? { pressure: pressureOf(this.path) } : {}),
+          ...(weight > 0 ? { weight } : {}),
+          ...(isPen && settings.pressure ? { pressure: pressureOf(this.path) } : {}),
         };
       case "translate":
       case "pull":

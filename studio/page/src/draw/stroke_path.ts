@@ -21,19 +21,24 @@ export function append(path: Sample[], sample: Sample): boolean {
 export function pointsOf(path: readonly Sample[]): Point[] {
   return path.map(({ x, y }) => [Math.round(x * 100) / 100, Math.round(y * 100) / 100]);
 }
+/** Share of the weight that a line has without pressure, as the server has it. */
+const kLeastPressure = 0.05;
+export function widthsOf(path: readonly Sample[], weight: number): number[] {
+  return path.map(({ pressure }) => weight * Math.max(kLeastPressure, pressure));
+}
 export function pressureOf(path: readonly Sample[]): number[] {
   return path.map(({ pressure }) => Math.round(Math.min(1, Math.max(0, pressure)) * 1000) / 1000);
 }
 
 /** The line that the pen pulls behind it on a string, as the server computes it (session_pen.h), shown before it arrives. */
-export function stabilised(points: readonly Point[], string: number): Point[] {
-  const first = points[0];
-  if (string <= 0 || !first) return [...points];
-  const line: Point[] = [first];
-  let [qx, qy] = first;
-  for (let i = 1; i < points.length; ++i) {
-    const [ax, ay] = points[i - 1] ?? first;
-    const [bx, by] = points[i] ?? first;
+export function stabilised(path: readonly Sample[], string: number): Sample[] {
+  const first = path[0];
+  if (string <= 0 || !first) return [...path];
+  const line: Sample[] = [first];
+  let { x: qx, y: qy } = first;
+  for (let i = 1; i < path.length; ++i) {
+    const { x: ax, y: ay, pressure: before } = path[i - 1] ?? first;
+    const { x: bx, y: by, pressure: after } = path[i] ?? first;
     const steps = 1 + Math.min(10_000, Math.floor((Math.hypot(bx - ax, by - ay) * 8) / string));
     for (let k = 1; k <= steps; ++k) {
       const px = ax + (k / steps) * (bx - ax);
@@ -42,7 +47,7 @@ export function stabilised(points: readonly Point[], string: number): Point[] {
       if (distance <= string) continue;
       qx = px + (string * (qx - px)) / distance;
       qy = py + (string * (qy - py)) / distance;
-      line.push([qx, qy]);
+      line.push({ x: qx, y: qy, pressure: before + (k / steps) * (after - before) });
     }
   }
   return line;

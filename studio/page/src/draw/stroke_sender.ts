@@ -23,17 +23,15 @@ export class StrokeSender {
     this.pending.clear();
   }
 
-  /** Sends the events of one stroke in their order. The state after the last one; null: one failed. */
-  async send(events: readonly SessionEvent[], shown: LocalStroke[], endedAt: number, line: Point[] | null): Promise<SessionState | null> {
+  /** Sends the event of a stroke. The state after it; null: it failed. */
+  async send(event: SessionEvent, shown: LocalStroke[], endedAt: number, line: SessionEvent | null): Promise<SessionState | null> {
     const state = this.session.state;
     const before = state?.mode === "follow_up" ? state.lines.map((each) => each.points) : [];
     const number = ++this.events;
     this.pending.set(number, shown);
-    const states = await Promise.all(events.map((event) => this.session.send(event, endedAt, line)));
+    const next = await this.session.send(event, endedAt, line);
     this.pending.delete(number);
-    const next = states.at(-1) ?? null;
-    const isErased = events.some((event) => event.do === "erase");
-    if (next && isErased) this.ghosts.push(...removedParts(before, next.lines.map((each) => each.points)));
+    if (next && event.do === "erase") this.ghosts.push(...removedParts(before, next.lines.map((each) => each.points)));
     else this.ghosts = [];
     return next;
   }

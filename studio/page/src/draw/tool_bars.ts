@@ -1,18 +1,22 @@
 // The bars around the paper: modes above, tools on the left, hint and zoom below, settings of the pen in a pop-up.
 import type { Mode, SessionState } from "../api_types";
-import { button, el, iconButton, iconOf, sentence, slider, toggle, withWord } from "../dom";
+import { button, el, iconButton, sentence, slider, toggle, withWord } from "../dom";
+import { iconOf } from "../icons";
+import { checkbox } from "../widgets";
 import { hintOf, kModes, toolsOf, usesHandles, withoutKeys, type ToolName } from "./tools";
 
 export interface PenSettings {
   stabiliser: number;
   weight: number;
+  /** Lines of a pen are thinner where it is pressed less. */
+  pressure: boolean;
   mirror: boolean;
   /** Pixels of the screen. */
   brushRadius: number;
   /** Who has rubbed out a line of the face draws the new one next. */
   penAfterEraser: boolean;
 }
-export const kFirstSettings: PenSettings = { stabiliser: 0, weight: 0, mirror: false, brushRadius: 18, penAfterEraser: true };
+export const kFirstSettings: PenSettings = { stabiliser: 0, weight: 0, pressure: true, mirror: false, brushRadius: 18, penAfterEraser: true };
 
 export interface BarsHost {
   readonly settings: PenSettings;
@@ -50,6 +54,8 @@ export class ToolBars {
   private readonly mirror: HTMLButtonElement;
   private readonly settingsPanel: HTMLElement;
   private shown = "";
+  private railShown = "";
+  private floatShown = "";
 
   constructor(private readonly host: BarsHost) {
     this.name = el("input", {
@@ -142,6 +148,10 @@ export class ToolBars {
   }
 
   private updateRail(state: SessionState, tool: ToolName): void {
+    this.updateFloat(state, tool);
+    const shown = [state.mode, tool, this.host.gestures].join();
+    if (shown === this.railShown) return;
+    this.railShown = shown;
     const focused = this.rail.contains(document.activeElement) ? document.activeElement?.getAttribute("aria-label") : null;
     const tools = toolsOf(state.mode, this.host.gestures).map((each) => {
       const made = withWord(iconButton(each.icon, each.label, () => this.host.setTool(each.name), each.key), each.word);
@@ -152,13 +162,15 @@ export class ToolBars {
     const rest = state.mode === "refine" ? [] : [el("hr", { class: "rail-line" }), this.mirror, this.settingsPanel];
     this.rail.replaceChildren(...tools, ...rest);
     if (focused) this.rail.querySelector<HTMLElement>(`[aria-label="${focused}"]`)?.focus();
-    this.updateFloat(state, tool);
   }
 
   /** What acts on the face in 3-D: sides to look from, the size of the brush, bulging of the handles. */
   private updateFloat(state: SessionState, tool: ToolName): void {
     this.float.hidden = state.mode !== "refine";
-    if (this.float.hidden) return;
+    const hasHandles = state.handles.length > 0;
+    const shown = [tool, hasHandles].join();
+    if (this.float.hidden || shown === this.floatShown) return;
+    this.floatShown = shown;
     const focused = this.float.contains(document.activeElement) ? document.activeElement?.getAttribute("aria-label") : null;
     const word = (label: string, name: string, act: () => void) => button(label, act, { "aria-label": name, title: name });
     const group = (name: string, ...content: (HTMLElement | string)[]) =>
@@ -171,7 +183,7 @@ export class ToolBars {
         word("Left", "Its left side", () => this.host.look(90)),
       ),
     ];
-    if (state.handles.length > 0 && kRollTools.includes(tool)) {
+    if (hasHandles && kRollTools.includes(tool)) {
       const roll = (label: string, name: string, level: number) => word(label, name, () => this.host.roll(level));
       groups.push(
         group(
@@ -185,7 +197,7 @@ export class ToolBars {
         ),
       );
     }
-    if (state.handles.length > 0 && usesHandles(tool)) groups.push(group("Handles", word("Clear", "Clear all handles", () => this.host.clearHandles())));
+    if (hasHandles && usesHandles(tool)) groups.push(group("Handles", word("Clear", "Clear all handles", () => this.host.clearHandles())));
     if (tool === "brush" || tool === "unbrush") {
       const size = group("Brush", el("span", {}, "Brush"), this.brushSize());
       size.classList.add("float-size");
@@ -256,11 +268,15 @@ export class ToolBars {
           this.host.settingsChanged();
         },
       }).element,
-      toggle("Take the pen after the eraser", settings.penAfterEraser, (on) => {
+      checkbox("Lines follow the pressure of a pen", settings.pressure, (on) => {
+        settings.pressure = on;
+        this.host.settingsChanged();
+      }),
+      checkbox("Take the pen after the eraser", settings.penAfterEraser, (on) => {
         settings.penAfterEraser = on;
         this.host.settingsChanged();
       }),
-      el("p", { class: "pop-note" }, "The stabiliser takes the tremor out of a slow hand. The weight changes the line, not the face."),
+      el("p", { class: "pop-note" }, "The stabiliser takes the tremor out of a slow hand. Weight and pressure change the line, not the face."),
       el(
         "div",
         { class: "pop-row" },

@@ -1,5 +1,5 @@
 // Modes and tools of the tab Draw, with their words.
-import type { IconName } from "../dom";
+import type { IconName } from "../icons";
 import type { Mode, SessionState } from "../api_types";
 
 export type ToolName = "pen" | "eraser" | "turn" | "region" | "brush" | "unbrush" | "translate" | "pull" | "gesture";
@@ -43,8 +43,9 @@ export function firstTool(state: SessionState): ToolName {
   return state.open_ends.length > 0 ? "pen" : "eraser";
 }
 
-/** Lines of a drawing with an outline, two eyes, a nose and a mouth. */
-const kOutlineEyesNoseMouth = 5;
+/** What a person draws first, and what may follow; both eyes are one thing to draw. */
+const kNeeded = ["the outline", "both eyes", "the nose", "the mouth"];
+const kWelcome = ["brows", "ears"];
 const kIsTouch = matchMedia("(hover: none)").matches;
 
 /** A tablet has no keys. */
@@ -59,9 +60,11 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
     if (state.lines.length === 0)
       return "Draw the outline of a face, then eyes, nose and mouth. The face on the right follows every stroke.";
     if (!state.has_face) return "These lines are no face yet. Add the outline, eyes, nose or mouth.";
-    return state.lines.length < kOutlineEyesNoseMouth
-      ? "Now the eyes, the nose and the mouth, in any order."
-      : "Add brows, lips, ears. Redraw corrects single lines: yours then become the lines of the face, until you undo it.";
+    const missing = kNeeded.filter((part) => !isDrawn(part, state.drawn_parts));
+    if (missing.length > 0) return `Still missing: ${listOf(missing)}. In any order.`;
+    const welcome = kWelcome.filter((part) => !isDrawn(part, state.drawn_parts));
+    const more = welcome.length > 0 ? `You may add ${welcome.join(" and ")}. ` : "All parts are there. ";
+    return `${more}Redraw corrects single lines: yours then become the lines of the face, until you undo it.`;
   }
   if (state.mode === "follow_up") {
     const gaps = state.open_ends.length;
@@ -70,7 +73,7 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
         ? "Erase more, or take the pen (B) and draw the new line from dot to dot."
         : "Rub over the part of a line that you want to change. Then draw its new path.";
     return gaps > 0
-      ? "Draw from one orange dot to the other: the line snaps to them. The eraser (E) takes more."
+      ? "Draw from one orange dot to the other, or a whole eye as one closed line. The eraser (E) takes more."
       : erased
         ? "Draw the erased line again, near its old place."
         : "A stroke on the skin becomes a wrinkle. To change a line, erase it first (E).";
@@ -94,6 +97,14 @@ export function hintOf(state: SessionState, tool: ToolName, erased: boolean): st
     default:
       return "Closed line: region. Straight line: move or pull. Arrow left or right: undo or redo. Loops that rise or fall: bulge or hollow.";
   }
+}
+
+function isDrawn(part: string, drawn: readonly string[]): boolean {
+  return part === "both eyes" ? drawn.includes("right eye") && drawn.includes("left eye") : drawn.includes(part.replace("the ", ""));
+}
+/** "both eyes, the nose and the mouth". */
+function listOf(parts: readonly string[]): string {
+  return parts.length === 1 ? (parts[0] ?? "") : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}`;
 }
 
 /** Tools that act on the handles: with others these are hidden. */

@@ -55,7 +55,7 @@ export function expressionsPart(info: ShapeInfo, editor: Editor, folded: Memory,
           button("", () => {
             stored.keep(stored.all().filter((other) => other.name !== each.name));
             showStored();
-          }, { kind: "quiet", icon: "remove", name: `Forget ${each.name}` }),
+          }, { kind: "quiet", icon: "close", name: `Forget ${each.name}` }),
         ),
       ),
     );

@@ -60,7 +60,7 @@ export function handlesPart(editor: Editor, folded: Memory, pick: (on: boolean) 
       field(handle, index, 2),
       button("", () => {
         editor.change({ handles: (editor.document.handles ?? []).filter((_, at) => at !== index) }, "handles", true);
-      }, { kind: "quiet", icon: "remove", name: `Remove point ${index + 1}` }),
+      }, { kind: "quiet", icon: "close", name: `Remove point ${index + 1}` }),
     );
 
   let shown = "";

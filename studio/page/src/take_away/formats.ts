@@ -1,7 +1,7 @@
 // The formats: a sentence of what each is for, its choices, and the job that writes it.
 import { avatarBody } from "../avatar/state";
 import { kHairs } from "../head_options";
-import type { IconName } from "../widgets";
+import type { IconName } from "../icons";
 import { targetBody, type FormatId, type Target } from "./targets";
 
 export interface Choice {
