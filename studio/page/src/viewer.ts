@@ -319,6 +319,8 @@ export class Viewer {
   }
   /** Until a new face has arrived, a slow drawing would take the processor from the program that computes it. */
   hold(on: boolean): void {
+    // Strokes that follow each other quickly do not hold it for ever.
+    if (on && this.holding !== 0) return;
     clearTimeout(this.holding);
     this.holding = on ? window.setTimeout(() => this.hold(false), kLongestHold) : 0;
     if (on || !this.isStale) return;

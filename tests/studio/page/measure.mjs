@@ -103,9 +103,9 @@ async function drawAndRest(browser, server, isDrawn) {
   const before = await page.evaluate(() => window.framesRequested);
   await delay(kRestMs);
   const frames = (await page.evaluate(() => window.framesRequested)) - before;
-  const [first, last] = await page.evaluate(() => [window.daumierTimes, window.daumierFinalTimes]);
+  const [first, last, ofServer] = await page.evaluate(() => [window.daumierTimes, window.daumierFinalTimes, window.daumierServerTimes]);
   await page.context().close();
-  return { first, last, frames };
+  return { first, last, ofServer, frames };
 }
 
 if (!program) {
@@ -125,10 +125,12 @@ try {
   printTimes('first screen in the page', views.map((view) => view.screen));
   printTimes('first head drawn', views.map((view) => view.head));
   for (const isDrawn of [true, false]) {
-    const { first, last, frames } = await drawAndRest(browser, server, isDrawn);
+    const { first, last, ofServer, frames } = await drawAndRest(browser, server, isDrawn);
     console.log(isDrawn ? 'WebGL drawn by the processor:' : 'WebGL that draws nothing:');
     printTimes('  pen up to first vertices (daumierTimes)', first);
     printTimes('  pen up to last vertices (daumierFinalTimes)', last);
+    printTimes('  of these in the server (daumierServerTimes)', ofServer);
+    printTimes('  and elsewhere', last.map((time, i) => time - ofServer[i]));
     console.log(`  frames requested in ${kRestMs / 1000} s of rest: ${frames} (expected: 0)`);
   }
 } finally {

@@ -8,6 +8,8 @@ declare global {
     daumierTimes?: number[];
     /** The same to the vertices of the state on the server, where those of the network alone came first. */
     daumierFinalTimes?: number[];
+    /** Of these, what the server has computed. */
+    daumierServerTimes?: number[];
   }
 }
 
@@ -79,7 +81,7 @@ export class SessionClient {
         this.current = state;
         this.listener.state(state);
         this.take(vertices);
-        if (vertices) this.recordTime(endedAt, true);
+        if (vertices) this.recordTime(endedAt, true, state.milliseconds);
         return state;
       } catch (error) {
         this.dropPreview();
@@ -99,13 +101,16 @@ export class SessionClient {
     this.listener.vertices(vertices);
   }
   /** Of the faces of one stroke the first one is recorded. */
-  private recordTime(endedAt: number, isFinal: boolean): void {
-    const record = (times: number[]) => {
-      times.push(performance.now() - endedAt);
+  private recordTime(endedAt: number, isFinal: boolean, ofServer = 0): void {
+    const record = (times: number[], time = performance.now() - endedAt) => {
+      times.push(time);
       if (times.length > kMostTimes) times.shift();
     };
     if (endedAt !== this.recorded) record((window.daumierTimes ??= []));
-    if (isFinal) record((window.daumierFinalTimes ??= []));
+    if (isFinal) {
+      record((window.daumierFinalTimes ??= []));
+      record((window.daumierServerTimes ??= []), ofServer);
+    }
     this.recorded = endedAt;
   }
 
