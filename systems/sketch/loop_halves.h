@@ -11,7 +11,7 @@ namespace daumier::sketch {
 struct LoopHalves {
   std::array<PenLine, 2>
       lines;  ///< The upper and the lower part, divided at its two points farthest along the line through those ends.
-  std::vector<size_t> erased;  ///< Curves of which all but the ends is erased first.
+  std::vector<size_t> erased;  ///< Curves that are erased whole first.
 };
 
 /// Of a stroke that closes around two gaps with the same ends; or around a curve with a gap and its partner, of which a person has erased

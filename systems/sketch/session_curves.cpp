@@ -272,7 +272,7 @@ std::optional<size_t> Draw(SessionLines& lines, const CanvasPoints& stroke, cons
                 stroke.size());
   const PenLine forwards{stroke, widths}, backwards = Reversed(forwards);
   if (const auto loop = HalvesOfLoop(lines, forwards)) {
-    for (const size_t c : loop->erased) lines.curves[c].gap = CurveGap{1, lines.curves[c].points.size() - 2};
+    for (const size_t c : loop->erased) lines.curves[c].gap = CurveGap{0, lines.curves[c].points.size() - 1};
     // Gaps that are equally near are filled in the order of the curves, in which upper lids and lips come first.
     const auto& [upper, lower] = loop->lines;
     Draw(lines, upper.points, upper.widths);
