@@ -42,7 +42,7 @@ struct SketchTrunk {
 /// @throws Error if there is no such trunk, or the picture is too small for it.
 SketchTrunk MakeSketchTrunk(const TrunkOptions& options);
 
-/// The kinds of trunks, those of sketch::TrunkKinds in their order.
+/// The kinds of trunks, the same as of sketch::TrunkKinds.
 std::vector<std::string> SketchTrunkNames();
 
 /// The same sketches (B, 1, H, W), marked as in plain layout; no pixel is copied. With one channel the two layouts have
