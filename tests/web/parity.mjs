@@ -14,8 +14,8 @@ const kTolerance = 1e-4;
 /** Of faces framed by the parser: a last digit of the frame moves greys of the picture by 1/255. */
 const kFramedTolerance = 5e-4;
 const kReports = join(process.env.DAUMIER_SHARED_DATA ?? join(repository, '../shared/data'), 'reports');
-/** Of reports: lines, a photograph, two faces, shading. */
-const reported = ['00-good-face/face.svg', '20-sheet-on-desk/wide_border.jpg', '27-two-faces/two.png', '28-soft-shading/shaded.png'];
+/** Of reports: a photograph, two faces, shading. */
+const reported = ['20-sheet-on-desk/wide_border.jpg', '27-two-faces/two.png', '28-soft-shading/shaded.png'];
 
 const weights = join(repository, 'weights'), webFolder = join(repository, 'web');
 
