@@ -1,5 +1,6 @@
 #include "studio/votes.h"
 
+#include "core/csv.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/folder_lock.h"
@@ -7,12 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
-#include <system_error>
 
 namespace daumier::studio {
 namespace {
@@ -22,61 +21,14 @@ namespace fs = std::filesystem;
 constexpr char kHeader[] = "participant,item,method,place,question,value,seconds";
 constexpr size_t kCells = 7;
 constexpr char kBest[] = "best";
+constexpr double kMostPlace = 1e6;
 
-/// Rows of cells, with the line on which each begins.
-struct CsvRow {
-  std::vector<std::string> cells;
-  int line;
-};
-
-std::vector<CsvRow> RowsOfCsv(std::string_view text, const std::string& name) {
-  std::vector<CsvRow> rows;
-  int line = 1;
-  while (!text.empty()) {
-    CsvRow row{{}, line};
-    bool ends = false;
-    while (!ends) {
-      std::string cell;
-      if (text.starts_with('"')) {
-        text.remove_prefix(1);
-        while (true) {
-          DAUMIER_CHECK(!text.empty(), "{}:{}: a quote is not closed", name, row.line);
-          const char c = text.front();
-          text.remove_prefix(1);
-          if (c == '"' && !text.starts_with('"')) break;
-          if (c == '"') text.remove_prefix(1);
-          line += c == '\n';
-          cell += c;
-        }
-      }
-      const size_t end = std::min(text.find_first_of(",\n"), text.size());
-      cell += text.substr(0, end);
-      ends = end == text.size() || text[end] == '\n';
-      text.remove_prefix(std::min(end + 1, text.size()));
-      if (ends && cell.ends_with('\r')) cell.pop_back();
-      row.cells.push_back(std::move(cell));
-    }
-    ++line;
-    if (row.cells.size() > 1 || !row.cells.front().empty()) rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-template <class Number>
-Number NumberOfCell(const CsvRow& row, size_t cell, const std::string& name) {
-  const std::string& text = row.cells[cell];
-  Number number{};
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  DAUMIER_CHECK(failure == std::errc() && end == text.data() + text.size() && std::isfinite(double(number)),
-                "{}:{}: cell {} is '{}', expected a number", name, row.line, cell + 1, text.substr(0, 40));
-  return number;
-}
-
-std::string CellOf(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+/// A place, which is a whole number.
+int PlaceOfCell(const CsvRow& row, size_t cell, const std::string& name) {
+  const double number = CsvNumber(row, cell, name);
+  DAUMIER_CHECK(number == std::floor(number) && std::abs(number) <= kMostPlace,
+                "{}:{}: cell {} is '{}', expected a place", name, row.line, cell + 1, row.cells[cell]);
+  return int(number);
 }
 
 double DeviationOf(const std::vector<double>& values, double mean) {
@@ -90,8 +42,7 @@ double DeviationOf(const std::vector<double>& values, double mean) {
 }  // namespace
 
 std::vector<Vote> ParseVotes(std::string_view text, const std::string& name) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // As spreadsheets write it.
-  const std::vector<CsvRow> rows = RowsOfCsv(text, name);
+  const std::vector<CsvRow> rows = ParseCsv(text, name);
   DAUMIER_CHECK(!rows.empty() && fmt::format("{}", fmt::join(rows.front().cells, ",")) == kHeader,
                 "{}: these are no votes: the first line is '{}', expected '{}'", name,
                 rows.empty() ? "" : fmt::format("{}", fmt::join(rows.front().cells, ",")).substr(0, 80), kHeader);
@@ -99,8 +50,8 @@ std::vector<Vote> ParseVotes(std::string_view text, const std::string& name) {
   for (size_t i = 1; i < rows.size(); ++i) {
     const CsvRow& row = rows[i];
     DAUMIER_CHECK(row.cells.size() == kCells, "{}:{}: {} cells, expected {}", name, row.line, row.cells.size(), kCells);
-    votes.push_back({row.cells[0], row.cells[1], row.cells[2], NumberOfCell<int>(row, 3, name), row.cells[4],
-                     NumberOfCell<double>(row, 5, name), NumberOfCell<double>(row, 6, name)});
+    votes.push_back({row.cells[0], row.cells[1], row.cells[2], PlaceOfCell(row, 3, name), row.cells[4],
+                     CsvNumber(row, 5, name), CsvNumber(row, 6, name)});
   }
   return votes;
 }
@@ -112,8 +63,8 @@ std::vector<Vote> ReadVotes(const fs::path& file) {
 std::string VotesText(const std::vector<Vote>& votes) {
   std::string text = fmt::format("{}\n", kHeader);
   for (const Vote& vote : votes)
-    text += fmt::format("{},{},{},{},{},{},{}\n", CellOf(vote.participant), CellOf(vote.item), CellOf(vote.method),
-                        vote.place, CellOf(vote.question), vote.value, vote.seconds);
+    text += fmt::format("{},{},{},{},{},{},{}\n", CsvCell(vote.participant), CsvCell(vote.item), CsvCell(vote.method),
+                        vote.place, CsvCell(vote.question), vote.value, vote.seconds);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "systems/deform/labelled_faces.h"
 
+#include "core/csv.h"
 #include "core/error.h"
 #include "core/evenly_spaced.h"
 #include "core/files.h"
@@ -8,11 +9,9 @@
 #include "fitting/mesh_code.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 namespace daumier::deform {
@@ -66,15 +65,10 @@ std::vector<geometry::Points> RegularFaces(const faces::FaceDatabase& database) 
   return regular;
 }
 
-std::vector<std::string> Cells(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    while (!cell.empty() && (cell.back() == '\r' || cell.back() == ' ')) cell.pop_back();
-    cells.push_back(cell);
-  }
-  if (!line.empty() && line.back() == ',') cells.emplace_back();
-  return cells;
+/// Without blanks at its end, as files that people type have them.
+std::string TrimmedCell(std::string cell) {
+  while (cell.ends_with(' ')) cell.pop_back();
+  return cell;
 }
 
 }  // namespace
@@ -141,35 +135,28 @@ LabelledDatabase LabelledFaces(const OpenedModel& opened, const faces::FaceDatab
 fitting::LabelledCodes LabelledByFile(const OpenedModel& opened, const faces::FaceDatabase& database,
                                       const std::filesystem::path& file, const Task& task) {
   CheckTopology(opened, database);
-  std::istringstream lines(ReadFile(file));
-  std::string line;
+  std::vector<CsvRow> rows = ParseCsv(ReadFile(file), file.string());
+  for (CsvRow& row : rows) std::ranges::transform(row.cells, row.cells.begin(), TrimmedCell);
   fitting::LabelledCodes labelled;
-  DAUMIER_CHECK(std::getline(lines, line), "{} is empty (expected a header name,LABEL,...)", file.string());
-  const std::vector<std::string> header = Cells(line);
+  DAUMIER_CHECK(!rows.empty(), "{} is empty (expected a header name,LABEL,...)", file.string());
+  const std::vector<std::string>& header = rows.front().cells;
   DAUMIER_CHECK(header.size() >= 2, "{}:1: a header of {} columns, expected name,LABEL,...", file.string(),
                 header.size());
   labelled.names.assign(header.begin() + 1, header.end());
   std::vector<int> indices;
   std::vector<double> values;
-  for (int number = 2; std::getline(lines, line); ++number) {
-    const std::vector<std::string> cells = Cells(line);
-    if (cells.empty() || (cells.size() == 1 && cells[0].empty())) continue;
-    DAUMIER_CHECK(cells.size() == header.size(), "{}:{}: {} columns, expected {}", file.string(), number, cells.size(),
-                  header.size());
+  for (size_t r = 1; r < rows.size(); ++r) {
+    const std::vector<std::string>& cells = rows[r].cells;
+    if (cells.size() == 1 && cells[0].empty()) continue;
+    DAUMIER_CHECK(cells.size() == header.size(), "{}:{}: {} columns, expected {}", file.string(), rows[r].line,
+                  cells.size(), header.size());
     const std::optional<int> face = eval::FaceNamed(database, cells[0]);
     DAUMIER_CHECK(face.has_value(),
                   "{}:{}: {} has no face '{}' (expected face-00000 to face-{:05}, or a person's name)", file.string(),
-                  number, database.directory().string(), cells[0], database.num_faces() - 1);
+                  rows[r].line, database.directory().string(), cells[0], database.num_faces() - 1);
     indices.push_back(*face);
-    for (size_t c = 1; c < cells.size(); ++c) {
-      double value = kUnlabelled;
-      if (!cells[c].empty()) {
-        const auto [end, error] = std::from_chars(cells[c].data(), cells[c].data() + cells[c].size(), value);
-        DAUMIER_CHECK(error == std::errc() && end == cells[c].data() + cells[c].size(), "{}:{}: '{}' is no number",
-                      file.string(), number, cells[c]);
-      }
-      values.push_back(value);
-    }
+    for (size_t c = 1; c < cells.size(); ++c)
+      values.push_back(cells[c].empty() ? kUnlabelled : CsvNumber(rows[r], c, file.string()));
   }
   DAUMIER_CHECK(!indices.empty(), "{} has no faces below its header", file.string());
   labelled.labels = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(

@@ -75,7 +75,7 @@ TEST_F(LabelledFacesTest, AreReadFromAFile) {
   expect("", "labels.csv is empty");
   expect("name\n", "labels.csv:1: a header of 1 columns");
   expect("name,Smile\nface-00003\n", "labels.csv:2: 1 columns, expected 2");
-  expect("name,Smile\nface-00003,yes\n", "labels.csv:2: 'yes' is no number");
+  expect("name,Smile\nface-00003,yes\n", "labels.csv:2: cell 2 is 'yes', expected a number");
   expect("name,Smile\nface-99999,1\n", "labels.csv:2: ");
   expect("name,Smile\n", "has no faces below its header");
 }
