@@ -1,7 +1,6 @@
 #include "faces/exaggeration.h"
 
 #include "core/error.h"
-#include "faces/gradient_scaling.h"
 #include "geometry/curvature.h"
 #include "geometry/normals.h"
 #include "geometry/topology.h"
@@ -78,14 +77,21 @@ Eigen::VectorXd CurvatureExponent(const FaceTemplate& face_template, const geome
   return exponent;
 }
 
+FaceExaggerator::FaceExaggerator(const FaceTemplate& face_template, const geometry::Points& face,
+                                 const ExaggerationOptions& options)
+    : exponent_(CurvatureExponent(face_template, face, options)),
+      scaling_({face, face_template.triangles}, FixedVertices(face_template.annotation)),
+      blend_rings_(options.blend_rings) {}
+
+geometry::Points FaceExaggerator::At(double gamma) const {
+  return scaling_.RebuildWithoutFlips((gamma * exponent_).replicate<1, 3>(), blend_rings_);
+}
+
 std::vector<geometry::Points> Exaggerate(const FaceTemplate& face_template, const geometry::Points& face,
                                          const ExaggerationOptions& options) {
-  const Eigen::VectorXd exponent = CurvatureExponent(face_template, face, options);
-  const GradientScaling scaling({face, face_template.triangles}, FixedVertices(face_template.annotation));
+  const FaceExaggerator exaggerator(face_template, face, options);
   std::vector<geometry::Points> levels;
-  for (const double gamma : options.gammas) {
-    levels.push_back(scaling.RebuildWithoutFlips((gamma * exponent).replicate<1, 3>(), options.blend_rings));
-  }
+  for (const double gamma : options.gammas) levels.push_back(exaggerator.At(gamma));
   return levels;
 }
 

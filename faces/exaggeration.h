@@ -1,6 +1,7 @@
 #pragma once
 #include "core/options.h"
 #include "faces/face_model.h"
+#include "faces/gradient_scaling.h"
 
 #include <vector>
 
@@ -36,6 +37,21 @@ struct ExaggerationOptions {
 /// naming the region that the annotation lacks.
 Eigen::VectorXd CurvatureExponent(const FaceTemplate& face_template, const geometry::Points& face,
                                   const ExaggerationOptions& options);
+
+/// A neutral face that is ready for any gamma: its curvature is measured and its gradients' system factorised once.
+class FaceExaggerator {
+ public:
+  /// options.gammas are not read. @throws Error as Exaggerate.
+  FaceExaggerator(const FaceTemplate& face_template, const geometry::Points& face, const ExaggerationOptions& options);
+
+  /// V x 3, cm: the face as Exaggerate has it for this gamma. Thread-safe.
+  geometry::Points At(double gamma) const;
+
+ private:
+  Eigen::VectorXd exponent_;
+  GradientScaling scaling_;
+  int blend_rings_;
+};
 
 /// Exaggerates a neutral face [Sela et al. 2015; Han et al. 2017, section 4.1]: the surface is rebuilt by
 /// GradientScaling::RebuildWithoutFlips from gradients scaled by exp(gamma e), e its CurvatureExponent, with the

@@ -34,9 +34,21 @@ ExpressionTransfer::ExpressionTransfer(const FaceModel& model, const std::vector
 }
 
 Eigen::MatrixXf ExpressionTransfer::Offsets(const geometry::Points& neutral, unsigned max_threads) const {
+  return Offsets(neutral, std::vector<bool>(gradients_.size(), true), max_threads);
+}
+
+Eigen::MatrixXf ExpressionTransfer::Offsets(const geometry::Points& neutral, const std::vector<bool>& wanted,
+                                            unsigned max_threads) const {
   DAUMIER_CHECK(neutral.rows() == num_vertices_, "the face has {} vertices, its template {}", neutral.rows(),
                 num_vertices_);
-  if (pinned_.empty()) return linear_offsets_;
+  DAUMIER_CHECK(wanted.size() == gradients_.size(), "{} of {} expressions are wanted or not", wanted.size(),
+                gradients_.size());
+  if (pinned_.empty()) {
+    Eigen::MatrixXf offsets = linear_offsets_;
+    for (size_t e = 0; e < wanted.size(); ++e)
+      if (!wanted[e]) offsets.col(Eigen::Index(e)).setZero();
+    return offsets;
+  }
   if (static_cast<Eigen::Index>(pinned_.size()) == num_vertices_)
     return Eigen::MatrixXf::Zero(3 * num_vertices_, num_expressions());
   const geometry::DeformationTransfer transfer({neutral, triangles_}, pinned_);
@@ -45,7 +57,8 @@ Eigen::MatrixXf ExpressionTransfer::Offsets(const geometry::Points& neutral, uns
   ForEachInOrder(
       num_expressions(),
       [&](int e) -> geometry::Points {
-        if (gradients_[e].triangles.empty()) return geometry::Points::Zero(num_vertices_, 3);
+        if (!wanted[size_t(e)] || gradients_[size_t(e)].triangles.empty())
+          return geometry::Points::Zero(num_vertices_, 3);
         return transfer.Apply(gradients_[e]) - neutral;
       },
       [&](const geometry::Points& offset) {

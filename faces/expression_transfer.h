@@ -21,6 +21,9 @@ class ExpressionTransfer {
   /// 3V x E: the displacement of each expression on a neutral face (V x 3, cm), on up to `max_threads` cores.
   /// @throws Error if `neutral` has another number of vertices, or a triangle without area.
   Eigen::MatrixXf Offsets(const geometry::Points& neutral, unsigned max_threads = 1) const;
+  /// The same of expressions that are `wanted` (E entries); the columns of others are zero.
+  Eigen::MatrixXf Offsets(const geometry::Points& neutral, const std::vector<bool>& wanted,
+                          unsigned max_threads = 1) const;
 
   int num_expressions() const { return static_cast<int>(gradients_.size()); }
 

@@ -1,5 +1,6 @@
 #include "rig/expression_targets.h"
 
+#include "core/error.h"
 #include "rig/arkit_names.h"
 
 #include <algorithm>
@@ -47,10 +48,30 @@ ExpressionTargets::ExpressionTargets(const faces::FaceTemplate& face_template, c
       contact_(face_template, PoseOf(face_template, source.shapes, "eyeBlinkRight"),
                PoseOf(face_template, source.shapes, "eyeBlinkLeft")) {}
 
-MorphTargets ExpressionTargets::On(const geometry::Points& neutral, unsigned threads) const {
-  MorphTargets targets{{ArkitNames().begin(), ArkitNames().end()}, transfer_.Offsets(neutral, threads)};
+MorphTargets ExpressionTargets::Make(const geometry::Points& neutral, const std::vector<bool>& needed,
+                                     unsigned threads) const {
+  MorphTargets targets{{ArkitNames().begin(), ArkitNames().end()}, transfer_.Offsets(neutral, needed, threads)};
   RemoveDrift(targets.offsets);
   contact_.Apply(neutral, targets, threads);
+  return targets;
+}
+
+MorphTargets ExpressionTargets::On(const geometry::Points& neutral, unsigned threads) const {
+  return Make(neutral, std::vector<bool>(size_t(kNumArkitNames), true), threads);
+}
+
+MorphTargets ExpressionTargets::OnlyOn(const geometry::Points& neutral, const std::vector<int>& wanted,
+                                       unsigned threads) const {
+  std::vector<bool> is_wanted(size_t(kNumArkitNames), false);
+  for (const int place : wanted) {
+    DAUMIER_CHECK(place >= 0 && place < kNumArkitNames, "{} is no place among {} expressions", place, kNumArkitNames);
+    is_wanted[size_t(place)] = true;
+  }
+  std::vector<bool> needed = is_wanted;
+  for (const std::string_view name : FaceContact::Sources()) needed[size_t(*FindArkitName(name))] = true;
+  MorphTargets targets = Make(neutral, needed, threads);
+  for (size_t e = 0; e < is_wanted.size(); ++e)
+    if (!is_wanted[e]) targets.offsets.col(Eigen::Index(e)).setZero();
   return targets;
 }
 

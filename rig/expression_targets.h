@@ -27,11 +27,17 @@ class ExpressionTargets {
   /// @throws Error as faces::ExpressionTransfer::Offsets.
   MorphTargets On(const geometry::Points& neutral, unsigned threads = 8) const;
 
+  /// Some of them (places in ArkitNames()), which takes less time: the columns of others are zero. A column is equal to that
+  /// of On. @throws Error as On, or if a place is out of range.
+  MorphTargets OnlyOn(const geometry::Points& neutral, const std::vector<int>& wanted, unsigned threads = 8) const;
+
   /// What the source cannot make, a line each.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const FaceContact& contact() const { return contact_; }
 
  private:
+  MorphTargets Make(const geometry::Points& neutral, const std::vector<bool>& needed, unsigned threads) const;
+
   std::vector<std::string> warnings_;
   faces::ExpressionTransfer transfer_;
   FaceContact contact_;

@@ -138,6 +138,12 @@ FaceContact::FaceContact(const faces::FaceTemplate& face_template, const geometr
   add("Left", holes.eye_left, left_blink);
 }
 
+const std::vector<std::string_view>& FaceContact::Sources() {
+  static const std::vector<std::string_view> sources = {"eyeBlinkRight", "eyeBlinkLeft", "mouthPressRight",
+                                                        "mouthPressLeft", "jawOpen"};
+  return sources;
+}
+
 SeamFrame FaceContact::Eye::Frame(const geometry::Points& neutral, const faces::Eyeball& eyeball) const {
   const SeamEdges& edges = lids.edges();
   const Eigen::Vector3d middle = 0.5 * (neutral.row(edges.upper.front()) + neutral.row(edges.upper.back())).transpose();

@@ -61,6 +61,9 @@ class FaceContact {
   /// Changes the targets, named as ArkitNames(), of a face (V x 3, cm). On up to `threads` cores.
   void Apply(const geometry::Points& neutral, MorphTargets& targets, unsigned threads) const;
 
+  /// Expressions that Apply reads to change others. A column is the same whatever others hold, if these are as given.
+  static const std::vector<std::string_view>& Sources();
+
   struct Eye {
     std::string side;  ///< "Right", "Left": the end of the names of its expressions.
     faces::EyeballFit fit;

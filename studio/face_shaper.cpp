@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/options.h"
 #include "core/random.h"
-#include "faces/exaggeration.h"
 #include "faces/face_model_file.h"
 #include "fitting/code_handles.h"
 #include "fitting/exaggerated_face.h"
@@ -138,16 +137,42 @@ geometry::Points FaceShaper::WithHandles(const geometry::Points& face, const std
   return face + model.Vertices(edit.code) - handle_start_->code.vertices;
 }
 
+geometry::Points FaceShaper::Exaggerated(const geometry::Points& face, double gamma) {
+  if (!exaggeration_start_ || !AreEqual(exaggeration_start_->face, face))
+    exaggeration_start_.emplace(face, faces::FaceExaggerator(model_.face_template, face, {}));
+  return exaggeration_start_->exaggerator.At(gamma);
+}
+
 geometry::Points FaceShaper::BeforeHandles(const ShapeDocument& shape, const geometry::Points& base,
-                                           const geometry::Points& toward) const {
+                                           const geometry::Points& toward) {
   geometry::Points face = base;
   if (shape.toward) face += shape.toward->share * (toward - base);
   face = controls_.Apply(face, ValuesOf(shape));
-  if (shape.exaggeration > 0)
-    face = faces::Exaggerate(model_.face_template, face, {.gammas = {shape.exaggeration}}).front();
+  if (shape.exaggeration > 0) face = Exaggerated(face, shape.exaggeration);
   if (shape.caricature > 0)
     face = fitting::Exaggerate(*opened_.model, face, shape.caricature, opened_.expression).vertices;
   return face;
+}
+
+geometry::Points FaceShaper::WithExpressions(const geometry::Points& face, const Eigen::VectorXf& weights) {
+  if (!targets_)
+    targets_ = {Eigen::MatrixXf::Zero(face.size(), rig::kNumArkitNames), std::vector<bool>(rig::kNumArkitNames)};
+  std::vector<int> missing;
+  for (int e = 0; e < rig::kNumArkitNames; ++e)
+    if (weights[e] != 0 && !targets_->is_made[size_t(e)]) missing.push_back(e);
+  if (!missing.empty()) {
+    const rig::MorphTargets made = expressions_.OnlyOn(face, missing);
+    for (const int e : missing) {
+      targets_->offsets.col(e) = made.offsets.col(e);
+      targets_->is_made[size_t(e)] = true;
+    }
+  }
+  Eigen::VectorXf offsets = Eigen::VectorXf::Zero(face.size());
+  for (int e = 0; e < rig::kNumArkitNames; ++e)
+    if (weights[e] != 0) offsets += weights[e] * targets_->offsets.col(e);
+  geometry::Points shown = face;
+  Eigen::Map<Eigen::VectorXd>(shown.data(), shown.size()) += offsets.cast<double>();
+  return shown;
 }
 
 geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& named) {
@@ -169,11 +194,7 @@ geometry::Points FaceShaper::Make(const ShapeDocument& shape, const NamedFace& n
     targets_.reset();
   }
   if ((weights.array() == 0).all()) return last_->face;
-  if (!targets_) targets_ = expressions_.On(last_->face);
-  const Eigen::VectorXf offsets = targets_->offsets * weights;
-  return last_->face + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(offsets.data(),
-                                                                                                  last_->face.rows(), 3)
-                           .cast<double>();
+  return WithExpressions(last_->face, weights);
 }
 
 std::map<std::string, double> FaceShaper::RandomControls(uint64_t seed, double spread) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/json.h"
 #include "faces/controls/face_controls.h"
+#include "faces/exaggeration.h"
 #include "faces/face_model.h"
 #include "fitting/mesh_code.h"
 #include "rig/expression_targets.h"
@@ -54,11 +55,23 @@ class FaceShaper {
     fitting::MeshCode code;
     std::vector<int> vertices, outside;
   };
+  /// What exaggeration of one face needs, whatever its strength.
+  struct ExaggerationStart {
+    geometry::Points face;
+    faces::FaceExaggerator exaggerator;
+  };
+  /// Targets of the expressions that have been weighted on last_; the columns of others are zero.
+  struct MadeTargets {
+    Eigen::MatrixXf offsets;
+    std::vector<bool> is_made;
+  };
+  /// mutex_ is locked, as for all below.
   geometry::Points BeforeHandles(const ShapeDocument& shape, const geometry::Points& base,
-                                 const geometry::Points& toward) const;
-  Eigen::VectorXd ValuesOf(const ShapeDocument& shape) const;
-  /// mutex_ is locked.
+                                 const geometry::Points& toward);
+  geometry::Points Exaggerated(const geometry::Points& face, double gamma);
+  geometry::Points WithExpressions(const geometry::Points& face, const Eigen::VectorXf& weights);
   geometry::Points WithHandles(const geometry::Points& face, const std::vector<ShapeHandle>& handles);
+  Eigen::VectorXd ValuesOf(const ShapeDocument& shape) const;
   Eigen::VectorXf WeightsOf(const ShapeDocument& shape) const;
 
   const faces::FaceModel model_;
@@ -68,7 +81,8 @@ class FaceShaper {
   std::mutex mutex_;
   std::optional<Made> last_;
   std::optional<HandleStart> handle_start_;
-  std::optional<rig::MorphTargets> targets_;  ///< Of last_.
+  std::optional<ExaggerationStart> exaggeration_start_;
+  std::optional<MadeTargets> targets_;  ///< Of last_.
 };
 
 }  // namespace daumier::studio

@@ -67,6 +67,28 @@ TEST(ExpressionTransfer, NeutralAloneMovesNothing) {
   EXPECT_TRUE(ExpressionTransfer(model, {model.expressions[0]}).Offsets(model.face_template.neutral).isZero());
 }
 
+TEST(ExpressionTransfer, OnlyWhatIsWantedIsMade) {
+  FaceModel model = testing::SyntheticModel();
+  const geometry::Points face = 1.1 * model.face_template.neutral;
+  const auto expect = [&](const ExpressionTransfer& transfer) {
+    const Eigen::MatrixXf all = transfer.Offsets(face);
+    std::vector<bool> wanted(size_t(transfer.num_expressions()), false);
+    wanted[1] = true;
+    const Eigen::MatrixXf one = transfer.Offsets(face, wanted);
+    EXPECT_EQ(one.col(1), all.col(1));
+    for (Eigen::Index e = 0; e < one.cols(); ++e) {
+      if (e != 1) {
+        EXPECT_TRUE(one.col(e).isZero(0)) << e;
+      }
+    }
+  };
+  expect(ExpressionTransfer(model, model.expressions));
+  model.expression_shapes.array() += 0.01f;
+  expect(ExpressionTransfer(model, {model.expressions[1], model.expressions[2]}));
+  const ExpressionTransfer transfer(model, model.expressions);
+  testing::ExpectError([&] { transfer.Offsets(face, std::vector<bool>(99)); }, "99 of ");
+}
+
 TEST(ExpressionTransfer, ThreadsDoNotMatter) {
   const FaceModel model = testing::SyntheticModel();
   const ExpressionTransfer transfer(model, model.expressions);

@@ -23,6 +23,23 @@ TEST(ExpressionTargets, AreTheFiftyTwoNamesInOrder) {
   EXPECT_EQ(targets.offsets.rows(), model.face_template.neutral.size());
 }
 
+TEST(ExpressionTargets, SomeOfThemAreThoseOfAll) {
+  const faces::FaceModel model = testing::NamedModel();
+  const ExpressionTargets expressions(model);
+  const geometry::Points face = 1.2 * model.face_template.neutral;
+  const MorphTargets all = expressions.On(face);
+  for (int e = 0; e < kNumArkitNames; ++e) {
+    const MorphTargets one = expressions.OnlyOn(face, {e});
+    EXPECT_EQ(one.names, all.names);
+    for (int other = 0; other < kNumArkitNames; ++other) {
+      const Eigen::VectorXf expected = (other == e ? 1.0f : 0.0f) * all.offsets.col(other);
+      EXPECT_EQ(one.offsets.col(other), expected) << all.names[size_t(e)] << ", " << all.names[size_t(other)];
+    }
+  }
+  EXPECT_TRUE(expressions.OnlyOn(face, {}).offsets.isZero(0));
+  testing::ExpectError([&] { expressions.OnlyOn(face, {52}); }, "52 is no place among 52 expressions");
+}
+
 TEST(ExpressionTargets, ThreadsDoNotMatter) {
   const faces::FaceModel model = testing::NamedModel();
   const ExpressionTargets targets(model);

@@ -140,6 +140,30 @@ TEST_F(FaceShaperTest, TheOrderOfDocumentsChangesNoByte) {
   EXPECT_EQ(Make(smiling), first_smiling);
 }
 
+TEST_F(FaceShaperTest, ExpressionsThatComeLaterAreMadeLater) {
+  const auto controls = Shaper().RandomControls(9, 0.4);
+  const auto with = [&](const std::map<std::string, double>& expressions) {
+    return Make({.controls = controls, .expressions = expressions});
+  };
+  Make({});  // Targets of another face.
+  const geometry::Points both = with({{"jawOpen", 0.5}, {"mouthSmileLeft", 0.7}});
+  Make({});
+  const geometry::Points open = with({{"jawOpen", 0.5}}), smile = with({{"mouthSmileLeft", 0.7}});
+  EXPECT_EQ(with({{"jawOpen", 0.5}, {"mouthSmileLeft", 0.7}}), both) << "one after the other or at once";
+  EXPECT_EQ(with({{"jawOpen", 0.5}}), open);
+  EXPECT_NE(smile, open);
+}
+
+TEST_F(FaceShaperTest, ExaggerationIsThatOfTheFaceWhateverCameBefore) {
+  const faces::ExaggerationOptions options{.gammas = {0.1, 0.3}};
+  const std::vector<geometry::Points> expected = faces::Exaggerate(Shaper().face_template(), Other(), options);
+  EXPECT_EQ(Make({.base = "f-0001", .exaggeration = 0.1}), expected[0]);
+  EXPECT_EQ(Make({.base = "f-0001", .exaggeration = 0.3}), expected[1]) << "by the factor of the last one";
+  EXPECT_EQ(Make({.exaggeration = 0.3}),
+            faces::Exaggerate(Shaper().face_template(), Mean(), {.gammas = {0.3}}).front());
+  EXPECT_EQ(Make({.base = "f-0001", .exaggeration = 0.1}), expected[0]);
+}
+
 TEST_F(FaceShaperTest, AFaceThatChangedUnderItsNameIsUsed) {
   geometry::Points face = Mean();
   const NamedFace named = [&](const std::string&) { return face; };
