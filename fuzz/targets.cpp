@@ -13,6 +13,7 @@
 #include "rig/clip_files.h"
 #include "rig/coefficient_file.h"
 #include "rig/expression_map_file.h"
+#include "rig/live_link_packet.h"
 #include "runtime/graph_runner.h"
 #include "runtime/onnx_file.h"
 
@@ -76,6 +77,7 @@ constexpr Target kTargets[] = {
      [](const std::filesystem::path& path) { faces::ParseAnnotationFile(ReadFile(path), "annotation"); }},
     {"clip_csv", "a.csv", ReadClipFile},
     {"clip_json", "a.json", ReadClipFile},
+    {"live_link", "a.bin", [](const std::filesystem::path& path) { rig::ParseLiveLinkPacket(ReadFile(path)); }},
     {"coefficients", "a.csv", ReadCoefficientFile},
     {"expression_map", "a.json",
      [](const std::filesystem::path& path) { rig::ParseExpressionMap(ReadJson(path), "map"); }},
