@@ -4,8 +4,6 @@
 #include "core/files.h"
 #include "geometry/obj.h"
 #include "render/draw.h"
-#include "reports/face_pictures.h"
-#include "reports/face_surface.h"
 #include "studio/api.h"
 
 #include <fmt/format.h>
@@ -22,8 +20,9 @@ constexpr size_t kMostRead = 16;
 
 }  // namespace
 
-FaceTray::FaceTray(const fs::path& folder, std::shared_ptr<const faces::FaceTemplate> face_template)
-    : face_template_(std::move(face_template)), folders_(folder, 'f') {}
+FaceTray::FaceTray(const fs::path& folder, std::shared_ptr<const faces::FaceTemplate> face_template,
+                   const DisplayHead& display)
+    : face_template_(std::move(face_template)), display_(display), folders_(folder, 'f') {}
 
 Json FaceTray::List() const {
   const std::scoped_lock lock(mutex_);
@@ -51,11 +50,10 @@ std::string FaceTray::Pin(std::string_view name, const geometry::Points& vertice
 }
 
 void FaceTray::WriteThumbnail(const fs::path& file, const geometry::Points& vertices) const {
-  const faces::FinishedHead head = reports::HeadOf(reports::SurfaceOf(*face_template_), face_template_->neutral);
   render::Frame frame = render::FrameOf(vertices);
   frame.half_height *= 1.02;
   render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, kThumbnail, 20);
-  render::WriteImage(file, render::ToRgb(render::RenderMesh(reports::InputOf(head, vertices), camera)));
+  render::WriteImage(file, render::ToRgb(render::RenderMesh(display_.Picture(vertices), camera)));
 }
 
 geometry::Points FaceTray::Vertices(std::string_view id) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/json.h"
 #include "faces/face_model.h"
+#include "studio/display_head.h"
 #include "studio/workspace.h"
 
 #include <filesystem>
@@ -16,7 +17,9 @@ namespace daumier::studio {
 /// {name, shape: its shape document or null}, and thumbnail.png. Thread-safe.
 class FaceTray {
  public:
-  FaceTray(const std::filesystem::path& folder, std::shared_ptr<const faces::FaceTemplate> face_template);
+  /// display: what thumbnails show of faces; it outlives the tray.
+  FaceTray(const std::filesystem::path& folder, std::shared_ptr<const faces::FaceTemplate> face_template,
+           const DisplayHead& display);
 
   /// [{id, name, shape}, ...] in the order in which they were pinned. Folders that are damaged are left out.
   Json List() const;
@@ -36,6 +39,7 @@ class FaceTray {
   void WriteThumbnail(const std::filesystem::path& file, const geometry::Points& vertices) const;
 
   const std::shared_ptr<const faces::FaceTemplate> face_template_;
+  const DisplayHead& display_;
   mutable std::mutex mutex_;
   NumberedFolders folders_;
   mutable std::map<std::string, geometry::Points, std::less<>> read_;  ///< At most kMostRead.

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/json.h"
+#include "studio/display_head.h"
 #include "studio/face_shaper.h"
 #include "studio/face_tray.h"
 #include "studio/job_queue.h"
@@ -17,6 +18,7 @@ struct JobMaterial {
   FaceTray& tray;
   FaceShaper& shaper;
   Uploads& uploads;
+  const DisplayHead& display;
   std::filesystem::path program;  ///< The running program, which jobs start again with another verb.
 };
 

@@ -161,6 +161,7 @@ Json JobQueue::Describe(std::string_view id) const {
           {"seconds", job.state == "running" ? job.watch->seconds() : job.seconds},
           {"progress", job.state == "running" ? ProgressOf(job.folder / kJobScratch) : ""},
           {"command", job.job.command},
+          {"note", job.job.note},
           {"error", job.error},
           {"warnings", WarningsOf(job.folder / kJobScratch)},
           {"files", std::move(files)},

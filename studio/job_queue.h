@@ -21,8 +21,9 @@ namespace daumier::studio {
 using JobWork = std::function<Json(const std::filesystem::path& folder, const Task& task)>;
 
 struct NewJob {
-  std::string what;     ///< "avatar"
-  std::string command;  ///< What a person types for the same; may be empty.
+  std::string what;       ///< "avatar"
+  std::string command;    ///< What a person types for the same; may be empty.
+  std::string note = {};  ///< What the command does not do, or why there is none; may be empty.
   JobWork work;
 };
 
@@ -40,7 +41,7 @@ class JobQueue {
 
   /// Returns the id. @throws UsageError if kMostWaiting jobs wait.
   std::string Add(NewJob job);
-  /// {id, do, state: queued, running, done, failed or cancelled, seconds, progress, command, error, warnings, files: [{name, size}, ...], result}.
+  /// {id, do, state: queued, running, done, failed or cancelled, seconds, progress, command, note, error, warnings, files: [{name, size}, ...], result}.
   /// @throws NotFound.
   Json Describe(std::string_view id) const;
   /// Its state becomes cancelled at once if it waits, else when it has ended. @throws NotFound.

@@ -68,8 +68,13 @@ ApiReply PictureReply(std::string bytes) {
   return {.type = std::move(type), .body = std::move(bytes)};
 }
 
-std::string RenderedMesh(const fs::path& file, const std::string& view) {
-  const render::RenderInput input{.surface = geometry::TriangulateMesh(faces::ReadMesh(file))};
+render::RenderInput PictureOf(geometry::TriangleMesh mesh, const DisplayHead* display) {
+  if (display != nullptr && display->IsBareFace(mesh)) return display->Picture(mesh.vertices);
+  return {.surface = std::move(mesh)};
+}
+
+std::string RenderedMesh(const fs::path& file, const std::string& view, const DisplayHead* display) {
+  const render::RenderInput input = PictureOf(geometry::TriangulateMesh(faces::ReadMesh(file)), display);
   const render::Frame frame = render::FrameOf(input.surface.vertices);
   const render::Camera camera =
       render::TurnedCamera(frame.centre, frame.half_height, kResultPicture, view == kTurned ? kTurnDegrees : 0.0);
@@ -120,8 +125,9 @@ std::vector<int> OrderOfResults(int participant, const StudyItem& item) {
   return Stream(0, "results of the item " + item.name, uint64_t(participant)).Permutation(int(item.results.size()));
 }
 
-Study::Study(const fs::path& folder, fs::path votes, VoteKind kind, std::optional<int> participant)
-    : items_(ReadStudyItems(folder)), votes_(std::move(votes)), kind_(kind) {
+Study::Study(const fs::path& folder, fs::path votes, VoteKind kind, std::optional<int> participant,
+             std::unique_ptr<const DisplayHead> display)
+    : items_(ReadStudyItems(folder)), votes_(std::move(votes)), kind_(kind), display_(std::move(display)) {
   if (participant && *participant < 1)
     throw UsageError(fmt::format("the participant's number is {}, expected 1 or more", *participant));
   Begin(participant.value_or(GreatestParticipant(VotesIn(votes_)) + 1));
@@ -199,7 +205,7 @@ std::string Study::ResultPicture(int item, int place, const std::string& view) {
   const std::scoped_lock lock(picture_mutex_);
   const std::tuple key(item, result.method, view);
   if (const auto found = pictures_.find(key); found != pictures_.end()) return found->second;
-  std::string picture = RenderedMesh(result.file, view);
+  std::string picture = RenderedMesh(result.file, view, display_.get());
   if (pictures_.size() >= kMostResultPictures) pictures_.clear();
   return pictures_[key] = std::move(picture);
 }

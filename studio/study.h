@@ -1,10 +1,12 @@
 #pragma once
 #include "core/options.h"
 #include "studio/api.h"
+#include "studio/display_head.h"
 #include "studio/votes.h"
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -44,10 +46,11 @@ std::vector<int> OrderOfResults(int participant, const StudyItem& item);
 /// participant voted on is not shown to this participant again. Thread-safe.
 class Study {
  public:
-  /// participant: absent: the number after the greatest among the votes. votes: made with the first vote. @throws Error as ReadStudyItems
-  /// and ReadVotes; UsageError if the participant's number is not positive.
+  /// participant: absent: the number after the greatest among the votes. votes: made with the first vote. display: shows results that are
+  /// bare faces of its template with eyes and teeth (DisplayHead::IsBareFace); null: all meshes are shown as they are. @throws Error as
+  /// ReadStudyItems and ReadVotes; UsageError if the participant's number is not positive.
   Study(const std::filesystem::path& folder, std::filesystem::path votes, VoteKind kind,
-        std::optional<int> participant = std::nullopt);
+        std::optional<int> participant = std::nullopt, std::unique_ptr<const DisplayHead> display = nullptr);
 
   /// {participant, done, total, kind: "best" or "ratings", questions: [name, ...], greatest: 1 or 5, item: {number, results: [{views}, ...]} or
   /// null, next: the same of the item after it}: results in the order in which they are shown, each with the names of its views.
@@ -76,6 +79,7 @@ class Study {
   const std::vector<StudyItem> items_;
   const std::filesystem::path votes_;
   const VoteKind kind_;
+  const std::unique_ptr<const DisplayHead> display_;
   mutable std::mutex mutex_;  ///< Of the participant and what is done.
   int participant_ = 0;
   std::set<std::string> done_;

@@ -4,7 +4,6 @@
 #include "render/draw.h"
 #include "render/shading.h"
 #include "render/sheet.h"
-#include "reports/face_surface.h"
 
 #include <fmt/format.h>
 
@@ -12,23 +11,29 @@
 
 namespace daumier::studio {
 
-void WriteTurntable(const std::filesystem::path& folder, const faces::FaceTemplate& face_template,
-                    const geometry::Points& face, const TurntableOptions& options, const Task& task) {
+void WriteTurntable(const std::filesystem::path& folder, const std::function<render::Image(double yaw_degrees)>& draw,
+                    const TurntableOptions& options, const Task& task) {
   constexpr int64_t kMostOnSheet = 12;
-  constexpr double kMargin = 1.25;  // The head turns about its middle, and is deeper than wide.
-  const faces::FinishedHead head = reports::HeadOf(reports::SurfaceOf(face_template), face_template.neutral);
-  const render::RenderInput input = reports::InputOf(head, face);
-  const render::Frame frame = render::FrameOf(face, kMargin);
   std::vector<render::SheetCell> cells;
   for (int i = 0; i < options.frames; ++i) {
     task.ThrowIfCancelled("stopped after {} of {} pictures", i, options.frames);
     const double yaw = 360.0 * i / options.frames;
-    const render::Camera camera = render::TurnedCamera(frame.centre, frame.half_height, options.size, yaw);
-    render::Image picture = render::ToRgb(render::RenderMesh(input, camera));
+    render::Image picture = render::ToRgb(draw(yaw));
     render::WriteImage(folder / fmt::format("turn_{:03}.png", i + 1), picture);
     cells.push_back({std::move(picture), fmt::format("{:.0f}", yaw)});
   }
   render::WriteImage(folder / "turntable.png", render::MakeSheet(EvenlySpaced(cells, kMostOnSheet), 6));
+}
+
+void WriteTurntable(const std::filesystem::path& folder, const DisplayHead& display, const geometry::Points& face,
+                    const TurntableOptions& options, const Task& task) {
+  constexpr double kMargin = 1.25;  // The head turns about its middle, and is deeper than wide.
+  const render::RenderInput input = display.Picture(face);
+  const render::Frame frame = render::FrameOf(face, kMargin);
+  const auto draw = [&](double yaw) {
+    return render::RenderMesh(input, render::TurnedCamera(frame.centre, frame.half_height, options.size, yaw));
+  };
+  WriteTurntable(folder, draw, options, task);
 }
 
 }  // namespace daumier::studio

@@ -29,13 +29,15 @@ class DisplayHeadTest : public ::testing::Test {
   const faces::FaceTemplate face_ = testing::SyntheticFace();
   const DisplayHead head_{face_};
   const faces::FinishedHead finished_{face_};
+  const rig::HeadInterior interior_{face_};
 };
 
-TEST_F(DisplayHeadTest, HasTheSizesOfTheFinishedHead) {
+TEST_F(DisplayHeadTest, HasTheSizesOfTheFinishedHeadWithTeethAndTongue) {
   const Json& description = head_.description();
-  EXPECT_EQ(description["num_vertices"], finished_.num_vertices());
+  EXPECT_EQ(description["num_vertices"], finished_.num_vertices() + rig::HeadInterior::NumVertices());
   EXPECT_EQ(description["num_face_vertices"], face_.num_vertices());
-  EXPECT_EQ(description["num_triangles"], finished_.skin().rows() + finished_.parts().rows());
+  EXPECT_EQ(description["num_triangles"],
+            finished_.skin().rows() + finished_.parts().rows() + Eigen::Index(rig::HeadInterior::Materials().size()));
   EXPECT_EQ(head_.triangles().size(), 12 * description["num_triangles"].get<size_t>());
   EXPECT_EQ(head_.Vertices(face_.neutral).size(), 12 * description["num_vertices"].get<size_t>());
 }
@@ -56,7 +58,9 @@ TEST_F(DisplayHeadTest, GroupsAreRunsOfTrianglesOfOneMaterial) {
   EXPECT_EQ(counts["skin"], size_t(finished_.skin().rows()));
   for (const auto& [material, name] : faces::kHeadMaterials) {
     if (material == faces::HeadMaterial::kSkin) continue;
-    EXPECT_EQ(counts[name], size_t(std::ranges::count(finished_.part_materials(), material))) << name;
+    EXPECT_EQ(counts[name], size_t(std::ranges::count(finished_.part_materials(), material) +
+                                   std::ranges::count(rig::HeadInterior::Materials(), material)))
+        << name;
   }
 }
 
@@ -68,13 +72,16 @@ TEST_F(DisplayHeadTest, ColoursAreThoseOfReports) {
     }
 }
 
-TEST_F(DisplayHeadTest, TrianglesAreThoseOfTheFinishedHead) {
+TEST_F(DisplayHeadTest, TrianglesAreThoseOfTheFinishedHeadAndTheMouth) {
   const std::vector<uint32_t> corners = NumbersOf<uint32_t>(head_.triangles());
   const auto corners_of = [](const auto& triangle) {
     return std::array<uint32_t, 3>{uint32_t(triangle[0]), uint32_t(triangle[1]), uint32_t(triangle[2])};
   };
   std::multiset<std::array<uint32_t, 3>> expected, found;
-  for (const geometry::Triangles& part : {finished_.skin(), finished_.parts()})
+  std::vector<geometry::Triangles> surfaces = {finished_.skin(), finished_.parts()};
+  for (const rig::ChartPiece& piece : rig::HeadInterior::Charts(finished_.num_vertices()))
+    surfaces.push_back(piece.triangles);
+  for (const geometry::Triangles& part : surfaces)
     for (Eigen::Index t = 0; t < part.rows(); ++t) expected.insert(corners_of(part.row(t)));
   for (size_t i = 0; i < corners.size(); i += 3) found.insert(corners_of(&corners[i]));
   EXPECT_EQ(found, expected);
@@ -83,7 +90,8 @@ TEST_F(DisplayHeadTest, TrianglesAreThoseOfTheFinishedHead) {
 TEST_F(DisplayHeadTest, VerticesBeginWithThoseOfTheFace) {
   const geometry::Points face = 1.1 * face_.neutral;
   const std::vector<float> numbers = NumbersOf<float>(head_.Vertices(face));
-  const geometry::Points all = finished_.Vertices(face);
+  geometry::Points all(finished_.num_vertices() + rig::HeadInterior::NumVertices(), 3);
+  all << finished_.Vertices(face), interior_.Vertices(face);
   ASSERT_EQ(numbers.size(), size_t(all.size()));
   for (Eigen::Index v = 0; v < all.rows(); ++v)
     for (int axis = 0; axis < 3; ++axis) ASSERT_EQ(numbers[size_t(3 * v + axis)], float(all(v, axis))) << v;
@@ -99,6 +107,26 @@ TEST_F(DisplayHeadTest, TheFrameHoldsTheHead) {
   const double half_height = description["half_height"];
   EXPECT_LE((all.rowwise() - centre.transpose()).cwiseAbs().maxCoeff(), half_height);
   EXPECT_EQ(half_height, render::FrameOf(all).half_height);
+}
+
+TEST_F(DisplayHeadTest, APictureShowsTheSameHead) {
+  const geometry::Points face = 1.1 * face_.neutral;
+  const render::RenderInput picture = head_.Picture(face);
+  const std::vector<float> numbers = NumbersOf<float>(head_.Vertices(face));
+  ASSERT_EQ(size_t(picture.surface.vertices.size()), numbers.size());
+  EXPECT_EQ(float(picture.surface.vertices(picture.surface.vertices.rows() - 1, 2)), numbers.back());
+  EXPECT_EQ(picture.surface.triangles.rows() + picture.closing_triangles.rows(), head_.description()["num_triangles"]);
+  EXPECT_EQ(picture.closing_colours.size(), size_t(picture.closing_triangles.rows()));
+  EXPECT_LT(picture.closing_triangles.maxCoeff(), picture.surface.vertices.rows());
+}
+
+TEST_F(DisplayHeadTest, BareFacesAreFoundByTheirTriangles) {
+  geometry::TriangleMesh mesh{face_.neutral, face_.triangles};
+  EXPECT_TRUE(head_.IsBareFace(mesh));
+  mesh.triangles.row(0).swap(mesh.triangles.row(1));
+  EXPECT_FALSE(head_.IsBareFace(mesh)) << "another order is another topology";
+  EXPECT_FALSE(head_.IsBareFace({face_.neutral.topRows(9), {}}));
+  EXPECT_FALSE(head_.IsBareFace({finished_.Vertices(face_.neutral), finished_.skin()})) << "finished already";
 }
 
 TEST_F(DisplayHeadTest, IsReadFromSeveralThreads) {

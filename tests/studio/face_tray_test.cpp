@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "render/image.h"
 #include "studio/api.h"
+#include "studio/display_head.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/from_threads.h"
 #include "tests/support/synthetic_face.h"
@@ -18,13 +19,14 @@ using testing::ExpectError;
 
 class FaceTrayTest : public ::testing::Test {
  protected:
-  FaceTray OpenTray() const { return FaceTray(folder_.path(), face_); }
+  FaceTray OpenTray() const { return FaceTray(folder_.path(), face_, display_); }
   /// A face whose coordinates have all digits of a double.
   geometry::Points Face(double scale = 1.1) const { return scale * face_->neutral; }
 
   const testing::TempDir folder_;
   const std::shared_ptr<const faces::FaceTemplate> face_ =
       std::make_shared<const faces::FaceTemplate>(testing::SyntheticFace());
+  const DisplayHead display_{*face_};
 };
 
 TEST_F(FaceTrayTest, PinnedFacesAreListedInTheirOrder) {

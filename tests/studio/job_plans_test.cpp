@@ -1,150 +1,15 @@
 #include "studio/job_plans.h"
 
-#include "core/files.h"
 #include "geometry/obj.h"
 #include "geometry/ply.h"
-#include "render/image.h"
 #include "studio/api.h"
-#include "tests/studio/shipped_studio.h"
-#include "tests/support/expect_error.h"
-
-#include <gtest/gtest.h>
+#include "tests/studio/job_plans_fixture.h"
 
 namespace daumier::studio {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::ExpectError;
-
-/// With the shipped weights, and a program that is not there: what a job writes before it starts the program is in its folder.
-class JobPlansTest : public ::testing::Test {
- protected:
-  const JobMaterial& material() const { return material_; }
-  NewJob Plan(const Json& body) const { return PlanJob(body, material_); }
-  std::string CommandOf(const Json& body) const { return Plan(body).command; }
-  std::string Upload(const std::string& name) {
-    const bool is_png = name.ends_with(".png"), is_picture = is_png || name.ends_with(".jpg");
-    const auto format = is_png ? render::ImageFormat::kPng : render::ImageFormat::kJpeg;
-    return uploads_.Add(name,
-                        is_picture ? render::EncodeImage(render::Image(32, 32, 3, 90), format) : "bytes of it")["id"];
-  }
-  std::string Pinned() { return tray_.Pin("Ada", Mean(), Json()); }
-  std::string MeanSession() { return desk_.Add({.begins_with_mean = true}); }
-  std::string DrawnSession() {
-    const std::string id = desk_.Add({});
-    desk_.Do(id, {{"do", "draw"}, {"points", {{20, 20}, {30, 25}}}});
-    return id;
-  }
-  static const geometry::Points& Mean() { return testing::ShippedShaper().face_template().neutral; }
-  void ExpectRefused(const Json& body, const std::string& why) const {
-    ExpectError([&] { Plan(body); }, why);
-    EXPECT_THROW(Plan(body), UsageError) << body;
-  }
-  /// The folder of a job that has tried to start the program.
-  fs::path Written(const Json& body) const {
-    MakeDirectory(folder_ / "job" / kJobScratch);
-    ExpectError([&] { Plan(body).work(folder_ / "job", Task()); },
-                "daumier is not there any more. Start the studio again");
-    return folder_ / "job";
-  }
-
-  const testing::TempDir folder_;
-  SketchDesk desk_{folder_ / "sessions", testing::ShippedSketchPredictor(), nullptr};
-  FaceTray tray_{folder_ / "faces", testing::ShippedSketchPredictor()->face_template()};
-  Uploads uploads_{folder_ / "uploads"};
-  const JobMaterial material_{desk_, tray_, testing::ShippedShaper(), uploads_, testing::kNoProgram};
-};
-
-TEST_F(JobPlansTest, AHeadIsRigged) {
-  EXPECT_EQ(Plan({{"do", "head"}, {"shape", Json::object()}}).what, "head");
-  EXPECT_EQ(CommandOf({{"do", "head"}, {"shape", Json::object()}}),
-            "daumier rig face.obj --out head.glb --names arkit --json");
-  const Json options = {{"names", "vrm"}, {"hair", "bob"},     {"hair_colour", "#804020"},     {"vrm", true},
-                        {"print", true},  {"triangles", 5000}, {"clip", Upload("my take.csv")}};
-  EXPECT_EQ(CommandOf({{"do", "head"}, {"face", Pinned()}, {"options", options}}),
-            "daumier rig face.obj --out head.glb --names vrm --hair bob --hair-colour '#804020' --vrm --print "
-            "--triangles 5000 --animate my_take.csv --json");
-}
-
-TEST_F(JobPlansTest, WordsAreQuotedAsAShellReadsThem) {
-  const auto command = [&](const char* colour) {
-    return CommandOf(
-        {{"do", "head"}, {"shape", Json::object()}, {"options", {{"hair", "bob"}, {"hair_colour", colour}}}});
-  };
-  const std::string begin = "daumier rig face.obj --out head.glb --names arkit --hair bob --hair-colour ";
-  EXPECT_EQ(command("brown"), begin + "brown --json");
-  EXPECT_EQ(command("rgb(1, 2, 3)"), begin + "'rgb(1, 2, 3)' --json");
-  EXPECT_EQ(command("it's; rm -rf ~"), begin + "'it'\\''s; rm -rf ~' --json");
-  EXPECT_EQ(command("$(id)"), begin + "'$(id)' --json");
-  EXPECT_EQ(command("a\nb"), begin + "'a\nb' --json");
-}
-
-TEST_F(JobPlansTest, AColourWithoutHairIsLeftOut) {
-  EXPECT_EQ(CommandOf({{"do", "head"}, {"shape", Json::object()}, {"options", {{"hair_colour", "brown"}}}}),
-            "daumier rig face.obj --out head.glb --names arkit --json");
-}
-
-TEST_F(JobPlansTest, AHeadsFaceAndClipAreWrittenIntoItsFolder) {
-  const fs::path job =
-      Written({{"do", "head"}, {"shape", Json::object()}, {"options", {{"clip", Upload("take.csv")}}}});
-  EXPECT_EQ(geometry::ReadObj(job / "face.obj").vertices, Mean());
-  EXPECT_EQ(ReadFile(job / "take.csv"), "bytes of it");
-}
-
-TEST_F(JobPlansTest, AnAvatarOfAPicture) {
-  const std::string upload = Upload("woman 1.jpg");
-  EXPECT_EQ(CommandOf({{"do", "avatar"}, {"upload", upload}}),
-            "daumier avatar woman_1.jpg --out head.glb --as auto --stages stages --names arkit --json");
-  const Json options = {{"as", "portrait"}, {"style", "toon"}, {"caricature", 0.5},          {"hair", "auto"},
-                        {"names", "rpm"},   {"vrm", true},     {"clip", Upload("take.bvh")}, {"hair_colour", ""}};
-  EXPECT_EQ(CommandOf({{"do", "avatar"}, {"upload", upload}, {"options", options}}),
-            "daumier avatar woman_1.jpg --out head.glb --as portrait --stages stages --style toon --caricature 0.5 "
-            "--names rpm --hair auto --vrm --animate take.bvh --json");
-  EXPECT_EQ(ReadFile(Written({{"do", "avatar"}, {"upload", upload}}) / "woman_1.jpg"),
-            ReadFile(uploads_.FileOf(upload)));
-}
-
-TEST_F(JobPlansTest, APictureThatIsNamedAsAResultIsNotOverwritten) {
-  for (const char* name : {"head.png", "head.glb", "stages"}) {
-    const std::string command = CommandOf({{"do", "avatar"}, {"upload", Upload(name)}});
-    EXPECT_EQ(command.find(std::string("avatar ") + name + " --out head.glb"), std::string::npos) << command;
-  }
-}
-
-TEST_F(JobPlansTest, LandmarksOfAPersonAreWrittenIntoTheFolder) {
-  Json landmarks = Json::array();
-  for (int i = 0; i < 68; ++i) landmarks.push_back({i, 2.5 * i});
-  const Json body = {{"do", "avatar"}, {"upload", Upload("a.jpg")}, {"landmarks", landmarks}};
-  EXPECT_EQ(
-      CommandOf(body),
-      "daumier avatar a.jpg --out head.glb --as auto --stages stages --landmarks landmarks.pts --names arkit --json");
-  const fs::path job = Written(body);
-  EXPECT_TRUE(fs::exists(job / "a.jpg"));
-  EXPECT_NE(ReadFile(job / "landmarks.pts").find("67.000 167.500"), std::string::npos);
-  Json none = body;
-  none["landmarks"] = nullptr;
-  EXPECT_EQ(CommandOf(none).find("--landmarks"), std::string::npos);
-}
-
-TEST_F(JobPlansTest, AnAvatarOfADrawingReadsTheDrawing) {
-  const Json body = {{"do", "avatar"}, {"session", DrawnSession()}};
-  EXPECT_EQ(CommandOf(body),
-            "daumier avatar drawing.svg --out head.glb --as drawing --stages stages --names arkit --json");
-  EXPECT_NE(ReadFile(Written(body) / "drawing.svg").find("<svg"), std::string::npos);
-}
-
-TEST_F(JobPlansTest, LandmarksOfASessionAreRefused) {
-  Json body = {{"do", "avatar"}, {"session", DrawnSession()}, {"landmarks", Json::array()}};
-  for (int i = 0; i < 68; ++i) body["landmarks"].push_back({i, i});
-  ExpectError([&] { Plan(body); }, "a session has none");
-}
-
-TEST_F(JobPlansTest, AnAvatarOfASessionThatIsNoDrawingAnyMoreIsItsFace) {
-  const Json body = {{"do", "avatar"}, {"session", MeanSession()}, {"options", {{"hair", "auto"}, {"vrm", true}}}};
-  EXPECT_EQ(Plan(body).what, "avatar");
-  EXPECT_EQ(CommandOf(body), "daumier rig face.obj --out head.glb --names arkit --vrm --json");
-  EXPECT_EQ(geometry::ReadObj(Written(body) / "face.obj").vertices, Mean());
-}
 
 TEST_F(JobPlansTest, LandmarksAndDrawingsArePredicted) {
   EXPECT_EQ(CommandOf({{"do", "landmarks"}, {"upload", Upload("a b.png")}}),
@@ -172,6 +37,26 @@ TEST_F(JobPlansTest, ATurntableIsWrittenWithoutTheProgram) {
   EXPECT_FALSE(fs::exists(folder_ / "turn_003.png"));
   ExpectRefused(body({{"frames", 1}}), "frames");
   ExpectRefused(body({{"size", 5000}}), "size");
+}
+
+TEST_F(JobPlansTest, SaysWhichVerbWritesAMeshOrThatNoneDoes) {
+  const auto mesh = [&](Json body, const std::string& format) {
+    body["do"] = "mesh";
+    body["format"] = format;
+    return Plan(body);
+  };
+  const std::string id = DrawnSession();
+  EXPECT_EQ(mesh({{"session", id}}, "obj").command,
+            "daumier predict --session sessions/" + id + "/session.json --out drawing");
+  EXPECT_EQ(mesh({{"session", MeanSession()}}, "obj").command, "") << "nothing is recorded yet";
+  const std::string face = Pinned();
+  EXPECT_EQ(mesh({{"face", face}}, "obj").note,
+            "No verb is needed: it is faces/" + face + "/face.obj in the studio's folder");
+  for (const NewJob& job : {mesh({{"face", face}}, "ply"), mesh({{"shape", Json::object()}}, "obj"),
+                            Plan({{"do", "turntable"}, {"face", face}})}) {
+    EXPECT_EQ(job.command, "");
+    EXPECT_NE(job.note.find("POST /api/jobs"), std::string::npos);
+  }
 }
 
 TEST_F(JobPlansTest, FacesAreNamedBySessionsFacesOrShapes) {

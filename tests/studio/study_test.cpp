@@ -53,6 +53,17 @@ class StudyTest : public ::testing::Test {
   const std::filesystem::path votes_ = out_ / "votes.csv";
 };
 
+TEST_F(StudyTest, BareFacesOfTheTemplateAreShownWithEyes) {
+  const faces::FaceTemplate face_template = testing::SyntheticModel().face_template;
+  Study bare = Open(VoteKind::kBest);
+  Study shown(items_.path(), votes_, VoteKind::kBest, 1, std::make_unique<const DisplayHead>(face_template));
+  const int item = ItemOf(bare.State());
+  int num_finished = 0;
+  for (int place = 1; place <= 3; ++place)
+    num_finished += shown.ResultPicture(item, place, "front") != bare.ResultPicture(item, place, "front");
+  EXPECT_EQ(num_finished, 2) << "two meshes, and a picture that stays";
+}
+
 TEST_F(StudyTest, ReadsItemsAndMethodsByName) {
   const std::vector<StudyItem> items = ReadStudyItems(items_.path());
   ASSERT_EQ(items.size(), 3u);

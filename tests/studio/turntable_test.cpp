@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 TEST(Turntable, HasAPictureAStepOfAWholeTurn) {
   const testing::TempDir folder;
   const faces::FaceTemplate face = testing::SyntheticFace();
-  WriteTurntable(folder.path(), face, face.neutral, {.frames = 3, .size = 64}, Task());
+  const DisplayHead display(face);
+  WriteTurntable(folder.path(), display, face.neutral, {.frames = 3, .size = 64}, Task());
   std::vector<render::Image> pictures;
   for (const char* name : {"turn_001.png", "turn_002.png", "turn_003.png"}) {
     pictures.push_back(render::ReadImage(folder / name));
@@ -28,15 +29,16 @@ TEST(Turntable, HasAPictureAStepOfAWholeTurn) {
   EXPECT_FALSE(fs::exists(folder / "turn_004.png"));
   EXPECT_GT(render::ReadImage(folder / "turntable.png").width, 64);
   const testing::TempDir again;
-  WriteTurntable(again.path(), face, face.neutral, {.frames = 2, .size = 64}, Task());
+  WriteTurntable(again.path(), display, face.neutral, {.frames = 2, .size = 64}, Task());
   EXPECT_EQ(render::ReadImage(again / "turn_001.png"), pictures[0]) << "the first is from the front";
 }
 
 TEST(Turntable, TheSheetHas12PicturesAtMost) {
   const testing::TempDir folder;
   const faces::FaceTemplate face = testing::SyntheticFace();
+  const DisplayHead display(face);
   const auto pixels = [&](int frames) {
-    WriteTurntable(folder.path(), face, face.neutral, {.frames = frames, .size = 64}, Task());
+    WriteTurntable(folder.path(), display, face.neutral, {.frames = frames, .size = 64}, Task());
     const render::Image sheet = render::ReadImage(folder / "turntable.png");
     return sheet.width * sheet.height;
   };
@@ -48,10 +50,11 @@ TEST(Turntable, TheSheetHas12PicturesAtMost) {
 TEST(Turntable, EndsWhenItIsCancelled) {
   const testing::TempDir folder;
   const faces::FaceTemplate face = testing::SyntheticFace();
-  EXPECT_THROW(WriteTurntable(folder.path(), face, face.neutral, {}, testing::CancelledTask()), Cancelled);
+  const DisplayHead display(face);
+  EXPECT_THROW(WriteTurntable(folder.path(), display, face.neutral, {}, testing::CancelledTask()), Cancelled);
   EXPECT_TRUE(fs::is_empty(folder.path()));
   testing::ExpectError(
-      [&] { WriteTurntable(folder / "nothing", face, face.neutral, {.frames = 2, .size = 64}, Task()); },
+      [&] { WriteTurntable(folder / "nothing", display, face.neutral, {.frames = 2, .size = 64}, Task()); },
       "turn_001.png");
 }
 
