@@ -53,6 +53,32 @@ void WriteJson(const fs::path& file, const Json& json) {
   WriteFileAtomically(file, json.dump(1) + "\n");
 }
 
+/// What a list says of a session.
+struct ListedSession {
+  std::string name;
+  size_t events = 0;
+  fs::file_time_type changed;
+};
+
+/// Nothing of a folder that holds no session, or is being removed.
+std::optional<ListedSession> ListedIn(const fs::path& folder) {
+  try {
+    if (!fs::is_regular_file(folder / kAbout)) return std::nullopt;
+    const Json about = TryParseJson(ReadFile(folder / kAbout)).value_or(Json());
+    if (!about.is_object() || !about.value("name", Json()).is_string()) return std::nullopt;
+    const fs::path file = folder / kSession;
+    if (!fs::is_regular_file(file))
+      return ListedSession{about.at("name").get<std::string>(), 0, fs::last_write_time(folder / kAbout)};
+    const Json recorded = TryParseJson(ReadFile(file)).value_or(Json());
+    const size_t events = recorded.is_object() ? recorded.value("events", Json::array()).size() : 0;
+    return ListedSession{about.at("name").get<std::string>(), events, fs::last_write_time(file)};
+  } catch (const Error&) {
+    return std::nullopt;
+  } catch (const fs::filesystem_error&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 SketchDesk::SketchDesk(const fs::path& folder, std::shared_ptr<const sketch::SketchPredictor> predictor,
@@ -60,19 +86,18 @@ SketchDesk::SketchDesk(const fs::path& folder, std::shared_ptr<const sketch::Ske
     : predictor_(std::move(predictor)), gestures_(std::move(gestures)), folders_(folder, 's') {}
 
 Json SketchDesk::List() const {
-  const std::scoped_lock lock(mutex_);
+  std::vector<std::pair<std::string, fs::path>> folders;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (const std::string& id : folders_.Names()) folders.emplace_back(id, folders_.Of(id));
+  }
   std::vector<std::pair<fs::file_time_type, Json>> sessions;
-  for (const std::string& id : folders_.Names()) {
-    const fs::path about = folders_.Of(id) / kAbout, session = folders_.Of(id) / kSession;
-    if (!fs::is_regular_file(about)) continue;
-    const Json json = TryParseJson(ReadFile(about)).value_or(Json());
-    if (!json.is_object() || !json.value("name", Json()).is_string()) continue;
-    const bool has_events = fs::is_regular_file(session);
-    const fs::file_time_type changed = fs::last_write_time(has_events ? session : about);
-    const Json recorded = has_events ? TryParseJson(ReadFile(session)).value_or(Json()) : Json();
-    const size_t events = recorded.is_object() ? recorded.value("events", Json::array()).size() : 0;
+  for (const auto& [id, folder] : folders) {
+    const std::optional<ListedSession> listed = ListedIn(folder);
+    if (!listed) continue;
     sessions.emplace_back(
-        changed, Json{{"id", id}, {"name", json.at("name")}, {"events", events}, {"changed", SecondsOf(changed)}});
+        listed->changed,
+        Json{{"id", id}, {"name", listed->name}, {"events", listed->events}, {"changed", SecondsOf(listed->changed)}});
   }
   std::ranges::stable_sort(sessions, std::ranges::greater(), &std::pair<fs::file_time_type, Json>::first);
   Json list = Json::array();
@@ -102,53 +127,61 @@ std::string SketchDesk::Add(const NewSession& begin) {
   open->script = begin.recorded;
   if (open->script.width == 0) open->script.width = open->script.height = kSheet;
   open->script.begin = begin.begin.rows() > 0 ? kBegin : begin.begins_with_mean ? "mean" : begin.recorded.begin;
-  open->session = Begin(open->script, begin.begin);
-  sketch::Resume(open->script, *open->session);
-  open->revision = int64_t(open->script.events.size());
-  for (const sketch::SessionEvent& event : open->script.events) open->num_points += NumPoints(event);
+  Replay(begin.begin, *open);
 
   const std::scoped_lock lock(mutex_);
   const std::string id = folders_.Add();
   const fs::path folder = folders_.Of(id);
   if (begin.begin.rows() > 0)
     geometry::WriteObj(folder / kBegin, faces::SurfaceMesh(predictor_->run().face_template, begin.begin));
-  if (!open->script.events.empty()) WriteJson(folder / kSession, sketch::SessionToJson(open->script));
+  if (!open->script.events.empty()) WriteFileAtomically(folder / kSession, open->text->text());
   WriteJson(folder / kAbout, AboutOf(open->name, open->script));
   open_.emplace_front(id, std::move(open));
   CloseOld();
   return id;
 }
 
-std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Read(const fs::path& folder) const {
-  auto open = std::make_shared<OpenSession>();
+void SketchDesk::Replay(const geometry::Points& begin, OpenSession& open) const {
+  auto session = Begin(open.script, begin);
+  sketch::Resume(open.script, *session);
+  open.text.emplace(open.script);
+  open.revision = int64_t(open.script.events.size());
+  open.num_points = 0;
+  for (const sketch::SessionEvent& event : open.script.events) open.num_points += NumPoints(event);
+  open.session = std::move(session);
+}
+
+void SketchDesk::Read(const fs::path& folder, OpenSession& open) const {
   const SessionAbout about = ReadAbout(folder / kAbout);
-  open->name = about.name;
+  open.name = about.name;
   if (fs::is_regular_file(folder / kSession)) {
-    open->script = sketch::ReadSession(folder / kSession);
+    open.script = sketch::ReadSession(folder / kSession);
   } else {
-    open->script = {.width = about.sheet[0], .height = about.sheet[1], .begin = about.begin, .events = {}};
+    open.script = {.width = about.sheet[0], .height = about.sheet[1], .begin = about.begin, .events = {}};
   }
   geometry::Points begin;
-  if (open->script.begin == kBegin)
+  if (open.script.begin == kBegin)
     begin = geometry::ParseObjVertices(ReadFile(folder / kBegin), (folder / kBegin).string(),
                                        predictor_->run().face_template.num_vertices());
-  open->session = Begin(open->script, begin);
-  sketch::Resume(open->script, *open->session);
-  open->revision = int64_t(open->script.events.size());
-  for (const sketch::SessionEvent& event : open->script.events) open->num_points += NumPoints(event);
-  return open;
+  Replay(begin, open);
 }
 
 std::shared_ptr<SketchDesk::OpenSession> SketchDesk::Open(std::string_view id) {
-  const std::scoped_lock lock(mutex_);
-  const fs::path folder = folders_.Of(id);
-  const auto found = std::ranges::find(open_, id, &std::pair<std::string, std::shared_ptr<OpenSession>>::first);
-  if (found != open_.end())
-    open_.splice(open_.begin(), open_, found);
-  else
-    open_.emplace_front(id, Read(folder));
-  const std::shared_ptr<OpenSession> open = open_.front().second;
-  CloseOld();
+  std::shared_ptr<OpenSession> open;
+  fs::path folder;
+  {
+    const std::scoped_lock lock(mutex_);
+    folder = folders_.Of(id);
+    const auto found = std::ranges::find(open_, id, &std::pair<std::string, std::shared_ptr<OpenSession>>::first);
+    if (found != open_.end())
+      open_.splice(open_.begin(), open_, found);
+    else
+      open_.emplace_front(id, std::make_shared<OpenSession>());
+    open = open_.front().second;
+    CloseOld();
+  }
+  const std::scoped_lock reading(open->reading);
+  if (!open->session) Read(folder, *open);  // What fails is tried again by the next call.
   return open;
 }
 
@@ -185,6 +218,11 @@ fs::path SketchDesk::FileOf(std::string_view id) const {
   return file;
 }
 
+bool SketchDesk::HasEvents(std::string_view id) const {
+  const std::scoped_lock lock(mutex_);
+  return fs::is_regular_file(folders_.Of(id) / kSession);
+}
+
 Json SketchDesk::StateOf(std::string_view id, const OpenSession& open) const {
   Json json = {
       {"id", id}, {"name", open.name}, {"revision", open.revision}, {"sheet", {open.script.width, open.script.height}}};
@@ -215,13 +253,14 @@ SketchDesk::SeenState SketchDesk::DoAndSee(std::string_view id, const Json& json
   const bool is_changed = open->session->state() != before;
   if (is_changed) {
     open->num_points += NumPoints(event);
+    open->text->Append(event);
     open->script.events.push_back(std::move(event));
     ++open->revision;
     const fs::path folder = [&] {
       const std::scoped_lock desk(mutex_);
       return folders_.Of(id);
     }();
-    WriteJson(folder / kSession, sketch::SessionToJson(open->script));
+    WriteFileAtomically(folder / kSession, open->text->text());
   }
   Json state = StateOf(id, *open);
   state["changed"] = is_changed;

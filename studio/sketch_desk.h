@@ -1,6 +1,6 @@
 #pragma once
 #include "core/json.h"
-#include "studio/display_head.h"
+#include "studio/session_text.h"
 #include "studio/workspace.h"
 #include "systems/sketch/session_file.h"
 
@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,7 @@ class SketchDesk {
   void Remove(std::string_view id);                         ///< @throws NotFound.
   void Rename(std::string_view id, std::string_view name);  ///< @throws NotFound.
   std::filesystem::path FileOf(std::string_view id) const;  ///< session.json. @throws NotFound, also without events.
+  bool HasEvents(std::string_view id) const;                ///< Whether there is such a file. @throws NotFound.
 
   /// What the page shows of a session (docs/studio.md). @throws NotFound; Error if its file is damaged.
   Json State(std::string_view id);
@@ -71,18 +73,22 @@ class SketchDesk {
 
  private:
   struct OpenSession {
-    std::mutex mutex;
+    std::mutex reading;                              ///< Of what is read from the file, until `session` is there.
+    std::unique_ptr<sketch::SketchSession> session;  ///< Null: not read yet.
+    std::mutex mutex;                                ///< Of all below, once it is there.
     std::string name;
     sketch::SessionScript script;
+    std::optional<SessionText> text;
     size_t num_points = 0;  ///< Of all events.
-    std::unique_ptr<sketch::SketchSession> session;
     int64_t revision = 0;
   };
-  /// Of an open session, or one that is read and replayed. The last that were used stay open.
+  /// Of an open session, or one that is read and replayed, while other sessions are used. The last that were used stay open.
   std::shared_ptr<OpenSession> Open(std::string_view id);
   /// Closes those that were used the longest ago and that no call is at. mutex_ is locked.
   void CloseOld();
-  std::shared_ptr<OpenSession> Read(const std::filesystem::path& folder) const;
+  void Read(const std::filesystem::path& folder, OpenSession& open) const;
+  /// Does what is recorded, and keeps it. The script is given.
+  void Replay(const geometry::Points& begin, OpenSession& open) const;
   std::unique_ptr<sketch::SketchSession> Begin(const sketch::SessionScript& script,
                                                const geometry::Points& begin) const;
   Json StateOf(std::string_view id, const OpenSession& open) const;

@@ -3,6 +3,10 @@
 #include "tests/studio/sketch_desk_fixture.h"
 #include "tests/support/expect_error.h"
 
+#include <sys/stat.h>
+
+#include <atomic>
+#include <fstream>
 #include <thread>
 #include <vector>
 
@@ -135,6 +139,35 @@ TEST_F(SketchDeskTest, SessionsThatAreNotInMemoryAreReadAgain) {
   }
   for (size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(desk.State(ids[i]), states[i]) << ids[i];
   EXPECT_EQ(desk.Do(ids[0], EventOf("undo"))["lines"].size() + 1, states[0]["lines"].size());
+}
+
+TEST_F(SketchDeskTest, OthersAreUsedWhileASessionIsRead) {
+  {
+    SketchDesk desk = OpenDesk();
+    for (int i = 0; i < 2; ++i) desk.Do(desk.Add({.name = "Slow"}), WrinkleEvent());
+  }
+  // What is read from a pipe waits until something is written into it.
+  const fs::path about = folder_ / "s-0001/about.json";
+  const std::string bytes = ReadFile(about);
+  fs::remove(about);
+  ASSERT_EQ(mkfifo(about.c_str(), 0600), 0);
+  SketchDesk desk = OpenDesk();
+  std::atomic<int> num_read = 0;
+  std::vector<std::jthread> readers;
+  for (int i = 0; i < 2; ++i)
+    readers.emplace_back([&] {
+      EXPECT_EQ(desk.State("s-0001")["name"], "Slow");
+      ++num_read;
+    });
+  std::ofstream pipe(about);  // Opened when the first reader is.
+  EXPECT_EQ(desk.Do("s-0002", WrinkleEvent(1))["changed"], true);
+  EXPECT_EQ(desk.List().size(), 1u) << "the other one is no file";
+  desk.Remove(desk.Add({}));
+  EXPECT_EQ(num_read, 0);
+  pipe << bytes;
+  pipe.close();
+  readers.clear();
+  EXPECT_EQ(num_read, 2) << "read once";
 }
 
 TEST_F(SketchDeskTest, ADamagedSessionIsAnErrorAndOthersAreListed) {

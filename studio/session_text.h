@@ -1,0 +1,23 @@
+#pragma once
+#include "systems/sketch/session_file.h"
+
+#include <string>
+
+namespace daumier::studio {
+
+/// The text of a recorded session's file (sketch::SessionToJson), an event a line, which grows with the session: of an event more only that event
+/// is put into words. Writing the whole of it costs a millisecond or two at a thousand events (docs/studio.md), and is one atomic step.
+class SessionText {
+ public:
+  explicit SessionText(const sketch::SessionScript& script);
+
+  void Append(const sketch::SessionEvent& event);
+  /// What sketch::ReadSession reads. Valid with an event at least.
+  std::string text() const { return lines_ + "\n]}\n"; }
+
+ private:
+  std::string lines_;
+  bool is_empty_ = true;
+};
+
+}  // namespace daumier::studio
