@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 
 namespace daumier::cli {
 namespace {
@@ -35,6 +36,7 @@ namespace fs = std::filesystem;
 struct StudioArguments {
   fs::path folder;
   int port = 0;
+  std::string live_link;
   bool opens_browser = true;
   StudyArguments study;
 };
@@ -127,7 +129,8 @@ void ServeCollection(const StudioArguments& arguments) {
 
 void ServeStudy(const StudioArguments& arguments) {
   const fs::path votes = OutOfStudy(arguments.study);
-  studio::Study study(arguments.study.study, votes, VoteKindOf(arguments.study), ParticipantOf(arguments.study));
+  studio::Study study(arguments.study.study, votes, VoteKindOf(arguments.study), ParticipantOf(arguments.study),
+                      std::make_unique<const studio::DisplayHead>(faces::ReadFaceTemplate(deform::ShippedModel())));
   studio::Server server(study.routes(), arguments.port);
   ServePage(server, arguments, fmt::format("Votes are kept in {}", votes.string()));
 }
@@ -141,9 +144,12 @@ void ServeStudio(const StudioArguments& arguments) {
         "daumier");
   if (!arguments.study.collect.empty()) return ServeCollection(arguments);
   if (!arguments.study.study.empty()) return ServeStudy(arguments);
+  std::optional<studio::LiveLinkPlace> live_link;
+  if (!arguments.live_link.empty()) live_link = studio::ParseLiveLinkPlace(arguments.live_link);
   const fs::path folder = fs::absolute(arguments.folder.empty() ? DefaultFolder() : arguments.folder);
   const FolderOwner owner(folder);
   studio::Studio studio(folder, WeightsOfStudio(), ExamplesFolder(), fs::read_symlink("/proc/self/exe"));
+  if (live_link) studio.ReceiveLiveLink(*live_link);
   studio::Server server(studio, arguments.port);
   ServePage(server, arguments, fmt::format("Drawings and faces are kept in {}", folder.string()));
 }
@@ -161,7 +167,12 @@ Verb StudioVerb() {
             command.add_option("--port", arguments->port, "Port on 127.0.0.1; 0: a free one")
                 ->check(CLI::Range(0, 65535))
                 ->capture_default_str();
+            CLI::Option* const live_link = command.add_option(
+                "--live-link", arguments->live_link,
+                "Receive UDP packets of Live Link Face, which drive the head: a port of 127.0.0.1, as 11111, or "
+                "ADDRESS:PORT of this machine, where any program that reaches it may send them");
             AddStudyArguments(command, arguments->study);
+            for (const char* mode : {"--collect", "--study"}) live_link->excludes(command.get_option(mode));
             command.add_flag("!--no-browser", arguments->opens_browser, "Do not open the browser");
             return [arguments] { ServeStudio(*arguments); };
           },

@@ -14,38 +14,41 @@ constexpr char kVoteBest[] = "best", kVoteRatings[] = "ratings";
 }  // namespace
 
 void AddStudyArguments(CLI::App& command, StudyArguments& arguments) {
-  command
-      .add_option(
-          "--collect", arguments.collect,
-          "Collect drawings: the page shows the faces of this folder (of `daumier dataset faces`, or of meshes) "
-          "one by one, front and side, and keeps what a person draws of them in --out")
-      ->check(CLI::ExistingDirectory);
-  command
-      .add_option("--study", arguments.study,
-                  "Compare methods: the page shows the items of this folder (FOLDER/NAME/source.png and METHOD.obj or "
-                  ".png) without the names of methods, and appends votes to the file --out")
-      ->check(CLI::ExistingDirectory);
+  CLI::Option* const collect =
+      command
+          .add_option(
+              "--collect", arguments.collect,
+              "Collect drawings: the page shows the faces of this folder (of `daumier dataset faces`, or of meshes) "
+              "one by one, front and side, and keeps what a person draws of them in --out")
+          ->check(CLI::ExistingDirectory);
+  CLI::Option* const study =
+      command
+          .add_option(
+              "--study", arguments.study,
+              "Compare methods: the page shows the items of this folder (FOLDER/NAME/source.png and METHOD.obj or "
+              ".png) without the names of methods, and appends votes to the file --out")
+          ->check(CLI::ExistingDirectory)
+          ->excludes(collect);
   command.add_option("--out", arguments.out,
                      "With --collect the folder of drawings, with --study the file of votes (.csv); both are added to");
   command.add_option("--person", arguments.person,
                      "Who draws or votes: a number, which decides what is shown when. Without it 1, or in a study the "
                      "next number");
-  command.add_option("--count", arguments.count, "Of --collect: how many faces the person draws; 0: all")
-      ->check(CLI::Range(0, 1'000'000));
+  command.add_option("--count", arguments.count, "How many faces the person draws; 0: all")
+      ->check(CLI::Range(0, 1'000'000))
+      ->needs(collect);
   command
       .add_option("--vote", arguments.vote,
-                  "Of --study: best (which one is the best) or ratings (aesthetics, accuracy and similarity of each, 1 "
-                  "to 5). Without it ratings")
-      ->check(CLI::IsMember({kVoteBest, kVoteRatings}));
+                  "best (which one is the best) or ratings (aesthetics, accuracy and similarity of each, 1 to 5). "
+                  "Without it ratings")
+      ->check(CLI::IsMember({kVoteBest, kVoteRatings}))
+      ->needs(study);
 }
 
 void CheckStudyArguments(const StudyArguments& arguments) {
-  const bool collects = !arguments.collect.empty(), studies = !arguments.study.empty();
-  if (collects && studies) throw UsageError("the studio opens with --collect or with --study, not with both");
-  if (!collects && !studies && (!arguments.out.empty() || !arguments.person.empty()))
+  const bool has_mode = !arguments.collect.empty() || !arguments.study.empty();
+  if (!has_mode && (!arguments.out.empty() || !arguments.person.empty()))
     throw UsageError("--out and --person belong to --collect or --study");
-  if (!collects && arguments.count != 0) throw UsageError("--count belongs to --collect");
-  if (!studies && !arguments.vote.empty()) throw UsageError("--vote belongs to --study");
 }
 
 std::filesystem::path OutOfStudy(const StudyArguments& arguments) {

@@ -18,7 +18,7 @@ struct StudyArguments {
 };
 
 void AddStudyArguments(CLI::App& command, StudyArguments& arguments);
-/// @throws UsageError if both are given, or an option of a mode that is not.
+/// @throws UsageError on an option of both modes without one of them; the options themselves refuse the rest.
 void CheckStudyArguments(const StudyArguments& arguments);
 
 /// Absolute. @throws UsageError if there is none.

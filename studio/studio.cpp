@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/options.h"
+#include "rig/arkit_names.h"
 #include "rig/clip_json.h"
 #include "systems/sketch/gesture_recogniser.h"
 #include "systems/sketch/predictor.h"
@@ -66,10 +67,10 @@ Studio::Studio(const fs::path& folder, const StudioWeights& weights, const fs::p
       predictor_(sketch::OpenSessionPredictor(weights.sketch, {})),
       display_(predictor_->run().face_template),
       desk_(folder / "sessions", predictor_, OpenGestures(weights.gestures)),
-      tray_(folder / "faces", predictor_->face_template()),
+      tray_(folder / "faces", predictor_->face_template(), display_),
       shaper_(weights.face_model),
       uploads_(folder / "uploads"),
-      material_{desk_, tray_, shaper_, uploads_, std::move(program)},
+      material_{desk_, tray_, shaper_, uploads_, display_, std::move(program)},
       jobs_(folder / "jobs") {
   DAUMIER_CHECK(shaper_.face_template().num_vertices() == predictor_->run().face_template.num_vertices(),
                 "{} and {} are of different face templates. Name weights of one", weights.sketch.string(),
@@ -299,8 +300,7 @@ void Studio::AddDrive() {
         Json weights = Json::object();
         for (Eigen::Index i = 0; i < recording.weights.cols(); ++i)
           weights[recording.names[size_t(i)]] = recording.weights(recording.weights.rows() - 1, i);
-        const std::scoped_lock lock(drive_mutex_);
-        drive_ = {std::move(weights), std::chrono::steady_clock::now()};
+        SetDrive(std::move(weights));
         return JsonReply(Json::object());
       },
       ObjectSchema({{"weights", "by the names of ARKit, 0 to 1"}}));
@@ -309,6 +309,23 @@ void Studio::AddDrive() {
     if (!drive_) return ApiReply{.status = 204, .body = ""};
     const std::chrono::duration<double, std::milli> age = std::chrono::steady_clock::now() - drive_->when;
     return JsonReply({{"weights", drive_->weights}, {"age_ms", age.count()}});
+  });
+  Add("GET", "/api/live_link", "Where packets of Live Link Face are received, and how many came; 204 if they are not",
+      [this](const ApiRequest&) {
+        return live_link_ ? JsonReply(live_link_->Describe()) : ApiReply{.status = 204, .body = ""};
+      });
+}
+
+void Studio::SetDrive(Json weights) {
+  const std::scoped_lock lock(drive_mutex_);
+  drive_ = {std::move(weights), std::chrono::steady_clock::now()};
+}
+
+void Studio::ReceiveLiveLink(const LiveLinkPlace& place) {
+  live_link_ = std::make_unique<LiveLinkReceiver>(place, [this](const Eigen::VectorXf& received) {
+    Json weights = Json::object();
+    for (int i = 0; i < rig::kNumArkitNames; ++i) weights[std::string(rig::ArkitNames()[size_t(i)])] = received[i];
+    SetDrive(std::move(weights));
   });
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include "studio/api.h"
+#include "studio/display_head.h"
 #include "studio/job_plans.h"
+#include "studio/live_link_receiver.h"
 
 #include <filesystem>
 #include <memory>
@@ -30,6 +32,10 @@ class Studio {
   /// Valid while the studio exists.
   const std::vector<Route>& routes() const { return routes_; }
 
+  /// From now on packets of Live Link Face drive the head, as POST /api/drive does. To be called before the routes are. @throws UsageError as
+  /// LiveLinkReceiver.
+  void ReceiveLiveLink(const LiveLinkPlace& place);
+
  private:
   /// The latest weights of a face tracker.
   struct Drive {
@@ -44,6 +50,7 @@ class Studio {
   void AddShape();
   void AddJobs();
   void AddDrive();
+  void SetDrive(Json weights);
   std::string BeginSession(const Json& body);
   geometry::Points FaceOf(const Json& body) { return FaceOfRequest(body, material_); }
   ApiReply VerticesReply(const geometry::Points& face) const;
@@ -60,7 +67,8 @@ class Studio {
   std::mutex drive_mutex_;
   std::optional<Drive> drive_;
   std::vector<Route> routes_;
-  JobQueue jobs_;  ///< The last member: jobs use all others.
+  JobQueue jobs_;                                ///< Jobs use all others.
+  std::unique_ptr<LiveLinkReceiver> live_link_;  ///< The last member: its thread uses drive_.
 };
 
 }  // namespace daumier::studio

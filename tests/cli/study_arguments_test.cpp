@@ -28,13 +28,15 @@ class StudyModes : public ::testing::Test {
 };
 
 TEST_F(StudyModes, OptionsHaveToFitTheMode) {
-  ExpectMisuse({"--collect", In("items"), "--study", In("items"), "--out", In("x")}, "not with both");
+  ExpectMisuse({"--collect", In("items"), "--study", In("items"), "--out", In("x")}, "--study excludes --collect");
   ExpectMisuse({"--collect", In("items")}, "--out DIR");
   ExpectMisuse({"--study", In("items")}, "--out votes.csv");
   ExpectMisuse({"--person", "3"}, "belong to --collect or --study");
-  ExpectMisuse({"--study", In("items"), "--out", In("v.csv"), "--count", "3"}, "--count belongs to --collect");
-  ExpectMisuse({"--collect", In("items"), "--out", In("x"), "--vote", "best"}, "--vote belongs to --study");
+  ExpectMisuse({"--study", In("items"), "--out", In("v.csv"), "--count", "3"}, "--count requires --collect");
+  ExpectMisuse({"--collect", In("items"), "--out", In("x"), "--vote", "best"}, "--vote requires --study");
   ExpectMisuse({"--study", In("items"), "--out", In("v.csv"), "--vote", "worst"}, "worst");
+  ExpectMisuse({"--study", In("items"), "--live-link", "11111"}, "--live-link excludes --study");
+  ExpectMisuse({"--live-link", "phone:11111", "--folder", In("new")}, "'phone:11111' is no place to receive at");
   ExpectMisuse({"--collect", In("absent"), "--out", In("x")}, "absent");
 }
 

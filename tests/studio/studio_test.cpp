@@ -3,6 +3,8 @@
 #include "core/files.h"
 #include "render/image.h"
 #include "tests/studio/shipped_studio.h"
+#include "tests/support/live_link_packets.h"
+#include "tests/support/udp_sender.h"
 
 #include <gtest/gtest.h>
 
@@ -275,6 +277,21 @@ TEST_F(StudioTest, ATrackerDrivesAHead) {
   for (const char* body : {"", "{", "3", R"({"weights": {"jawOpen": "wide"}})", "[]"})
     EXPECT_EQ(Reply("POST", "/api/drive", body).status, 400) << body;
   EXPECT_NEAR(Get("/api/drive")["weights"]["mouthPucker"], 0.5, 1e-6) << "what is refused changes nothing";
+
+  EXPECT_EQ(Reply("GET", "/api/live_link").status, 204) << "off unless it is wanted";
+  testing::ShippedStudio::Get().studio().ReceiveLiveLink({});
+  EXPECT_EQ(Get("/api/live_link")["address"], "127.0.0.1");
+  std::vector<float> values(61, 0.0f);
+  values[17] = 0.75f;
+  const testing::UdpSender sender(Get("/api/live_link")["port"].get<int>());
+  sender.Send(testing::LiveLinkBytes(values));
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (Get("/api/drive")["weights"]["jawOpen"] != 0.75 && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  drive = Get("/api/drive");
+  EXPECT_EQ(drive["weights"].size(), 52u);
+  EXPECT_EQ(drive["weights"]["jawOpen"], 0.75);
+  EXPECT_EQ(drive["weights"]["mouthPucker"], 0);
 }
 
 TEST_F(StudioTest, IsCalledFromSeveralThreads) {
