@@ -125,6 +125,8 @@ export interface Job {
   seconds: number;
   progress: string;
   command: string;
+  /** What the command does not do, or why there is none. */
+  note: string;
   error?: string;
   warnings: string[];
   files: { name: string; size: number }[];

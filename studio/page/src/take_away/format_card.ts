@@ -141,6 +141,7 @@ export class FormatCard {
       others.length ? fold(others.length === 1 ? "One more file" : `${others.length} more files`, others) : null,
       warningList(job.warnings),
       job.command ? commandField(job.command) : null,
+      job.note ? el("p", { class: "p-note" }, `${job.note}.`) : null,
     ];
     this.result.hidden = false;
     this.result.replaceChildren(...parts.filter((part) => part !== null));

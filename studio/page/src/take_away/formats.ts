@@ -106,9 +106,9 @@ export const kFormats: readonly Format[] = [
     icon: "mesh",
     make: "Make the mesh",
     doing: "Writing the mesh",
-    wanted: [".obj", ".ply"],
+    wanted: [".obj", ".ply", ".mtl", "texture.png"],
     choices: [{ key: "format", label: "Format", values: [{ value: "obj", label: "OBJ" }, { value: "ply", label: "PLY" }] }],
-    body: (target, chosen) => (target.kind === "avatar" ? null : { do: "mesh", ...targetBody(target), format: chosen["format"] ?? "obj" }),
+    body: (target, chosen) => ({ do: "mesh", ...targetBody(target), format: chosen["format"] ?? "obj" }),
   },
   {
     id: "turntable",
@@ -122,8 +122,7 @@ export const kFormats: readonly Format[] = [
       { key: "frames", label: "Pictures", values: [{ value: "24", label: "24" }, { value: "8", label: "8" }, { value: "72", label: "72" }] },
       { key: "size", label: "Size", values: [{ value: "512", label: "512 px" }, { value: "256", label: "256 px" }, { value: "1024", label: "1024 px" }] },
     ],
-    body: (target, chosen) =>
-      target.kind === "avatar" ? null : { do: "turntable", ...targetBody(target), options: { frames: Number(chosen["frames"] ?? 24), size: Number(chosen["size"] ?? 512) } },
+    body: (target, chosen) => ({ do: "turntable", ...targetBody(target), options: { frames: Number(chosen["frames"] ?? 24), size: Number(chosen["size"] ?? 512) } }),
   },
   {
     id: "session",

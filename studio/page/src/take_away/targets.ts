@@ -1,6 +1,6 @@
 // What can be taken away: a drawing, a pinned face, the shape, the last avatar; and which files each of them can become.
 import type { Shape } from "../api_types";
-import { avatarKey, type AvatarState } from "../avatar/state";
+import { avatarBody, avatarKey, type AvatarState } from "../avatar/state";
 
 export type Target =
   | { kind: "session"; id: string; title: string; changed: number }
@@ -18,16 +18,15 @@ export function targetKey(target: Target): string {
 
 /** A sentence why a target cannot become a format; null if it can. */
 export function whyNot(target: Target, format: FormatId): string | null {
-  if (format === "session" && target.kind !== "session") return "A recording belongs to a drawing. Choose a drawing above.";
-  if (target.kind !== "avatar") return null;
-  if (format === "obj") return "An avatar carries a picture and expressions: take its .glb.";
-  if (format === "stl") return "Choose a drawing, a pinned face or the shape to print.";
-  if (format === "turntable") return "Choose a drawing, a pinned face or the shape for a turntable.";
-  return null;
+  return format === "session" && target.kind !== "session" ? "A recording belongs to a drawing. Choose a drawing above." : null;
 }
 
 /** The part of a job's body that names what is made into a file. */
-export function targetBody(target: Exclude<Target, { kind: "avatar" }>): Record<string, unknown> {
+export function targetBody(target: Target): Record<string, unknown> {
+  if (target.kind === "avatar") {
+    const { do: _, ...avatar } = avatarBody(target.state);
+    return { avatar };
+  }
   if (target.kind === "shape") return { shape: target.shape };
   return target.kind === "session" ? { session: target.id } : { face: target.id };
 }
