@@ -19,4 +19,7 @@ if(BUILD_TESTING AND page_files AND NOT DAUMIER_SANITIZE)
   add_test(NAME studio_page COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/studio/page/smoke.mjs $<TARGET_FILE:daumier>
            WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(studio_page PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120 PROCESSORS 2 LABELS plain)
+  add_test(NAME studio_collection COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/studio/page/collection.mjs $<TARGET_FILE:daumier>
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(studio_collection PROPERTIES TIMEOUT 300 PROCESSORS 2 LABELS torch)
 endif()

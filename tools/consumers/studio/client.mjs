@@ -6,8 +6,13 @@ import { fileURLToPath } from 'node:url';
 export const repository = fileURLToPath(new URL('../../../', import.meta.url));
 
 /** Starts the program on a folder and waits for its address. */
-export async function startStudio(program, folder) {
-  const child = spawn(program, ['studio', '--no-browser', '--folder', folder], { stdio: ['ignore', 'pipe', 'pipe'] });
+export function startStudio(program, folder) {
+  return startServer(program, ['--folder', folder]);
+}
+
+/** The same with any options. */
+export async function startServer(program, options) {
+  const child = spawn(program, ['studio', '--no-browser', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
   let printed = '';
   const address = await new Promise((resolve, reject) => {
     child.stdout.on('data', (bytes) => {
