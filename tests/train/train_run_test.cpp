@@ -12,7 +12,8 @@ namespace daumier::train {
 namespace {
 
 RunStart StartOf(int epochs) {
-  RunStart start{.options = {{"epochs", epochs}, {"data", {{"faces", "/faces"}}}}, .defaults = {}, .manifest = {}};
+  RunStart start{
+      .options = {{"epochs", epochs}, {"data", {{"faces", "/faces"}}}}, .defaults = Json::object(), .manifest = {}};
   start.manifest.kind = "run";
   start.manifest.verb = "train";
   start.manifest.config = {{"epochs", epochs}};
@@ -39,13 +40,13 @@ TEST(StartRun, WritesConfigAndManifestAndResumesTheSameRunAlone) {
 
 TEST(TrainRun, NotesTheEndAndAFinishedRunGetsLonger) {
   const testing::TempDir folder;
-  StartRun(folder.path(), false, StartOf(1));
-  EXPECT_EQ(TrainToy(folder.path(), 1).steps, 5);
-  const Json counts = ReadManifest(folder.path(), "run").counts;
+  StartRun(folder / "run", false, StartOf(1));
+  EXPECT_EQ(TrainToy(folder / "run", 1).steps, 5);
+  const Json counts = ReadManifest(folder / "run", "run").counts;
   EXPECT_EQ(counts.at("parameters"), NumParameters(toy::ToyRecipe().product()));
   EXPECT_EQ(counts.at("best_epoch"), 1);
-  StartRun(folder.path(), true, StartOf(2));
-  EXPECT_EQ(TrainToy(folder.path(), 2).steps, 10);
+  StartRun(folder / "run", true, StartOf(2));
+  EXPECT_EQ(TrainToy(folder / "run", 2).steps, 10);
 }
 
 TEST(NumParameters, AddsWeightsAndBiases) {
