@@ -25,7 +25,7 @@ daumier_status Fail(daumier_status status, const char* message) noexcept {
 }
 
 void CheckBuffer(const void* buffer, size_t size, size_t expected, const char* name) {
-  if (buffer == nullptr) throw UsageError(fmt::format("{} is NULL", name));
+  if (buffer == nullptr && expected > 0) throw UsageError(fmt::format("{} is NULL", name));
   if (size != expected) throw UsageError(fmt::format("{} has {} elements (expected {})", name, size, expected));
 }
 
@@ -33,7 +33,8 @@ geometry::Points ReadPoints(const float* xyz, size_t size, size_t num_vertices, 
   CheckBuffer(xyz, size, 3 * num_vertices, name);
   geometry::Points points(Eigen::Index(num_vertices), 3);
   for (size_t i = 0; i < size; ++i) {
-    if (!std::isfinite(xyz[i])) throw UsageError(fmt::format("{}[{}] is not finite", name, i));
+    if (!(std::abs(xyz[i]) <= kMostCm))
+      throw UsageError(fmt::format("{}[{}] is {} (expected {} at most, in cm)", name, i, xyz[i], kMostCm));
     points(Eigen::Index(i / 3), Eigen::Index(i % 3)) = double(xyz[i]);
   }
   return points;

@@ -41,7 +41,10 @@ T& Given(T* argument, const char* name) {
 /// @throws UsageError naming the buffer unless it is given and has the expected number of elements.
 void CheckBuffer(const void* buffer, size_t size, size_t expected, const char* name);
 
-/// 3V numbers as V x 3. @throws UsageError as CheckBuffer, or if a number is not finite.
+/// The largest coordinate of a face, cm: beyond it no sum of squares is in doubt.
+inline constexpr float kMostCm = 1e4f;
+
+/// 3V numbers as V x 3. @throws UsageError as CheckBuffer, or if a number is not finite or beyond kMostCm.
 geometry::Points ReadPoints(const float* xyz, size_t size, size_t num_vertices, const char* name);
 /// @throws UsageError as CheckBuffer.
 void WritePoints(const geometry::Points& points, float* xyz, size_t size, const char* name);

@@ -3,15 +3,15 @@
  * Objects are opaque, made by functions *_open, *_predict_* and *_begin, and released by *_free, which accept NULL. A function that
  * can fail returns a status; daumier_last_error() then has the cause and the repair, and no argument has been written.
  *
- * Buffers belong to the caller. Their size is given in elements and has to be exact, so that a wrong one is an error and never an
- * overrun. A buffer that is written may not overlap one that is read, unless the function says so. Strings are UTF-8 and belong to
+ * Buffers belong to the caller. Their size is given in elements and has to be exact, so that a wrong one is an error; strokes and
+ * pixels have the sizes that their counts say. A buffer that is written may not overlap one that is read, unless the function says so. Strings are UTF-8 and belong to
  * the library.
  *
  * Threads: the const functions of one object may be called from several threads at once, others from one thread at a time. Objects
  * are independent of each other, but an object must be freed after those made from it, unless the function says so. The library
  * starts one worker a core less one, at its first use, which every object shares; call nothing after fork() in the child.
  *
- * Coordinates of faces are centimetres, x to the face's own left, y up, z to the front; of drawings and pictures pixels, x to the
+ * Coordinates of faces are centimetres, at most 10,000, x to the face's own left, y up, z to the front; of drawings and pictures pixels, x to the
  * right, y down.
  */
 #ifndef DAUMIER_H
@@ -67,8 +67,8 @@ typedef struct daumier_strokes {
   float width, height; /* of the sheet, in the unit of the points */
 } daumier_strokes;
 
-/* The face of a drawing; of several on one sheet the largest, with a warning. FAILED if there is none, or if the network reads no
- * drawings. Equal drawings give equal faces. */
+/* The face of a drawing; of several on one sheet the largest, with a warning. FAILED if there is none; MISUSED if the network
+ * reads no strokes. Equal drawings give equal faces. */
 DAUMIER_API daumier_status daumier_predict_strokes(const daumier_predictor* predictor, const daumier_strokes* strokes,
                                                    daumier_face** face);
 
@@ -90,12 +90,12 @@ DAUMIER_API size_t daumier_face_num_triangles(const daumier_face* face);
 DAUMIER_API daumier_status daumier_face_vertices(const daumier_face* face, float* xyz, size_t size);
 /* corners: 3F vertices, counter-clockwise from outside. The same for all faces of a predictor. */
 DAUMIER_API daumier_status daumier_face_triangles(const daumier_face* face, int32_t* corners, size_t size);
-/* xyz: 3 * 68 numbers, cm, in the order of iBUG; NaN where the template has no such point. */
+/* xyz: 3 * 68 numbers, cm, in the order of iBUG; NaN where the template has no such point. No numbers where there is no mesh. */
 DAUMIER_API daumier_status daumier_face_landmarks(const daumier_face* face, float* xyz, size_t size);
 /* What is doubtful, a sentence each; NULL past the last. Valid while the face is. */
 DAUMIER_API size_t daumier_face_num_warnings(const daumier_face* face);
 DAUMIER_API const char* daumier_face_warning(const daumier_face* face, size_t index);
-/* Numbers of the prediction as JSON, those of predict's manifest. Valid while the face is. */
+/* Numbers of the prediction as JSON, those of the entry of a drawing in predict's manifest (docs/formats.md). Valid while the face is. */
 DAUMIER_API const char* daumier_face_record(const daumier_face* face);
 
 /* ---- Deformable faces ----------------------------------------------------------------------------------------------------------- */
@@ -127,13 +127,16 @@ DAUMIER_API daumier_status daumier_model_encode(const daumier_model* model, cons
 DAUMIER_API daumier_status daumier_model_exaggerate(const daumier_model* model, const float* xyz, size_t size,
                                                     float strength, float* exaggerated, size_t exaggerated_size);
 
+/* The time of an edit grows with the handles: 9 ms with one, 0.4 s with 200. */
+#define DAUMIER_MOST_HANDLES 200
+
 /* Begins an edit of a face by handles, to be moved as often as a pen moves. vertices: num_handles different ones. is_local: other parts of
  * the face than those of the handles stay. The model has to outlive it. */
 DAUMIER_API daumier_status daumier_edit_begin(const daumier_model* model, const float* xyz, size_t size,
                                               const int32_t* vertices, size_t num_handles, int is_local,
                                               daumier_edit** edit);
 DAUMIER_API void daumier_edit_free(daumier_edit* edit);
-/* The face with its handles displaced from where they were at first. moves: 3 * num_handles numbers, cm; xyz: 3V numbers. Moves of 0 give the
+/* The face with its handles displaced from where they were at first, each to within 5 % of the largest move where the model can follow. moves: 3 * num_handles numbers, cm; xyz: 3V numbers. Moves of 0 give the
  * face itself. */
 DAUMIER_API daumier_status daumier_edit_move(daumier_edit* edit, const float* moves, size_t num_moves, float* xyz,
                                              size_t size);
@@ -146,6 +149,11 @@ typedef struct daumier_head daumier_head;
 /* Opens the rig of a topology. face_model: weights of a face model, by their folder or name; NULL: the shipped one. */
 DAUMIER_API daumier_status daumier_rig_open(const char* face_model, daumier_rig** rig);
 DAUMIER_API void daumier_rig_free(daumier_rig* rig);
+
+/* The vertices of a predicted face without the expression that it shows. Predictions of portraits state one; faces of drawings are returned as
+ * they are. xyz: 3V numbers, cm. MISUSED if the face is of another topology. */
+DAUMIER_API daumier_status daumier_rig_neutral(const daumier_rig* rig, const daumier_face* face, float* xyz,
+                                               size_t size);
 
 /* A head of a neutral face, with eyes, teeth and a target for each of ARKit's 52 expressions. xyz: 3V numbers, cm, of the topology. The head
  * is independent of its rig. */

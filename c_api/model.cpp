@@ -14,6 +14,8 @@ using namespace daumier::c_api;
 
 namespace {
 
+constexpr double kMostNumber = 1000;  // Of a code, which are of the order of 1.
+
 const fitting::CodeModel& ModelOf(const daumier_model* model) {
   return *Given(model, "model").opened.model;
 }
@@ -24,7 +26,8 @@ size_t NumVertices(const fitting::CodeModel& model) {
 
 /// Different vertices of a model.
 std::vector<int> HandleVertices(const int32_t* vertices, size_t num_handles, size_t num_vertices) {
-  if (num_handles == 0) throw UsageError("num_handles is 0 (expected 1 or more)");
+  if (num_handles < 1 || num_handles > DAUMIER_MOST_HANDLES)
+    throw UsageError(fmt::format("num_handles is {} (expected 1 to {})", num_handles, DAUMIER_MOST_HANDLES));
   Given(vertices, "vertices");
   std::vector<int> handles;
   for (size_t h = 0; h < num_handles; ++h) {
@@ -78,7 +81,8 @@ daumier_status daumier_model_decode(const daumier_model* model, const float* cod
     CheckBuffer(code, num_numbers, size_t(opened.num_numbers()), "code");
     CheckBuffer(xyz, size, 3 * NumVertices(opened), "xyz");
     const Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXf>(code, Eigen::Index(num_numbers)).cast<double>();
-    if (!numbers.allFinite()) throw UsageError("a number of code is not finite");
+    if (!(numbers.cwiseAbs().maxCoeff() <= kMostNumber))
+      throw UsageError(fmt::format("a number of code is not finite, or beyond {}", kMostNumber));
     WritePoints(opened.Vertices(numbers), xyz, size, "xyz");
   });
 }

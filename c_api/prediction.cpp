@@ -50,7 +50,7 @@ render::Image ImageOf(const uint8_t* pixels, int32_t width, int32_t height, int3
                                  height, kMostPixels));
   if (channels != 1 && channels != 3 && channels != 4)
     throw UsageError(fmt::format("the picture has {} channels (expected 1, 3 or 4)", channels));
-  if (row_bytes < size_t(width) * size_t(channels))
+  if (row_bytes < size_t(width) * size_t(channels) || row_bytes > size_t(PTRDIFF_MAX) / size_t(height))
     throw UsageError(fmt::format("a row has {} bytes (expected {} or more)", row_bytes, int64_t(width) * channels));
   render::Image image(height, width, channels == 1 ? 1 : 3);
   for (int row = 0; row < height; ++row) {
@@ -103,7 +103,11 @@ daumier_status daumier_predict_strokes(const daumier_predictor* predictor, const
                                        daumier_face** face) {
   return Call([&] {
     Given(face, "face");
-    Predict(Given(predictor, "predictor"), DrawingOf(Given(strokes, "strokes")), face);
+    const daumier_predictor& opened = Given(predictor, "predictor");
+    render::Drawing drawing = DrawingOf(Given(strokes, "strokes"));
+    if (std::ranges::count(opened.system.input_extensions, ".svg") == 0)
+      throw UsageError(fmt::format("the network of the task '{}' reads no strokes", opened.system.name));
+    Predict(opened, std::move(drawing), face);
   });
 }
 

@@ -3,6 +3,7 @@
 #include "c_api/places.h"
 #include "gltf/head_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -21,7 +22,7 @@ const rig::RiggedHead& HeadIn(const daumier_head* head) {
 daumier_status daumier_rig_open(const char* face_model, daumier_rig** rig) {
   return Call([&] {
     Given(rig, "rig");
-    faces::FaceModel model = faces::ReadFaceModelWeights(ModelNamed(face_model));
+    faces::FaceModel model = faces::ReadFaceModelWeights(FaceModelNamed(face_model));
     rig::ExpressionTargets expressions(model);
     rig::HeadRig heads(model.face_template);
     *rig = new daumier_rig{std::move(model), std::move(expressions), std::move(heads)};
@@ -30,6 +31,25 @@ daumier_status daumier_rig_open(const char* face_model, daumier_rig** rig) {
 
 void daumier_rig_free(daumier_rig* rig) {
   delete rig;
+}
+
+daumier_status daumier_rig_neutral(const daumier_rig* rig, const daumier_face* face, float* xyz, size_t size) {
+  return Call([&] {
+    const faces::FaceModel& model = Given(rig, "rig").model;
+    const systems::FaceResult& result = Given(face, "face").result;
+    if (result.vertices.rows() != model.face_template.num_vertices())
+      throw UsageError(fmt::format("the face has {} vertices, the rig's topology {}", result.vertices.rows(),
+                                   model.face_template.num_vertices()));
+    geometry::Points neutral = result.vertices;
+    if (result.expression.size() > 0) {
+      Eigen::VectorXf weights = Eigen::VectorXf::Zero(model.expression_shapes.cols());
+      const Eigen::Index num_weights = std::min(weights.size(), result.expression.size());
+      weights.head(num_weights) = result.expression.head(num_weights);
+      const Eigen::VectorXd offset = (model.expression_shapes * weights).cast<double>();
+      neutral -= Eigen::Map<const geometry::Points>(offset.data(), neutral.rows(), 3);
+    }
+    WritePoints(neutral, xyz, size, "xyz");
+  });
 }
 
 daumier_status daumier_rig_head(const daumier_rig* rig, const float* xyz, size_t size, daumier_head** head) {

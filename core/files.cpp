@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -35,6 +36,10 @@ class Descriptor {
  private:
   int value_;
 };
+
+fs::path FolderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
 
 /// What the number of a failed system call means to a person.
 std::string Cause(int error_number) {
@@ -82,9 +87,7 @@ void ForEachPiece(const Descriptor& file, const fs::path& path, Take take) {
 }
 
 /// Returns 0 or the errno of what failed.
-int WriteAndFlush(const fs::path& path, std::string_view bytes) {
-  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.valid()) return errno;
+int WriteAndFlush(const Descriptor& file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t num_written = write(file.get(), bytes.data(), bytes.size());
     if (num_written < 0 && errno == EINTR) continue;
@@ -92,6 +95,34 @@ int WriteAndFlush(const fs::path& path, std::string_view bytes) {
     bytes.remove_prefix(static_cast<size_t>(num_written));
   }
   return fsync(file.get()) == 0 ? 0 : errno;
+}
+
+/// A name that no other writer uses: IsTemporaryNameOf holds of it.
+fs::path UnusedTemporaryName(const fs::path& path) {
+  static std::atomic<unsigned> count = 0;
+  return fmt::format("{}.{}-{}.tmp", path.string(), getpid(), ++count);
+}
+
+/// Puts the bytes under a new name next to `path`, which is returned in `temporary`. Returns 0 or the errno of what failed.
+/// Where the file system and /proc allow it, the file has no name before it is whole, so that a killed writer leaves nothing.
+int WriteTemporary(const fs::path& path, std::string_view bytes, fs::path& temporary) {
+  const Descriptor nameless(FolderOf(path), O_TMPFILE | O_WRONLY);
+  if (nameless.valid()) {
+    if (const int error = WriteAndFlush(nameless, bytes); error != 0) return error;
+    const std::string link = fmt::format("/proc/self/fd/{}", nameless.get());
+    do {
+      temporary = UnusedTemporaryName(path);
+      if (linkat(AT_FDCWD, link.c_str(), AT_FDCWD, temporary.c_str(), AT_SYMLINK_FOLLOW) == 0) return 0;
+    } while (errno == EEXIST);
+  }
+  for (;;) {
+    const fs::path name = UnusedTemporaryName(path);
+    const Descriptor file(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    if (!file.valid() && errno == EEXIST) continue;
+    if (!file.valid()) return errno;
+    temporary = name;
+    return WriteAndFlush(file, bytes);
+  }
 }
 
 class Sha256Hash {
@@ -116,7 +147,7 @@ class Sha256Hash {
 }  // namespace
 
 std::string ReadFile(const fs::path& path) {
-  const Descriptor file(path, O_RDONLY);
+  const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // A pipe without a writer must not be waited for.
   DAUMIER_CHECK(file.valid(), "cannot read {}: {}", path.string(), Cause(errno));
   std::string bytes;
   bytes.reserve(SizeOfOpenFile(file, path));
@@ -125,16 +156,19 @@ std::string ReadFile(const fs::path& path) {
 }
 
 void WriteFileAtomically(const fs::path& path, std::string_view bytes) {
-  // One fixed name: what a killed process leaves behind is overwritten by the one that resumes its work.
-  const fs::path temporary = path.string() + ".tmp";
-  int error = WriteAndFlush(temporary, bytes);
+  fs::path temporary;
+  int error = WriteTemporary(path, bytes, temporary);
   if (error == 0 && rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) {
-    unlink(temporary.c_str());
+    if (!temporary.empty()) unlink(temporary.c_str());
     throw Error(fmt::format("cannot write {}: {}", path.string(), Cause(error)));
   }
-  const Descriptor directory(path.has_parent_path() ? path.parent_path() : fs::path("."), O_RDONLY | O_DIRECTORY);
+  const Descriptor directory(FolderOf(path), O_RDONLY | O_DIRECTORY);
   if (directory.valid()) fsync(directory.get());  // Makes the rename last; some file systems cannot, and need not.
+}
+
+bool IsTemporaryNameOf(std::string_view name, std::string_view file) {
+  return name.starts_with(file) && name.substr(file.size()).starts_with('.') && name.ends_with(".tmp");
 }
 
 void WriteFileIfChanged(const fs::path& path, std::string_view bytes) {

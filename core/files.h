@@ -10,9 +10,12 @@ namespace daumier {
 std::string ReadFile(const std::filesystem::path& path);
 
 /// Writes under a temporary name next to `path`, flushes to disk, then renames: readers see the old file or the whole
-/// new one.
+/// new one, also where several threads or processes write it at once. Other files are left as they are.
 /// @throws Error naming the file and the cause (no such folder, no permission, disk full); nothing is left behind then.
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Whether a name is a temporary one of `file`, which a killed writer may leave: "manifest.json.12-3.tmp".
+bool IsTemporaryNameOf(std::string_view name, std::string_view file);
 
 /// The same, but a file that has these bytes already is not touched.
 void WriteFileIfChanged(const std::filesystem::path& path, std::string_view bytes);

@@ -25,8 +25,8 @@ bool IsOfTheDesktop(const std::string& name) {
 /// The first entry that counts as content, by name.
 std::optional<fs::path> FirstEntry(const fs::path& folder, const OutputKind& kind) {
   const auto counts = [&](const std::string& name) {
-    if (IsOfTheDesktop(name) || name == std::string(kManifestFile) + ".tmp") return false;
-    return std::ranges::none_of(kind.begun, [&](const std::string& file) { return name == file + ".tmp"; });
+    if (IsOfTheDesktop(name) || IsTemporaryNameOf(name, kManifestFile)) return false;
+    return std::ranges::none_of(kind.begun, [&](const std::string& file) { return IsTemporaryNameOf(name, file); });
   };
   std::optional<fs::path> first;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -137,7 +137,7 @@ void CheckReplacedFolder(const fs::path& out, const std::string& kind, const std
   for (const auto& entry : fs::recursive_directory_iterator(out)) {
     const std::string name = fs::relative(entry.path(), out).generic_string();
     const std::string last = entry.path().filename().string();
-    const bool is_own = name == kManifestFile || name == std::string(kManifestFile) + ".tmp" || IsOfTheDesktop(last);
+    const bool is_own = name == kManifestFile || IsTemporaryNameOf(name, kManifestFile) || IsOfTheDesktop(last);
     if (!is_own && (entry.is_symlink() || !entry.is_directory())) CheckOwnFile(out, name, manifest);
   }
 }

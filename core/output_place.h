@@ -16,7 +16,7 @@ struct OutputKind {
 };
 
 /// For a command that writes into `out` and keeps what is there. Files of the desktop (.DS_Store, ._NAME, Thumbs.db) and
-/// of a writer that was killed (manifest.json.tmp) do not count as content.
+/// of a writer that was killed (IsTemporaryNameOf) do not count as content.
 /// @throws UsageError naming `out`, what was found and the repair, if `out` is a file, cannot be a folder, holds
 /// anything but an earlier result of `kind`, is one of the inputs or has one below it; Error if it may not be written.
 void CheckOutputFolder(const std::filesystem::path& out, const OutputKind& kind,

@@ -55,7 +55,10 @@ TEST(CCall, BuffersHaveTheirSizeAndFiniteNumbers) {
   EXPECT_STREQ(daumier_last_error(), "xyz is NULL");
   back[4] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(Call([&] { ReadPoints(back.data(), 6, 2, "moves"); }), DAUMIER_MISUSED);
-  EXPECT_STREQ(daumier_last_error(), "moves[4] is not finite");
+  EXPECT_STREQ(daumier_last_error(), "moves[4] is nan (expected 10000 at most, in cm)");
+  back[4] = -2e4f;
+  EXPECT_EQ(Call([&] { ReadPoints(back.data(), 6, 2, "moves"); }), DAUMIER_MISUSED);
+  EXPECT_EQ(Call([&] { WritePoints(geometry::Points(0, 3), nullptr, 0, "xyz"); }), DAUMIER_OK);
   std::vector<int32_t> corners(3);
   WriteTriangles((geometry::Triangles(1, 3) << 7, 8, 9).finished(), corners.data(), 3);
   EXPECT_EQ(corners, (std::vector<int32_t>{7, 8, 9}));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,10 @@ TEST(CModel, WrongArgumentsAreMisuse) {
   EXPECT_EQ(daumier_edit_begin(Model(), face.data(), face.size(), beyond.data(), 1, 0, &edit), DAUMIER_MISUSED);
   EXPECT_EQ(daumier_edit_begin(Model(), face.data(), face.size(), beyond.data(), 0, 0, &edit), DAUMIER_MISUSED);
   EXPECT_EQ(daumier_edit_begin(Model(), face.data(), face.size() - 3, twice.data(), 1, 0, &edit), DAUMIER_MISUSED);
+  std::vector<int32_t> many(DAUMIER_MOST_HANDLES + 1);
+  std::iota(many.begin(), many.end(), 0);
+  EXPECT_EQ(daumier_edit_begin(Model(), face.data(), face.size(), many.data(), many.size(), 0, &edit), DAUMIER_MISUSED);
+  EXPECT_STREQ(daumier_last_error(), "num_handles is 201 (expected 1 to 200)");
   EXPECT_EQ(edit, nullptr);
   EXPECT_EQ(daumier_model_decode(Model(), code.data(), code.size() + 1, face.data(), face.size()), DAUMIER_MISUSED);
   EXPECT_EQ(daumier_last_error(),

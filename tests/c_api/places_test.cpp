@@ -1,11 +1,14 @@
 #include "c_api/places.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "core/weights_folder.h"
+#include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace daumier::c_api {
 namespace {
@@ -27,6 +30,25 @@ TEST(CPlaces, WhatIsNotThereIsMisuseThatListsWhatIs) {
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("sketch-ict"), std::string::npos) << error.what();
   }
+}
+
+TEST(CPlaces, DamagedWeightsAreInTheWayOfNoOthers) {
+  const testing::TempDir place;
+  for (const char* name : {"face-ict", "sketch-ict"}) {
+    MakeDirectory(place / name);
+    fs::copy(FolderNamed(name), place / name, fs::copy_options::recursive);
+  }
+  WriteFileAtomically(place / "sketch-ict/manifest.json", "{");
+  const char* const before = std::getenv("DAUMIER_WEIGHTS");
+  setenv("DAUMIER_WEIGHTS", place.path().c_str(), 1);
+  EXPECT_EQ(FaceModelNamed(nullptr), place / "face-ict");
+  EXPECT_EQ(FolderNamed("face-ict"), place / "face-ict");
+  before == nullptr ? unsetenv("DAUMIER_WEIGHTS") : setenv("DAUMIER_WEIGHTS", before, 1);
+}
+
+TEST(CPlaces, OnlyWeightsOfAFaceModelAreAFaceModel) {
+  EXPECT_EQ(FaceModelNamed("face-ict"), FolderNamed("face-ict"));
+  EXPECT_THROW(FaceModelNamed("sketch-ict"), UsageError);
 }
 
 TEST(CPlaces, PredictorsAreTheTasksThatPredict) {

@@ -186,6 +186,7 @@ TEST(CPrediction, WrongArgumentsAreMisuseAndWriteNothing) {
   EXPECT_STREQ(daumier_last_error(), "the picture has 2 channels (expected 1, 3 or 4)");
   EXPECT_EQ(daumier_predict_pixels(SketchPredictor(), pixels.data(), 10, 10, 3, 29, &face), DAUMIER_MISUSED);
   EXPECT_STREQ(daumier_last_error(), "a row has 29 bytes (expected 30 or more)");
+  EXPECT_EQ(daumier_predict_pixels(SketchPredictor(), pixels.data(), 10, 10, 3, SIZE_MAX / 2, &face), DAUMIER_MISUSED);
   EXPECT_EQ(daumier_predict_pixels(SketchPredictor(), pixels.data(), 0, 10, 3, 30, &face), DAUMIER_MISUSED);
   EXPECT_EQ(daumier_predict_pixels(SketchPredictor(), nullptr, 10, 10, 3, 30, &face), DAUMIER_MISUSED);
   EXPECT_EQ(daumier_predict_pixels(nullptr, pixels.data(), 10, 10, 3, 30, &face), DAUMIER_MISUSED);
@@ -194,6 +195,16 @@ TEST(CPrediction, WrongArgumentsAreMisuseAndWriteNothing) {
   EXPECT_EQ(daumier_predict_pixels(SketchPredictor(), pixels.data(), 10, 10, 3, 30, &face),
             DAUMIER_FAILED);  // White paper.
   EXPECT_EQ(face, nullptr);
+}
+
+TEST(CPrediction, NetworksOfPicturesReadNoStrokes) {
+  daumier_predictor* predictor = nullptr;
+  ASSERT_EQ(daumier_predictor_open("portrait", &predictor), DAUMIER_OK) << daumier_last_error();
+  const CDrawing drawing = ToC(Girl());
+  daumier_face* face = nullptr;
+  EXPECT_EQ(daumier_predict_strokes(predictor, &drawing.strokes, &face), DAUMIER_MISUSED);
+  EXPECT_STREQ(daumier_last_error(), "the network of the task 'portrait' reads no strokes");
+  daumier_predictor_free(predictor);
 }
 
 TEST(CPrediction, WeightsWithoutAPredictorAreRefused) {

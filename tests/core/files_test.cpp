@@ -6,8 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
+#include <csignal>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 namespace daumier {
 namespace {
@@ -105,16 +110,63 @@ TEST(Files, WriteOntoAFolderLeavesNothingBehind) {
   EXPECT_EQ(NumEntries(dir.path()), 1u);
 }
 
-TEST(Files, FullDiskIsReportedAndLeavesTheOldFile) {
-  // /dev/full, where every write fails as on a full disk, replaces the temporary file.
+TEST(Files, AFileThatIsTooLargeIsReportedAndLeavesTheOldOne) {
   const TempDir dir;
   WriteFileAtomically(dir / "file", "old");
-  fs::create_symlink("/dev/full", dir / "file.tmp");
-  const std::string message = FailureOfCall([&] { WriteFileAtomically(dir / "file", "new"); });
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{.rlim_cur = 2000, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = FailureOfCall([&] { WriteFileAtomically(dir / "file", std::string(200'000, 'x')); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
   EXPECT_EQ(message, "cannot write " + (dir / "file").string() +
-                         ": no space left on the disk; free some or choose another folder");
+                         ": the file would be larger than the limit; raise it (ulimit -f)");
   EXPECT_EQ(ReadFile(dir / "file"), "old");
   EXPECT_EQ(NumEntries(dir.path()), 1u);
+}
+
+TEST(Files, WritingTouchesNoFileOfAnotherName) {
+  const TempDir dir;
+  WriteFileAtomically(dir / "victim", "untouched");
+  WriteFileAtomically(dir / "b.tmp", "mine");
+  fs::create_symlink(dir / "victim", dir / "a.tmp");
+  WriteFileAtomically(dir / "a", "new");
+  WriteFileAtomically(dir / "b", "new");
+  EXPECT_EQ(ReadFile(dir / "victim"), "untouched");
+  EXPECT_EQ(ReadFile(dir / "b.tmp"), "mine");
+  EXPECT_FALSE(fs::is_symlink(dir / "a"));
+  EXPECT_TRUE(fs::is_symlink(dir / "a.tmp"));
+}
+
+TEST(Files, ManyWritersOfOneFileLeaveAWholeOne) {
+  const TempDir dir;
+  std::vector<std::thread> writers;
+  for (int w = 0; w < 8; ++w)
+    writers.emplace_back([&dir, w] {
+      for (int i = 0; i < 20; ++i) WriteFileAtomically(dir / "file", std::string(100'000, char('a' + w)));
+    });
+  for (int i = 0; i < 50; ++i) {
+    if (!fs::exists(dir / "file")) continue;
+    const std::string seen = ReadFile(dir / "file");
+    EXPECT_EQ(seen, std::string(100'000, seen.at(0)));
+  }
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(ReadFile(dir / "file").size(), 100'000u);
+  EXPECT_EQ(NumEntries(dir.path()), 1u);
+}
+
+TEST(Files, TemporaryNamesBelongToTheirFile) {
+  for (const char* name : {"file.tmp", "file.12-3.tmp"}) EXPECT_TRUE(IsTemporaryNameOf(name, "file")) << name;
+  for (const char* name : {"file", "filed.tmp", "other.12-3.tmp", "file.12-3", ".tmp"})
+    EXPECT_FALSE(IsTemporaryNameOf(name, "file")) << name;
+}
+
+TEST(Files, APipeIsNoFileAndIsNotWaitedFor) {
+  const TempDir dir;
+  ASSERT_EQ(mkfifo((dir / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(FailureOfCall([&] { ReadFile(dir / "pipe"); }), "cannot read " + (dir / "pipe").string() + ": not a file");
 }
 
 TEST(Files, FullTmpfsIsReportedAndLeavesTheOldFile) {

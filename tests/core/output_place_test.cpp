@@ -83,8 +83,8 @@ TEST(CheckOutputFolder, TakesWhatAStoppedCommandLeftAndNothingMore) {
   const TempDir folder;
   WriteLetter(folder / "stopped/building.json");
   WriteLetter(folder / "stopped/shards/one");
-  WriteLetter(folder / "first/building.json.tmp");
-  WriteLetter(folder / "finished/manifest.json.tmp");
+  WriteLetter(folder / "first/building.json.12-3.tmp");
+  WriteLetter(folder / "finished/manifest.json.12-3.tmp");
   for (const char* name : {"stopped", "first", "finished"})
     EXPECT_NO_THROW(CheckOutputFolder(folder / name, kBuild)) << name;
   ExpectError([&] { CheckOutputFolder(folder / "stopped", kReport); }, "(it has 'building.json')");
