@@ -1,5 +1,6 @@
 #include "cli/config_kind.h"
 
+#include "benchmark/definition.h"
 #include "core/config.h"
 #include "core/options.h"
 #include "datasets/build/faces.h"
@@ -37,6 +38,7 @@ std::string CommandOfConfig(const Json& config) {
   if (Accepts<datasets::PointsOptions>(config)) commands.push_back("dataset points");
   if (Accepts<datasets::PortraitsOptions>(config)) commands.push_back("dataset portraits");
   if (Accepts<datasets::RegisterOptions>(config)) commands.push_back("register");
+  if (Accepts<benchmark::BenchmarkOptions>(config)) commands.push_back("benchmark make");
   return commands.size() == 1 ? commands.front() : "";
 }
 

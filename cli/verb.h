@@ -27,6 +27,7 @@ Verb EvalVerb();
 Verb PredictVerb();
 Verb EditVerb();
 Verb ScoreVerb();
+Verb BenchmarkVerb();
 Verb DrawVerb();
 Verb RigVerb();
 Verb AvatarVerb();
