@@ -7,6 +7,7 @@
 #include "faces/import/mat_file.h"
 #include "faces/import/mesh_folder.h"
 #include "faces/import/npy.h"
+#include "faces/import/torch_file.h"
 #include "faces/marked_points.h"
 #include "gltf/head_reader.h"
 #include "render/read_drawing.h"
@@ -71,6 +72,7 @@ constexpr Target kTargets[] = {
     {"landmarks", "a.txt", [](const std::filesystem::path& path) { faces::ReadMarkedPoints(path); }},
     {"npz", "a.npz", [](const std::filesystem::path& path) { faces::ReadNpz(path, {"a"}); }},
     {"mat", "a.mat", [](const std::filesystem::path& path) { faces::ReadMatFile(path, {"a"}); }},
+    {"torch", "a.pth", [](const std::filesystem::path& path) { faces::ReadTorchState(path); }},
     {"safetensors", "a.safetensors", [](const std::filesystem::path& path) { SafetensorsFile{path}; }},
     {"onnx", "a.onnx", RunGraph},
     {"annotation", "a.json",
