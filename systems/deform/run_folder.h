@@ -22,6 +22,9 @@ struct DeformRunFolder {
   faces::FaceTemplate face_template;
   DeformOptions network_options;
   double data_weight = 0, code_weight = 0;  ///< Of the energy that codes minimise: `loss` of the config.
+
+  /// Whether it is another program's model (ImportAuthorsModel), without faces and points of its own.
+  bool is_imported() const { return manifest.details.contains("imported"); }
 };
 
 /// @throws Error as ReadFinishedRun, and naming the file if one is malformed.

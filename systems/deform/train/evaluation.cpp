@@ -43,7 +43,8 @@ class DeformEvaluation {
         run_(LoadDeformRun(run_directory)),
         own_(OpenOwnFaces(databases)),
         other_(OpenExternalFaces(databases)),
-        split_(datasets::SplitOfRun(run_.directory, run_.manifest, run_.config, own_)),
+        split_(own_ == nullptr ? datasets::Split{}
+                               : datasets::SplitOfRun(run_.directory, run_.manifest, run_.config, *own_)),
         measurement_(*run_.network, Faces(), run_.manifest.seed, Unit(), task) {}
 
   void Measure() {
@@ -126,7 +127,7 @@ class DeformEvaluation {
     report.facts = {
         {"seed", fmt::format("{}", run_.manifest.seed)},
         {"network", fmt::format("{}, codes of {}", run_.network->options().kind, run_.network->options().latent)},
-        {"training faces", fmt::format("{}", split_.train.size())},
+        {"training faces", fmt::format("{}", run_.codes.size(0))},
         {"seconds", fmt::format("{:.1f}", seconds_)}};
     const Json hashes = DataHashes();
     for (const auto& [name, hash] : hashes.items())
@@ -164,12 +165,20 @@ class DeformEvaluation {
   }
 
  private:
-  const faces::FaceDatabase& OpenOwnFaces(FolderCache& databases) const {
+  /// Null of an imported run.
+  const faces::FaceDatabase* OpenOwnFaces(FolderCache& databases) const {
+    if (run_.is_imported()) {
+      if (options_.faces.empty())
+        throw UsageError(fmt::format(
+            "{} was imported, and has no faces of its own: name registered faces of its topology by --faces FOLDER",
+            run_.directory.string()));
+      return nullptr;
+    }
     const auto find = [&](const char* kind, const std::string& moved) {
       return datasets::FindRunData(run_.directory, run_.manifest, run_.config, kind, moved);
     };
     if (!options_.data.points.empty()) find("points", options_.data.points);
-    return databases.Open<faces::FaceDatabase>(find("faces", options_.data.faces));
+    return &databases.Open<faces::FaceDatabase>(find("faces", options_.data.faces));
   }
 
   /// Null if a subset of the run's split is measured.
@@ -184,7 +193,7 @@ class DeformEvaluation {
     return &faces;
   }
 
-  const faces::FaceDatabase& measured() const { return other_ != nullptr ? *other_ : own_; }
+  const faces::FaceDatabase& measured() const { return other_ != nullptr ? *other_ : *own_; }
 
   MeasuredFaces Faces() const {
     MeasuredFaces measured_faces;
@@ -203,10 +212,12 @@ class DeformEvaluation {
   }
 
   void MeasureBaselines() {
+    measurement_.MeasureTemplate();
+    if (own_ == nullptr) return log::Info("Baselines need faces of training, which an imported run does not have");
     log::Info("Fitting the baselines");
     const faces::ModelFrame frame = run_.network->frame();
-    baselines_.emplace(VerticesOf(own_, EvenlySpaced(split_.train, kMostTraining), frame),
-                       VerticesOf(own_, EvenlySpaced(split_.validation, kMostValidation), frame),
+    baselines_.emplace(VerticesOf(*own_, EvenlySpaced(split_.train, kMostTraining), frame),
+                       VerticesOf(*own_, EvenlySpaced(split_.validation, kMostValidation), frame),
                        run_.network->options().latent);
     measurement_.MeasureBaselines(*baselines_);
   }
@@ -235,7 +246,7 @@ class DeformEvaluation {
 
   const DeformEvalOptions options_;
   const DeformRun run_;
-  const faces::FaceDatabase& own_;
+  const faces::FaceDatabase* const own_;  ///< Null of an imported run.
   const faces::FaceDatabase* const other_;
   const datasets::Split split_;
   DeformMeasurement measurement_;

@@ -13,7 +13,7 @@ namespace daumier::deform {
 /// Rows: the network with codes by Gauss-Newton; both methods on the first adam_faces of the faces; the template alone;
 /// the mean of the training faces, the nearest of them, and a linear model with as many components as a code has
 /// numbers (baselines.h, fitted on at most 2,000 evenly spread training faces, its ridge weight chosen on at most 200
-/// validation faces). metrics: docs/formats.md. @throws Error as LoadDeformRun and FaceDatabase, if the run's faces are
+/// validation faces). Of an imported run other faces are measured, against the template alone. metrics: docs/formats.md. @throws Error as LoadDeformRun and FaceDatabase, if the run's faces are
 /// not those that it was trained on, if other faces are of another topology, or if an error is not finite; UsageError
 /// if the side is empty; Cancelled.
 reports::Evaluation EvaluateDeformRun(const std::filesystem::path& run_directory, const DeformEvalOptions& options,

@@ -101,9 +101,12 @@ void DeformMeasurement::MeasureNetwork(const std::string& name, const CodeFitOpt
   mean_error_map_ = map;
 }
 
+void DeformMeasurement::MeasureTemplate() {
+  AddBaseline(kTemplate, [&](int) { return network_.template_vertices(); });
+}
+
 void DeformMeasurement::MeasureBaselines(const DeformBaselines& baselines) {
   const at::NoGradGuard no_gradient;
-  AddBaseline(kTemplate, [&](int) { return network_.template_vertices(); });
   const torch::Tensor mean = baselines.Mean(), nearest = baselines.Nearest(faces_.vertices),
                       linear = baselines.Linear(faces_.vertices);
   AddBaseline(kMeanFace, [&](int) { return mean; });
@@ -112,6 +115,7 @@ void DeformMeasurement::MeasureBaselines(const DeformBaselines& baselines) {
 }
 
 void DeformMeasurement::AddBaseline(const std::string& name, const std::function<torch::Tensor(int i)>& vertices) {
+  const at::NoGradGuard no_gradient;
   Progress progress(task_.Stage(name), num_faces(), "faces");
   const auto predict = [&](int i) -> Prediction {
     const torch::Tensor predicted = vertices(i);

@@ -44,7 +44,9 @@ class DeformMeasurement {
   /// Adds the row of the network on the first num_faces faces. The first such row of all faces is the result. Reports
   /// faces to the task, or the steps of all faces where codes are fitted by adam.
   void MeasureNetwork(const std::string& name, const CodeFitOptions& options, int num_faces);
-  /// Adds the rows of the template alone, the mean training face, the nearest training face and the linear model.
+  /// Adds the row of the template alone.
+  void MeasureTemplate();
+  /// Adds the rows of the mean training face, the nearest training face and the linear model.
   void MeasureBaselines(const DeformBaselines& baselines);
 
   const MeasuredFaces& faces() const { return faces_; }

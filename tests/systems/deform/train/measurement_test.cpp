@@ -41,6 +41,7 @@ class DeformMeasurementTest : public ::testing::Test {
 
 TEST_F(DeformMeasurementTest, AMovedTemplateIsMeasuredAsWorkedOutByHand) {
   DeformMeasurement measurement(*network_, Moved(2), 1, {.mm = 110, .head_height = 2});
+  measurement.MeasureTemplate();
   measurement.MeasureBaselines(Baselines());
   const reports::MetricTable& table = measurement.table();
   ASSERT_EQ(table.rows.size(), 4u);
@@ -104,7 +105,7 @@ TEST_F(DeformMeasurementTest, FacesAreMeasuredAtTheSamePointsEachTime) {
   std::vector<double> errors;
   for (const uint64_t seed : {1, 2}) {
     DeformMeasurement measurement(*network_, faces, seed);
-    measurement.MeasureBaselines(Baselines());
+    measurement.MeasureTemplate();
     errors.push_back(*reports::ValueOf(measurement.table(), measurement.table().rows[0], "surface_sample_error"));
   }
   EXPECT_EQ(errors[0], errors[1]);
@@ -118,7 +119,7 @@ TEST_F(DeformMeasurementTest, SelfIntersectionsAreCountedOnSixteenFaces) {
   const geometry::Points points = tensor::CopyToMatrix<double>(Template());
   const double clean = double(geometry::SelfIntersections({points, face_.triangles}).size());
   EXPECT_EQ(measurement.true_self_intersections(), clean);
-  measurement.MeasureBaselines(Baselines());
+  measurement.MeasureTemplate();
   EXPECT_EQ(reports::ValueOf(measurement.table(), measurement.table().rows[0], "self_intersections"), clean);
 }
 
