@@ -133,7 +133,8 @@ Verb EditVerb() {
                          "Add the same handles by as-rigid-as-possible deformation, without the model");
         command
             .add_option("--label", arguments->labels,
-                        "Raise a label by deviations: nose_size=1.5. May be repeated. --list-labels prints them")
+                        "Raise a label by deviations: nose_size=1.5. May be repeated. --list-labels prints them. "
+                        "FILE.npy=1.5: along a direction of the model's own codes")
             ->allow_extra_args(false);
         command
             .add_option("--label-method", arguments->label_method,

@@ -12,6 +12,7 @@
 #include "geometry/arap.h"
 #include "systems/deform/edit_points.h"
 #include "systems/deform/labelled_faces.h"
+#include "systems/deform/latent_direction.h"
 
 #include <fmt/ranges.h>
 
@@ -123,14 +124,27 @@ class EditFaces {
     return *labels_;
   }
 
+  Eigen::VectorXd StepOf(const std::string& label) {
+    return deform::IsDirectionFile(label) ? deform::ReadLatentDirection(model_, label).step
+                                          : AllLabels().Of(label).step;
+  }
+
   void AddLabels() {
     std::vector<Eigen::VectorXd> kept;
-    for (const std::string& name : arguments_.keep) kept.push_back(AllLabels().Of(name).step);
+    for (const std::string& name : arguments_.keep) kept.push_back(StepOf(name));
     Eigen::VectorXd step = Eigen::VectorXd::Zero(model_.num_numbers());
     std::string title;
     Json list = Json::array();
     for (const std::string& word : arguments_.labels) {
       const deform::LabelEdit edit = deform::ParseLabel(word);
+      if (deform::IsDirectionFile(edit.name)) {
+        const deform::LatentDirection direction = deform::ReadLatentDirection(model_, edit.name);
+        step += edit.amount * fitting::Keeping(direction.step, kept);
+        const std::string name = fs::path(edit.name).stem().string();
+        title += (title.empty() ? "" : ", ") + name;
+        list.push_back({{"label", name}, {"amount", edit.amount}, {"deviation", direction.deviation}});
+        continue;
+      }
       const fitting::CodeDirection direction = AllLabels().Of(edit.name);
       step += edit.amount * fitting::Keeping(direction.step, kept);
       title += (title.empty() ? "" : ", ") + edit.name;
