@@ -137,8 +137,8 @@ int RunProgram(int argc, char** argv) {
 
   std::function<void()> action;
   for (const Verb& verb :
-       {DatasetVerb(), RegisterVerb(), TrainVerb(), AblateVerb(), EvalVerb(), PredictVerb(), EditVerb(), ScoreVerb(),
-        BenchmarkVerb(), DrawVerb(), RigVerb(), AvatarVerb(), StudioVerb(), ExportVerb(), InfoVerb()}) {
+       {DatasetVerb(), RegisterVerb(), ImportVerb(), TrainVerb(), AblateVerb(), EvalVerb(), PredictVerb(), EditVerb(),
+        ScoreVerb(), BenchmarkVerb(), DrawVerb(), RigVerb(), AvatarVerb(), StudioVerb(), ExportVerb(), InfoVerb()}) {
     CLI::App* command = app.add_subcommand(verb.name, verb.summary);
     command->callback([&action, keep = verb.keeps_freed_memory, run = verb.set_up(*command)] {
       action = [keep, run] {

@@ -21,6 +21,7 @@ struct Verb {
 
 Verb DatasetVerb();
 Verb RegisterVerb();
+Verb ImportVerb();
 Verb TrainVerb();
 Verb AblateVerb();
 Verb EvalVerb();

@@ -30,7 +30,7 @@ TEST(CommandLine, PrintsItsVersion) {
 TEST(CommandLine, HelpNamesEveryVerb) {
   const ProcessResult result = Daumier({"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* verb : {"dataset", "register", "train", "eval", "predict", "draw", "export", "info"})
+  for (const char* verb : {"dataset", "register", "import", "train", "eval", "predict", "draw", "export", "info"})
     EXPECT_THAT(result.out, HasSubstr(verb));
 }
 
@@ -110,7 +110,7 @@ TEST(CommandLine, MisuseExitsWithTwoAndSaysWhatIsWrong) {
   EXPECT_THAT(of_dataset.err, AllOf(HasSubstr("there is no command 'face'"), HasSubstr("did you mean 'faces'?")));
   EXPECT_EQ(Daumier({"dataset", "faces"}).exit_code, 2);  // --out is missing
   EXPECT_THAT(Daumier({"gallery", "x"}).err, HasSubstr("did you mean 'dataset gallery'?"));
-  EXPECT_THAT(Daumier({}).err, HasSubstr("a command is missing (expected dataset, register, train"));
+  EXPECT_THAT(Daumier({}).err, HasSubstr("a command is missing (expected dataset, register, import, train"));
   EXPECT_THAT(Daumier({"dataset"}).err, HasSubstr("a command is missing (expected faces, sketches"));
   EXPECT_THAT(Daumier({"train", "a.toml", "--out", "x", "--epochs", "3"}).err,
               HasSubstr("Options of a config have no dashes: epochs=VALUE"));

@@ -84,6 +84,10 @@ const std::vector<WritingVerb>& WritingVerbs() {
        }},
       {"run",
        [](const fs::path& in) {
+         return Words{"import", in / "head.obj", "--template", in / "head.obj", "--annotation", in / "landmarks.json"};
+       }},
+      {"run",
+       [](const fs::path& in) {
          return Words{"train", SourceRoot() / "configs/sketch/demo.toml", "data.faces=" + (in / "faces").string(),
                       "data.sketches=" + (in / "sketches").string()};
        }},
