@@ -7,7 +7,7 @@
 
 namespace daumier::faces {
 
-/// What a Python pickle holds, as data: nothing of it is executed. A call that the pickle asks for is a value that names
+/// What a Python pickle holds, as data: nothing of it is executed. A call in the pickle is a value that names
 /// the function and holds its arguments.
 struct Pickle {
   enum class Kind {
