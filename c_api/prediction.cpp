@@ -123,7 +123,11 @@ daumier_status daumier_predict_file(const daumier_predictor* predictor, const ch
   return Call([&] {
     Given(face, "face");
     const daumier_predictor& opened = Given(predictor, "predictor");
-    Predict(opened, opened.system.read_inputs(&Given(path, "path")).at(0), face);
+    const std::filesystem::path file = &Given(path, "path");
+    std::error_code ignored;  // Of a pipe without a writer, reading would wait for ever.
+    DAUMIER_CHECK(!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored),
+                  "cannot read {}: not a file", path);
+    Predict(opened, opened.system.read_inputs(file).at(0), face);
   });
 }
 

@@ -147,7 +147,7 @@ class Sha256Hash {
 }  // namespace
 
 std::string ReadFile(const fs::path& path) {
-  const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // A pipe without a writer must not be waited for.
+  const Descriptor file(path, O_RDONLY);
   DAUMIER_CHECK(file.valid(), "cannot read {}: {}", path.string(), Cause(errno));
   std::string bytes;
   bytes.reserve(SizeOfOpenFile(file, path));

@@ -6,7 +6,7 @@
 namespace daumier::studio {
 
 /// The text of a recorded session's file (sketch::SessionToJson), an event a line, which grows with the session: of an event more only that event
-/// is put into words. Writing the whole of it costs a millisecond or two at a thousand events (docs/studio.md), and is one atomic step.
+/// is put into words. The whole of it is written in one atomic step (docs/studio.md has times).
 class SessionText {
  public:
   explicit SessionText(const sketch::SessionScript& script);

@@ -5,8 +5,10 @@
 #include "render/draw.h"
 #include "render/read_drawing.h"
 #include "tests/support/from_threads.h"
+#include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -154,6 +156,10 @@ TEST(CPrediction, FilesAreReadAsThePredictorReadsThem) {
   face = nullptr;
   EXPECT_EQ(daumier_predict_file(SketchPredictor(), "missing.svg", &face), DAUMIER_FAILED);
   EXPECT_NE(std::string(daumier_last_error()).find("missing.svg"), std::string::npos) << daumier_last_error();
+  const testing::TempDir directory;
+  ASSERT_EQ(mkfifo((directory / "pipe.svg").c_str(), 0600), 0);
+  EXPECT_EQ(daumier_predict_file(SketchPredictor(), (directory / "pipe.svg").c_str(), &face), DAUMIER_FAILED);
+  EXPECT_NE(std::string(daumier_last_error()).find("pipe.svg: not a file"), std::string::npos) << daumier_last_error();
   EXPECT_EQ(daumier_predict_file(SketchPredictor(), nullptr, &face), DAUMIER_MISUSED);
   EXPECT_EQ(face, nullptr);
 }

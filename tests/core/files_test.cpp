@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 
 #include <csignal>
 #include <fstream>
@@ -161,12 +160,6 @@ TEST(Files, TemporaryNamesBelongToTheirFile) {
   for (const char* name : {"file.tmp", "file.12-3.tmp"}) EXPECT_TRUE(IsTemporaryNameOf(name, "file")) << name;
   for (const char* name : {"file", "filed.tmp", "other.12-3.tmp", "file.12-3", ".tmp"})
     EXPECT_FALSE(IsTemporaryNameOf(name, "file")) << name;
-}
-
-TEST(Files, APipeIsNoFileAndIsNotWaitedFor) {
-  const TempDir dir;
-  ASSERT_EQ(mkfifo((dir / "pipe").c_str(), 0600), 0);
-  EXPECT_EQ(FailureOfCall([&] { ReadFile(dir / "pipe"); }), "cannot read " + (dir / "pipe").string() + ": not a file");
 }
 
 TEST(Files, FullTmpfsIsReportedAndLeavesTheOldFile) {

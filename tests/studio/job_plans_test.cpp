@@ -45,7 +45,8 @@ TEST_F(JobPlansTest, SaysWhichVerbWritesAMeshOrThatNoneDoes) {
     body["format"] = format;
     return Plan(body);
   };
-  const std::string id = DrawnSession();
+  const std::string id = MeanSession();
+  desk_.Do(id, {{"do", "draw"}, {"points", {{20, 20}, {30, 25}}}});
   EXPECT_EQ(mesh({{"session", id}}, "obj").command,
             "daumier predict --session sessions/" + id + "/session.json --out drawing");
   EXPECT_EQ(mesh({{"session", MeanSession()}}, "obj").command, "") << "nothing is recorded yet";
