@@ -28,7 +28,7 @@ class StudyModes : public ::testing::Test {
 };
 
 TEST_F(StudyModes, OptionsHaveToFitTheMode) {
-  ExpectMisuse({"--collect", In("items"), "--study", In("items"), "--out", In("x")}, "--study excludes --collect");
+  ExpectMisuse({"--collect", In("items"), "--study", In("items"), "--out", In("x")}, "--collect excludes --study");
   ExpectMisuse({"--collect", In("items")}, "--out DIR");
   ExpectMisuse({"--study", In("items")}, "--out votes.csv");
   ExpectMisuse({"--person", "3"}, "belong to --collect or --study");
