@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <utility>
+#include <vector>
 
 using namespace daumier;
 using namespace daumier::c_api;
@@ -41,11 +42,13 @@ daumier_status daumier_rig_neutral(const daumier_rig* rig, const daumier_face* f
       throw UsageError(fmt::format("the face has {} vertices, the rig's topology {}", result.vertices.rows(),
                                    model.face_template.num_vertices()));
     geometry::Points neutral = result.vertices;
-    if (result.expression.size() > 0) {
-      Eigen::VectorXf weights = Eigen::VectorXf::Zero(model.expression_shapes.cols());
-      const Eigen::Index num_weights = std::min(weights.size(), result.expression.size());
-      weights.head(num_weights) = result.expression.head(num_weights);
-      const Eigen::VectorXd offset = (model.expression_shapes * weights).cast<double>();
+    static const Json::json_pointer place("/coefficients/expression");  // As `daumier rig` reads it from a prediction.
+    if (result.record.contains(place)) {
+      const auto stated = result.record.at(place).get<std::vector<float>>();
+      const auto num_stated = std::min<Eigen::Index>(model.expression_shapes.cols(), std::ssize(stated));
+      const Eigen::VectorXd offset =
+          (model.expression_shapes.leftCols(num_stated) * Eigen::Map<const Eigen::VectorXf>(stated.data(), num_stated))
+              .cast<double>();
       neutral -= Eigen::Map<const geometry::Points>(offset.data(), neutral.rows(), 3);
     }
     WritePoints(neutral, xyz, size, "xyz");

@@ -97,10 +97,12 @@ int WriteAndFlush(const Descriptor& file, std::string_view bytes) {
   return fsync(file.get()) == 0 ? 0 : errno;
 }
 
-/// A name that no other writer uses: IsTemporaryNameOf holds of it.
+/// A name that no other writer uses. IsTemporaryNameOf holds of it unless the file's own name leaves no room for more.
 fs::path UnusedTemporaryName(const fs::path& path) {
+  constexpr size_t kMostKept = 220;  // Bytes, of the 255 that a name may have.
   static std::atomic<unsigned> count = 0;
-  return fmt::format("{}.{}-{}.tmp", path.string(), getpid(), ++count);
+  const std::string name = path.filename().string().substr(0, kMostKept);
+  return FolderOf(path) / fmt::format("{}.{}-{}.tmp", name, getpid(), ++count);
 }
 
 /// Puts the bytes under a new name next to `path`, which is returned in `temporary`. Returns 0 or the errno of what failed.

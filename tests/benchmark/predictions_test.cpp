@@ -79,15 +79,15 @@ TEST_F(KitPredictions, MayHaveMoreBehindTheVerticesOfTheKit) {
 
 TEST_F(KitPredictions, OfAnotherTopologyNameTheirLandmarks) {
   std::string lines;
-  for (int i = 0; i < 68; ++i) lines += fmt::format("{}\n", i == 3 ? -1 : i % 3);
+  for (int i = 0; i < 68; ++i) lines += fmt::format("{}\n", i == 3 ? -1 : i % 4);
   WriteFileAtomically(folder_ / "landmarks.txt", lines);
   const FaceReaderOfFolder reader(folder_.path(), kit_);
   EXPECT_EQ(reader.landmarks()[3], -1);
-  EXPECT_EQ(reader.landmarks()[4], 1);
-  WriteFileAtomically(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(reader.landmarks()[5], 1);
+  WriteFileAtomically(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
   EXPECT_FALSE(reader.Read(folder_ / "b.obj").has_kit_topology);
-  WriteFileAtomically(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n");
-  ExpectError([&] { reader.Read(folder_ / "b.obj"); }, "names vertex 2");
+  WriteFileAtomically(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ExpectError([&] { reader.Read(folder_ / "b.obj"); }, "names vertex 3");
   WriteFileAtomically(folder_ / "landmarks.txt", "1\n2\n");
   ExpectError([&] { FaceReaderOfFolder(folder_.path(), kit_); }, "landmarks.txt");
 }

@@ -91,8 +91,9 @@ TEST(CRig, PortraitsLoseTheirExpressionAndDrawingsHaveNone) {
       const Json record = Json::parse(daumier_face_record(face));
       const auto stated = record.at("coefficients").at("expression").get<std::vector<float>>();
       const faces::FaceModel model = faces::ReadFaceModelWeights(FolderNamed("face-ict"));
-      const Eigen::VectorXf removed = model.expression_shapes.leftCols(Eigen::Index(stated.size())) *
-                                      Eigen::Map<const Eigen::VectorXf>(stated.data(), Eigen::Index(stated.size()));
+      const auto num = std::min<Eigen::Index>(std::ssize(stated), model.expression_shapes.cols());
+      const Eigen::VectorXf removed =
+          model.expression_shapes.leftCols(num) * Eigen::Map<const Eigen::VectorXf>(stated.data(), num);
       for (size_t i = 0; i < size; ++i) ASSERT_NEAR(shown[i] - neutral[i], removed[Eigen::Index(i)], 1e-4) << i;
     }
     daumier_face_free(face);
