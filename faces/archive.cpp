@@ -92,6 +92,9 @@ void ForEachFile(const std::filesystem::path& folder_or_archive,
       check(got);
       content.resize(begin + static_cast<size_t>(std::max<la_ssize_t>(got, 0)));
     }
+    DAUMIER_CHECK(static_cast<int64_t>(content.size()) <= size,
+                  "{}: the size of {} is not known: the archive is truncated, get it again", folder_or_archive.string(),
+                  path);
     DAUMIER_CHECK(static_cast<int64_t>(content.size()) == size, "{}: {} is truncated, {} of {} bytes",
                   folder_or_archive.string(), path, content.size(), size);
     use(path, content);
