@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { load } from './package.mjs';
 
-const { drawingOfPicture, greyOf, shrunk } = await load('picture');
+const { checkPicture, drawingOfPicture, greyOf, readPicture, shrunk } = await load('picture');
 const { colourPlanes, cropOfLandmarks, cropOfWhole, cropped } = await load('portrait_crop');
 const { resizedByArea } = await load('resize');
 const { thin } = await load('thinning');
@@ -40,6 +40,30 @@ test('a line on a transparent canvas is one stroke along it', () => {
 test('an empty canvas and data of another size are refused', () => {
   assert.throws(() => drawingOfPicture(pictureOf(['...', '...'])), /picture: it has no lines\. Draw dark lines/);
   assert.throws(() => drawingOfPicture({ width: 2, height: 2, data: new Uint8Array(3) }), /3 numbers are no RGBA of 2 x 2 pixels \(expected 16\)/);
+});
+/** A ring, by a function from its coverage to RGBA. */
+function ringPicture(colourOf, side = 120) {
+  const data = new Uint8ClampedArray(4 * side * side);
+  for (let i = 0; i < side * side; ++i) data.set(colourOf(Math.abs(Math.hypot((i % side) - 60, Math.floor(i / side) - 60) - 40) < 2), 4 * i);
+  return { width: side, height: side, data };
+}
+test('white lines on black, or on a transparent canvas, are read as black ones on white, with a warning', () => {
+  const black = readPicture(ringPicture((on) => (on ? [0, 0, 0, 255] : [255, 255, 255, 255])));
+  assert.deepEqual(black.warnings, []);
+  for (const colourOf of [(on) => (on ? [255, 255, 255, 255] : [0, 0, 0, 255]), (on) => (on ? [255, 255, 255, 255] : [0, 0, 0, 0])]) {
+    const { drawing, warnings } = readPicture(ringPicture(colourOf));
+    assert.deepEqual(drawing, black.drawing);
+    assert.deepEqual(warnings, ['the picture shows light lines on dark: it is read inverted']);
+  }
+  assert.deepEqual(readPicture(ringPicture((on) => [0, 0, 0, on ? 255 : 0])), black);
+});
+test('a picture that is none is refused with what was found and the repair', () => {
+  const refused = (picture, message) => assert.throws(() => checkPicture(picture), (error) => error.name === 'DaumierError' && message.test(error.message));
+  refused(undefined, /picture: it is undefined \(expected \{width, height, data\}\)\. Give context\.getImageData/);
+  refused({ width: 2, height: 2, data: undefined }, /its data are undefined \(expected a Uint8ClampedArray of RGBA\)/);
+  refused({ width: 2, height: 2, data: new Float32Array(16) }, /its data are a Float32Array/);
+  refused({ width: 1.5, height: 2, data: new Uint8ClampedArray(12) }, /its size is 1\.5 x 2 \(expected whole numbers of pixels\)/);
+  refused({ getContext() {} }, /expected its pixels\)\. Give context\.getImageData\(0, 0, canvas\.width, canvas\.height\) of context = canvas/);
 });
 test('half transparent black is grey over paper', () => {
   assert.ok(Math.abs(greyOf({ width: 1, height: 1, data: Uint8Array.of(0, 0, 0, 51) })[0] - 204) < 1e-4);

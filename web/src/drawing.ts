@@ -1,3 +1,4 @@
+import { described, isObject } from "./arguments.js";
 import { check } from "./error.js";
 
 /** x to the right, y down. */
@@ -17,14 +18,29 @@ export const kSketchCanvas = 256;
 
 const kArgument = "drawing";
 
+const kPoints = "Give each line as [[x, y], [x, y], ...]; of points {x, y}: line.map(({x, y}) => [x, y])";
+
+function checkedPoint(point: unknown, stroke: number): Point {
+  const isPair = (Array.isArray(point) || ArrayBuffer.isView(point)) && (point as unknown as ArrayLike<unknown>).length >= 2;
+  check(isPair, kArgument, `a point of stroke ${stroke} is ${described(point)} (expected [x, y])`, kPoints);
+  const [x, y] = point as unknown as readonly unknown[], text = (value: unknown): string => (typeof value === "string" ? `'${value}'` : String(value));
+  check(typeof x === "number" && typeof y === "number" && Number.isFinite(Math.fround(x)) && Number.isFinite(Math.fround(y)), kArgument,
+    `a point of stroke ${stroke} is (${text(x)}, ${text(y)})`, "Give finite pixels of the sheet");
+  return [Math.fround(x), Math.fround(y)];
+}
+
 /** The strokes in single precision, as the C++ runtime holds them. @throws DaumierError if it is empty or not finite. */
 export function checkedStrokes(drawing: Drawing): Stroke[] {
+  const given: unknown = drawing;
+  check(isObject(given) && Array.isArray(given["strokes"]), kArgument,
+    isObject(given) && "strokes" in given ? `its strokes are ${described(given["strokes"])} (expected an array of lines)` : `it is ${described(given)} (expected {width, height, strokes})`,
+    "Give {width, height, strokes: [[[x, y], ...], ...]}, or the pixels of a picture: context.getImageData(0, 0, canvas.width, canvas.height)");
   const { width, height } = drawing;
-  check(width > 0 && height > 0 && Number.isFinite(width * height), kArgument, `the sheet has ${width} x ${height} pixels`, "Give the size of the canvas");
-  const strokes = drawing.strokes.map((stroke) => stroke.map(([x, y]): Point => [Math.fround(x), Math.fround(y)]));
-  for (const [s, stroke] of strokes.entries())
-    for (const [x, y] of stroke)
-      check(Number.isFinite(x) && Number.isFinite(y), kArgument, `a point of stroke ${s} is (${x}, ${y})`, "Give finite pixels of the sheet");
+  check(typeof width === "number" && typeof height === "number" && width > 0 && height > 0 && Number.isFinite(width * height), kArgument, `the sheet has ${width} x ${height} pixels`, "Give the size of the canvas");
+  const strokes = drawing.strokes.map((stroke: unknown, s) => {
+    check(Array.isArray(stroke), kArgument, `stroke ${s} is ${described(stroke)} (expected an array of points)`, kPoints);
+    return stroke.map((point) => checkedPoint(point, s));
+  });
   check(strokes.some((stroke) => stroke.length > 0), kArgument, "it has no strokes", "Draw a face first");
   return strokes;
 }
@@ -125,4 +141,20 @@ export function boxOfStrokes(strokes: readonly Stroke[]): Box {
   const box = new Box();
   for (const stroke of strokes) for (const point of stroke) box.extend(point);
   return box;
+}
+
+const kFrame = "Give the `frame` of an earlier prediction of this sheet: preview(drawing, (await model.predict(drawing)).frame)";
+/** How long the sheet, or the lines, may be on a canvas of 256 that shows a face of them. */
+const kShortestOnCanvas = 16, kLongestOnCanvas = 1e7;
+
+/** @throws DaumierError unless it is a placement that may show a face of these strokes. */
+export function checkFrame(frame: unknown, { width, height }: Drawing, strokes: readonly Stroke[]): void {
+  const { scale, shift, turnDegrees } = (isObject(frame) ? frame : {}) as Partial<Placement>;
+  const isPlacement = typeof scale === "number" && Array.isArray(shift) && shift.length === 2 && typeof turnDegrees === "number";
+  check(isPlacement, "frame", `it is ${described(frame)} (expected {scale, shift: [x, y], turnDegrees})`, kFrame);
+  const isFinite = Number.isFinite(scale) && scale > 0 && shift.every(Number.isFinite) && Number.isFinite(turnDegrees);
+  check(isFinite, "frame", `it has the scale ${scale}, the shift (${shift.join(", ")}) and the turn ${turnDegrees} (expected finite numbers, the scale above 0)`, kFrame);
+  const side = scale * Math.max(width, height, boxOfStrokes(strokes).longerSide);
+  check(side >= kShortestOnCanvas && side <= kLongestOnCanvas, "frame",
+    `its scale ${scale} makes the sheet ${side.toPrecision(2)} pixels long on a canvas of ${kSketchCanvas}, which shows no face`, kFrame);
 }

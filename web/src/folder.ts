@@ -1,3 +1,4 @@
+import { described, isObject } from "./arguments.js";
 import { check, DaumierError, textOf } from "./error.js";
 
 /** A folder that Daumier wrote, where the browser can read it. */
@@ -47,7 +48,11 @@ class ServedFolder implements Folder {
 }
 
 export function folderAt(place: Place): Folder {
-  if (typeof place !== "string" && !(place instanceof URL)) return place;
+  if (typeof place !== "string" && !(place instanceof URL)) {
+    const isFolder = isObject(place) && typeof place["read"] === "function" && typeof place["neighbour"] === "function";
+    check(isFolder, "place", `it is ${described(place)} (expected the address of a folder, or {name, read(file), neighbour(name)})`, "Give an address such as /weights/sketch-ict");
+    return place;
+  }
   const base = typeof document === "undefined" ? (globalThis as { location?: { href: string } }).location?.href : document.baseURI;
   try {
     return new ServedFolder(new URL(place, base));

@@ -1,5 +1,7 @@
+import { described, isObject, refuseWithoutPixels, tagOf } from "./arguments.js";
 import type { Drawing, Point } from "./drawing.js";
 import { check } from "./error.js";
+import { isLightOnDark, paperUnder } from "./light_lines.js";
 import { thin } from "./thinning.js";
 
 /** Pixels of RGBA, 8 bits each, row 0 on top, alpha not premultiplied: an ImageData is one. */
@@ -9,21 +11,31 @@ export interface Picture {
   readonly data: Uint8ClampedArray | Uint8Array;
 }
 
+const kInverted = "the picture shows light lines on dark: it is read inverted";
 const kLongerSide = 512, kLeastContrast = 32, kLeastPixels = 3;
 
-/** @throws DaumierError unless data has 4 numbers a pixel. */
-export function checkPicture({ width, height, data }: Picture): void {
+const kPixels = "Give context.getImageData(0, 0, canvas.width, canvas.height)";
+
+/** @throws DaumierError unless it has a size in whole pixels, and 4 bytes a pixel. */
+export function checkPicture(picture: Picture): void {
+  refuseWithoutPixels(picture, "picture");
+  const given: unknown = picture;
+  check(isObject(given) && "data" in given, "picture", `it is ${described(given)} (expected {width, height, data})`, kPixels);
+  const { width, height, data } = picture;
+  check(/^Uint8(Clamped)?Array$/.test(tagOf(data)), "picture", `its data are ${described(data)} (expected a Uint8ClampedArray of RGBA)`, kPixels);
+  check(Number.isInteger(width) && Number.isInteger(height), "picture", `its size is ${width} x ${height} (expected whole numbers of pixels)`,
+    "Give the size that its data have, as an ImageData does");
   check(width > 0 && height > 0 && data.length === 4 * width * height, "picture",
     `${data.length} numbers are no RGBA of ${width} x ${height} pixels (expected ${4 * width * height})`,
-    "Give context.getImageData(0, 0, canvas.width, canvas.height)");
+    kPixels);
 }
 
-/** Grey over white paper, 0 .. 255. */
-export function greyOf({ width, height, data }: Picture): Float32Array {
+/** Grey over paper (white), 0 .. 255. */
+export function greyOf({ width, height, data }: Picture, paper = 255): Float32Array {
   const grey = new Float32Array(width * height);
   for (let i = 0; i < grey.length; ++i) {
     const alpha = data[4 * i + 3]! / 255, luma = 0.299 * data[4 * i]! + 0.587 * data[4 * i + 1]! + 0.114 * data[4 * i + 2]!;
-    grey[i] = 255 + alpha * (luma - 255);
+    grey[i] = paper + alpha * (luma - paper);
   }
   return grey;
 }
@@ -92,25 +104,31 @@ function smoothed(line: Point[]): Point[] {
 }
 
 /**
- * The strokes of a clean picture of a drawing, dark lines on light paper or on a transparent canvas: ink below the middle of the darkest and
- * the lightest grey, thinned, followed. The C++ runtime does more with scans and photographs (paper, shading, ruling).
+ * The strokes of a clean picture of a drawing, dark lines on light paper, light ones on dark, or either on a transparent canvas: ink below the
+ * middle of the darkest and the lightest grey, thinned, followed. The C++ runtime does more with scans and photographs (paper, shading, ruling).
  * @throws DaumierError if the picture has another size than its data, or no lines.
  */
 export function drawingOfPicture(picture: Picture): Drawing {
+  return readPicture(picture).drawing;
+}
+
+/** drawingOfPicture, and what a person should hear of it. */
+export function readPicture(picture: Picture): { drawing: Drawing; warnings: string[] } {
   checkPicture(picture);
   const scale = Math.min(1, kLongerSide / Math.max(picture.width, picture.height));
   const width = Math.max(1, Math.round(scale * picture.width)), height = Math.max(1, Math.round(scale * picture.height));
-  const grey = scale < 1 ? shrunk(greyOf(picture), picture.width, picture.height, width, height) : greyOf(picture);
+  const full = greyOf(picture, paperUnder(picture)), grey = scale < 1 ? shrunk(full, picture.width, picture.height, width, height) : full;
   let darkest = 255, lightest = 0;
   for (const value of grey) {
     darkest = Math.min(darkest, value);
     lightest = Math.max(lightest, value);
   }
   check(lightest - darkest >= kLeastContrast, "picture", "it has no lines", "Draw dark lines on light paper");
-  const threshold = (darkest + lightest) / 2;
-  const skeleton = thin(Uint8Array.from(grey, (value) => (value < threshold ? 1 : 0)), width, height);
+  const threshold = (darkest + lightest) / 2, isLight = isLightOnDark(grey, width, height);
+  const skeleton = thin(Uint8Array.from(grey, (value) => ((isLight ? value > threshold : value < threshold) ? 1 : 0)), width, height);
   const lines = traced(skeleton, width, height).filter((line) => line.length === 1 || line.length >= kLeastPixels);
   check(lines.length > 0, "picture", "it has no lines", "Draw dark lines on light paper");
   const sx = picture.width / width, sy = picture.height / height;
-  return { width: picture.width, height: picture.height, strokes: lines.map((line) => smoothed(line).map(([x, y]): Point => [sx * x, sy * y])) };
+  const strokes = lines.map((line) => smoothed(line).map(([x, y]): Point => [sx * x, sy * y]));
+  return { drawing: { width: picture.width, height: picture.height, strokes }, warnings: isLight ? [kInverted] : [] };
 }

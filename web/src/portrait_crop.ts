@@ -1,3 +1,4 @@
+import { described, isObject } from "./arguments.js";
 import { check } from "./error.js";
 import { checkPicture, type Picture } from "./picture.js";
 import { resizedByArea } from "./resize.js";
@@ -16,6 +17,8 @@ export interface PictureMap {
 
 /** The box of 68 landmarks (x0 y0 x1 y1 ...) with the longer side `size` of the crop's. @throws DaumierError if they are no box. */
 export function cropOfLandmarks(landmarks: ArrayLike<number>, size: number): PictureMap {
+  const given: unknown = landmarks;
+  check(isObject(given) && typeof given["length"] === "number", "landmarks", `they are ${described(given)} (expected 136 numbers: x0 y0 x1 y1 ...)`, "Give 68 landmarks in iBUG order, or leave them out");
   check(landmarks.length === 136 && Array.from(landmarks).every(Number.isFinite), "landmarks", `${landmarks.length} numbers are no landmarks (expected 136 finite ones: x0 y0 x1 y1 ...)`,
     "Give 68 landmarks in iBUG order, in pixels of the picture");
   let minX = Infinity, minY = Infinity, maxX = -Infinity, maxY = -Infinity;

@@ -1,8 +1,10 @@
+import { checkOpening } from "./arguments.js";
+import { Calls } from "./calls.js";
 import { check } from "./error.js";
 import { type FaceTemplate, readFaceTemplate } from "./face_template.js";
 import { type Folder, folderAt, type Place } from "./folder.js";
 import { type Manifest, Network, type OrtModule, outputOf, readManifest, type SessionOptions } from "./network.js";
-import type { Picture } from "./picture.js";
+import { checkPicture, type Picture } from "./picture.js";
 import { colourPlanes, cropOfLandmarks, cropOfWhole, cropped, type PictureMap } from "./portrait_crop.js";
 import { Safetensors } from "./safetensors.js";
 import { readScaledShapes } from "./scaled_shapes.js";
@@ -49,10 +51,11 @@ async function readShippedModel(folder: Folder, faceModel: Folder, template: Fac
 /** From portraits to faces of a 3DMM: the coarse face of `daumier predict`. */
 export class PortraitModel {
   private constructor(private readonly network: Network, readonly template: FaceTemplate, private readonly model: MorphableModel, private readonly side: number,
-    private readonly pictures: { crop: string; size: number }) {}
+    private readonly pictures: { crop: string; size: number }, private readonly calls: Calls) {}
 
   /** place: shipped weights next to their face model, or the export of a run. @throws DaumierError naming file, cause and repair. */
   static async open(ort: OrtModule, place: Place, session?: SessionOptions): Promise<PortraitModel> {
+    checkOpening(ort, place);
     const folder = folderAt(place), manifest: Manifest = await readManifest(folder, "portrait"), isExport = manifest.kind === "export";
     const { face_model: name } = manifest.details as { face_model?: string };
     const { pictures } = (isExport ? manifest.config : manifest.details) as { pictures?: { crop?: string; size?: number } };
@@ -65,14 +68,19 @@ export class PortraitModel {
     network.requireNames(["crop"], ["coefficients"]);
     const [, , side] = network.inputShape("crop");
     check(side !== undefined && side <= 224, network.file, `it reads crops of ${side} pixels (expected at most 224)`, "Export the run again");
-    return new PortraitModel(network, template, model, side, crop);
+    return new PortraitModel(network, template, model, side, crop, new Calls(folder.name));
   }
 
   /**
    * landmarks: 68 of iBUG order in pixels of the picture, x0 y0 x1 y1 ...; without them the whole picture counts as the face.
    * @throws DaumierError if the picture or the landmarks are malformed.
    */
-  async predict(picture: Picture, landmarks?: ArrayLike<number>): Promise<PortraitFace> {
+  predict(picture: Picture, landmarks?: ArrayLike<number>): Promise<PortraitFace> {
+    return this.calls.run(() => this.predictNow(picture, landmarks));
+  }
+
+  private async predictNow(picture: Picture, landmarks?: ArrayLike<number>): Promise<PortraitFace> {
+    checkPicture(picture);
     const map = landmarks === undefined || this.pictures.crop === "none" ? cropOfWhole(picture) : cropOfLandmarks(landmarks, this.pictures.size);
     const { side } = this, planes = colourPlanes(cropped(picture, map), side);
     const { data, shape } = outputOf(await this.network.run({ crop: { data: planes, shape: [1, 3, side, side] } }), "coefficients", this.network);
@@ -94,8 +102,9 @@ export class PortraitModel {
     return Float32Array.from(sum);
   }
 
+  /** Frees the memory of the network, after the calls that run. */
   release(): Promise<void> {
-    return this.network.release();
+    return this.calls.release(() => this.network.release());
   }
 }
 

@@ -1,5 +1,7 @@
+import { checkOpening, described, isObject, refuseWithoutPixels } from "./arguments.js";
+import { Calls } from "./calls.js";
 import { type Camera, checkedCamera, project } from "./camera.js";
-import { checkedStrokes, composed, type Drawing, inverse, mapToCanvas, type Placement, type Stroke, sheetPlacement, toCanvas } from "./drawing.js";
+import { checkedStrokes, checkFrame, composed, type Drawing, inverse, mapToCanvas, type Placement, type Stroke, sheetPlacement, toCanvas } from "./drawing.js";
 import { DrawingParser } from "./drawing_parser.js";
 import { check } from "./error.js";
 import { findFaceFrame } from "./face_frame.js";
@@ -10,7 +12,7 @@ import { type Folder, folderAt, type Place } from "./folder.js";
 import { withoutFarMarks } from "./framing.js";
 import { type FloatArray, type Manifest, Network, type OrtModule, outputOf, readManifest, readNumbers, type SessionOptions } from "./network.js";
 import { linesOfFace, parseWarnings, type ParsedDrawing, refuseProfile } from "./parsed_drawing.js";
-import { drawingOfPicture, type Picture } from "./picture.js";
+import { type Picture, readPicture } from "./picture.js";
 import { inkOf, sampleRows } from "./raster.js";
 import type { Safetensors } from "./safetensors.js";
 import { sparseStrokes } from "./sparse_strokes.js";
@@ -37,6 +39,12 @@ export interface SketchFace {
   /** With framing by a parser. */
   readonly parsed?: ParsedDrawing;
   readonly warnings: readonly string[];
+}
+
+/** What the network gives. */
+export interface NetworkFace {
+  vertices: Float32Array;
+  coefficients: Record<string, Float32Array>;
 }
 
 /** What framing by a parser needs in addition. */
@@ -69,15 +77,26 @@ async function openFraming(ort: OrtModule, folder: Folder, manifest: Manifest, t
   return { parser, points: findFacePoints(template), projected: project(camera, mean) };
 }
 
+/** A drawing as given, or the lines of a picture. @throws DaumierError if it is neither. */
+function readInput(input: unknown): { drawing: Drawing; warnings: string[] } {
+  refuseWithoutPixels(input, "drawing");
+  if (isObject(input) && "data" in input) return readPicture(input as unknown as Picture);
+  return { drawing: input as Drawing, warnings: [] };
+}
+
 /** From drawings to faces, by a network that reads sketches or points. */
 export class SketchModel {
-  private constructor(private readonly network: Network, readonly template: FaceTemplate, private readonly framing: Framing | undefined) {}
+  private constructor(private readonly network: Network, readonly template: FaceTemplate, private readonly framing: Framing | undefined, private readonly calls: Calls) {}
 
   /**
    * place: shipped weights, next to their face model and `parser`, or the export of a run.
    * @throws DaumierError naming file, cause and repair.
    */
   static async open(ort: OrtModule, place: Place, options: SketchOptions = {}): Promise<SketchModel> {
+    checkOpening(ort, place);
+    const given: unknown = options;
+    check(isObject(given) && [undefined, "parser", "canvas"].includes(options.framing), "options", isObject(given) ? `framing is ${described(options.framing)}` : `they are ${described(given)}`,
+      'Give {framing: "parser"} (the default) or {framing: "canvas"}');
     const folder = folderAt(place), manifest = await readManifest(folder, "sketch"), file = `${folder.name}/manifest.json`;
     const model = manifest.details["face_model"];
     check(manifest.kind === "export" || typeof model === "string", file, "details.face_model is missing", "Copy the weights again");
@@ -87,36 +106,47 @@ export class SketchModel {
     const network = await Network.open(ort, folder, manifest, options.session, numbers);
     const readable = network.inputNames.filter((name) => name === "sketch" || name === "points");
     network.requireNames(readable.length > 0 ? readable : ["sketch"], ["u", "v", "vertices"]);
-    return new SketchModel(network, template, framing);
+    return new SketchModel(network, template, framing, new Calls(folder.name));
   }
 
   /** The face of a drawing, or of a picture of one. @throws DaumierError if it is empty or shows a profile. */
-  async predict(input: Drawing | Picture): Promise<SketchFace> {
-    const drawing = "data" in input ? drawingOfPicture(input) : input;
-    const strokes = checkedStrokes(drawing);
+  predict(input: Drawing | Picture): Promise<SketchFace> {
+    return this.calls.run(() => this.predictNow(input));
+  }
+
+  private async predictNow(input: Drawing | Picture): Promise<SketchFace> {
+    const { drawing, warnings } = readInput(input), strokes = checkedStrokes(drawing);
     if (this.framing === undefined) {
       const frame = sheetPlacement(drawing);
-      return { ...(await this.faceOf(mapToCanvas(sparseStrokes(strokes, frame.scale), frame))), frame, warnings: [] };
+      return { ...(await this.faceOnCanvas(mapToCanvas(sparseStrokes(strokes, frame.scale), frame))), frame, warnings };
     }
     const largest = largestFace(strokes), near = withoutFarMarks(largest.strokes);
     const { parser, points, projected } = this.framing, parsed = await parser.parse(sparseStrokes(near.strokes, near.scale));
     refuseProfile(parsed);
     const onCanvas = parsed.points.map((point) => toCanvas(parsed.frame, point));
     const frame = composed(inverse(findFaceFrame(points, projected, onCanvas, parsed.confidences)), parsed.frame);
-    const face = await this.faceOf(mapToCanvas(linesOfFace(parsed), frame));
-    const warnings = parseWarnings(parsed);
+    const face = await this.faceOnCanvas(mapToCanvas(linesOfFace(parsed), frame));
+    warnings.push(...parseWarnings(parsed));
     if (largest.numFaces > 1) warnings.push(`the sheet holds ${largest.numFaces} faces, of which the largest is predicted`);
     if (largest.numLeftOut > 0) warnings.push(`${largest.numLeftOut} strokes apart from the face are left out`);
     return { ...face, frame, parsed, warnings };
   }
 
   /** While a line is drawn: the network alone, in the frame of an earlier prediction; all lines count as the face's. */
-  async preview(drawing: Drawing, frame: Placement): Promise<SketchFace> {
-    return { ...(await this.faceOf(mapToCanvas(checkedStrokes(drawing), frame))), frame, warnings: [] };
+  preview(drawing: Drawing, frame: Placement): Promise<SketchFace> {
+    return this.calls.run(async () => {
+      const strokes = checkedStrokes(drawing);
+      checkFrame(frame, drawing, strokes);
+      return { ...(await this.faceOnCanvas(mapToCanvas(strokes, frame))), frame, warnings: [] };
+    });
   }
 
   /** The network alone, of strokes on the canvas. */
-  async faceOf(strokes: readonly Stroke[]): Promise<{ vertices: Float32Array; coefficients: Record<string, Float32Array> }> {
+  faceOf(strokes: readonly Stroke[]): Promise<NetworkFace> {
+    return this.calls.run(() => this.faceOnCanvas(strokes));
+  }
+
+  private async faceOnCanvas(strokes: readonly Stroke[]): Promise<NetworkFace> {
     const inputs: Record<string, FloatArray> = {};
     if (this.network.inputNames.includes("sketch")) {
       const [, , side] = this.network.inputShape("sketch");
@@ -128,11 +158,15 @@ export class SketchModel {
       check(count !== undefined, this.network.file, "the number of its points is not fixed", "Export the run again");
       inputs["points"] = { data: sampleRows(strokes, count), shape: [1, 4, count] };
     }
-    return this.faceOfInputs(inputs);
+    return this.runNetwork(inputs);
   }
 
   /** The network alone. @throws DaumierError if an input has another size than the network's. */
-  async faceOfInputs(inputs: Readonly<Record<string, FloatArray>>): Promise<{ vertices: Float32Array; coefficients: Record<string, Float32Array> }> {
+  faceOfInputs(inputs: Readonly<Record<string, FloatArray>>): Promise<NetworkFace> {
+    return this.calls.run(() => this.runNetwork(inputs));
+  }
+
+  private async runNetwork(inputs: Readonly<Record<string, FloatArray>>): Promise<NetworkFace> {
     for (const [name, { shape }] of Object.entries(inputs)) {
       const expected = this.network.inputShape(name).map((side) => side ?? 1);
       check(shape.join() === expected.join(), name, `it is ${shape.join(" x ")} (expected ${expected.join(" x ")})`, "Give the size that the network reads");
@@ -145,10 +179,12 @@ export class SketchModel {
     return { vertices, coefficients };
   }
 
-  /** Frees the memory of the networks. */
-  async release(): Promise<void> {
-    await this.network.release();
-    await this.framing?.parser.release();
+  /** Frees the memory of the networks, after the calls that run. */
+  release(): Promise<void> {
+    return this.calls.release(async () => {
+      await this.network.release();
+      await this.framing?.parser.release();
+    });
   }
 }
 
