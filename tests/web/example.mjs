@@ -4,10 +4,28 @@ import { exampleMounts } from '../../web/example/mounts.mjs';
 import { serve } from '../../web/example/server.mjs';
 import { launchBrowser, newPage } from '../studio/page/browser.mjs';
 import { drawnFace } from './drawings.mjs';
+import { readmePage } from './readme_page.mjs';
+
+/** The page of web/README.md: a tap as first line, then a line. */
+async function useReadmePage(page, origin) {
+  await page.goto(`${origin}/readme`);
+  const status = page.locator('p');
+  await page.locator('p', { hasText: 'Draw a face' }).waitFor();
+  const { x, y } = await page.locator('canvas').boundingBox();
+  await page.mouse.click(x + 50, y + 50);
+  await page.waitForFunction(() => !document.querySelector('p').textContent.startsWith('Draw a face'));
+  const said = await status.textContent(), failures = said.startsWith('drawing: it has no') ? [] : [`the page of the README says '${said}' of a tap`];
+  await page.mouse.move(x + 100, y + 100);
+  await page.mouse.down();
+  await page.mouse.move(x + 200, y + 250);
+  await page.mouse.up();
+  await page.locator('p', { hasText: /A face of|hardly a face/ }).waitFor();
+  return failures;
+}
 
 /** Sentences of what is not well. shot: a file for a picture of the page. */
 export async function useExample(packageFolder, shot) {
-  const failures = [], { origin, close } = await serve(exampleMounts(packageFolder)), browser = await launchBrowser();
+  const failures = [], { origin, close } = await serve({ ...exampleMounts(packageFolder), '/readme': readmePage }), browser = await launchBrowser();
   try {
     const page = await newPage(browser);
     page.setDefaultTimeout(60000);
@@ -26,6 +44,7 @@ export async function useExample(packageFolder, shot) {
     await page.locator('#status', { hasText: /face of your lines|hardly a face/ }).waitFor();
     await page.waitForTimeout(500);
     if ((await view.screenshot()).equals(before)) failures.push('the example shows the same face after a drawing');
+    failures.push(...(await useReadmePage(page, origin)));
     if (shot !== undefined) await page.screenshot({ path: shot });
   } finally {
     await browser.close();

@@ -1,4 +1,4 @@
-// The models' own methods, by a session that stands in for ONNX Runtime: arguments, release, warnings.
+// The models' own methods, by a session in the place of ONNX Runtime's: arguments, release, warnings.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

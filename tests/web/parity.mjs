@@ -170,10 +170,18 @@ async function checkErrors({ page, failures }) {
       [await messageOf(() => daumier.openSketchModel(ort, '/weights/face-ict')), "expected 'sketch'"],
       [await messageOf(() => daumier.openSketchModel(ort, '/runs/sketch_export')), 'framing: "canvas"'],
       [await messageOf(() => daumier.openSketchModel(ort, 'http://127.0.0.1:9/')), 'could not be fetched'],
+      [await messageOf(() => daumier.openSketchModel('/weights/sketch-ict', ort)), 'they are swapped'],
+      [await messageOf(() => model.predict(document.createElement('canvas'))), 'it is a HTMLCanvasElement (expected its pixels). Give context.getImageData'],
+      [await messageOf(() => model.predict(new Image())), 'it is a HTMLImageElement'],
       [await messageOf(() => model.predict(picture)), 'no lines'],
       [await messageOf(() => model.predict({ width: 3, height: 3, data: new Uint8Array(7) })), 'expected 36'],
       [await messageOf(() => model.predict({ width: 3, height: 3, strokes: [] })), 'no strokes'],
       [await messageOf(() => model.predict({ width: 3, height: 3, strokes: [[[NaN, 1]]] })), 'stroke 0'],
+      [await messageOf(async () => {
+        const running = inkModel.predict({ width: 9, height: 9, strokes: [[[1, 2], [5, 6]]] });
+        await Promise.all([running, inkModel.release(), inkModel.release()]);
+        return inkModel.predict({ width: 9, height: 9, strokes: [[[1, 2], [5, 6]]] });
+      }), 'sketch-ict: the model was released. Open it again'],
       [await messageOf(() => canvasModel.faceOfInputs({ sketch: { data: new Float32Array(4), shape: [1, 1, 2, 2] } })), 'expected 1 x 1 x 128 x 128'],
     ];
   });

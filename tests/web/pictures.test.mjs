@@ -1,11 +1,14 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { drawnFace, scribbledFace, titledFace, twoFaces } from './drawings.mjs';
 import { load } from './package.mjs';
 
 const { checkPicture, drawingOfPicture, greyOf, readPicture, shrunk } = await load('picture');
 const { colourPlanes, cropOfLandmarks, cropOfWhole, cropped } = await load('portrait_crop');
 const { resizedByArea } = await load('resize');
 const { thin } = await load('thinning');
+const { mapToCanvas, sheetPlacement } = await load('drawing');
+const { rasteriseStrokes } = await load('raster');
 
 /** RGBA of rows of text: '#' ink, '.' paper, ' ' transparent. */
 function pictureOf(rows) {
@@ -56,6 +59,15 @@ test('white lines on black, or on a transparent canvas, are read as black ones o
     assert.deepEqual(warnings, ['the picture shows light lines on dark: it is read inverted']);
   }
   assert.deepEqual(readPicture(ringPicture((on) => [0, 0, 0, on ? 255 : 0])), black);
+});
+test('generated drawings are not inverted, and their negatives have the same strokes', () => {
+  for (const drawing of [drawnFace(1), drawnFace(2), titledFace(2), twoFaces(1), scribbledFace(1)]) {
+    const pixels = rasteriseStrokes(mapToCanvas(drawing.strokes, sheetPlacement(drawing)), 256);
+    const pictureIn = (level) => ({ width: 256, height: 256, data: Uint8ClampedArray.from({ length: 4 * pixels.length }, (_, i) => (i % 4 === 3 ? 255 : level(pixels[i >> 2]))) });
+    const positive = readPicture(pictureIn((value) => value)), negative = readPicture(pictureIn((value) => 255 - value));
+    assert.deepEqual([positive.warnings.length, negative.warnings.length], [0, 1]);
+    assert.deepEqual(negative.drawing.strokes.length, positive.drawing.strokes.length);
+  }
 });
 test('a picture that is none is refused with what was found and the repair', () => {
   const refused = (picture, message) => assert.throws(() => checkPicture(picture), (error) => error.name === 'DaumierError' && message.test(error.message));

@@ -21,9 +21,13 @@ try {
   };
   paper.onpointermove = (event) => event.buttons > 0 && line(event);
   paper.onpointerup = async () => {
-    const { vertices, warnings } = await model.predict({ width: paper.width, height: paper.height, strokes });
-    view.show(vertices);
-    say(warnings[0] ?? "The face of your lines.");
+    try {
+      const { vertices, warnings } = await model.predict({ width: paper.width, height: paper.height, strokes });
+      view.show(vertices);
+      say(warnings[0] ?? "The face of your lines.");
+    } catch (error) {
+      say(error.message);  // Such as a tap as first line, which has no extent.
+    }
   };
   say("Draw a face from the front.");
 } catch (error) {
