@@ -91,5 +91,5 @@ install(FILES ${PROJECT_BINARY_DIR}/DaumierConfig.cmake ${PROJECT_BINARY_DIR}/Da
 
 if(BUILD_TESTING AND DAUMIER_TRAINING)
   add_test(NAME install COMMAND ${PROJECT_SOURCE_DIR}/tests/install/run.sh ${PROJECT_BINARY_DIR})
-  set_tests_properties(install PROPERTIES TIMEOUT 300 PROCESSORS 2 LABELS plain)
+  set_tests_properties(install PROPERTIES TIMEOUT 300 LABELS plain)
 endif()

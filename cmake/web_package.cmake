@@ -1,7 +1,7 @@
 # The npm package of web/: its compiler, its unit tests, and its networks in Chromium next to the program's. Skipped where npm's packages, which
-# `./dev setup` installs, or Chromium are missing. Browser and program take two processors.
+# `./dev setup` installs, or Chromium are missing.
 if(BUILD_TESTING AND NODE AND NOT DAUMIER_SANITIZE)
   add_test(NAME web_package COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/web/run.mjs $<TARGET_FILE:daumier> ${PROJECT_BINARY_DIR}/web
            WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(web_package PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 PROCESSORS 2 LABELS plain)
+  set_tests_properties(web_package PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS plain)
 endif()

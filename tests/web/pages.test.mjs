@@ -10,7 +10,7 @@ import { readmePage } from './readme_page.mjs';
 const module = /<script type="module">\n(.*)<\/script>/s.exec(readmePage)[1];
 const example = readFileSync(join(repository, 'web/example/example.js'), 'utf8');
 
-/** Runs a module with stand-ins for its imports and for the document. Returns {canvas, said}. */
+/** Runs a module with replacements of its imports and for the document. Returns {canvas, said}. */
 async function runPage(text, predict) {
   const said = [], canvas = { width: 400, height: 400, getContext: () => ({ beginPath() {}, lineTo() {}, stroke() {} }), setPointerCapture() {} };
   const status = { set textContent(value) { said.push(value); } };

@@ -43,7 +43,7 @@ class ExpressionTrainingTest : public ::testing::Test {
 
 TEST_F(ExpressionTrainingTest, RecognisesExpressionsOfAPersonThatItHasNotSeen) {
   const reports::Evaluation evaluation = Evaluate();
-  EXPECT_LT(evaluation.table.rows[0].error().mean, 0.7);  // 0.5 was measured: 8 faces, 30 epochs.
+  EXPECT_LT(evaluation.table.rows[0].error().mean, 0.7);          // 0.5 was measured: 8 faces, 30 epochs.
   EXPECT_DOUBLE_EQ(evaluation.table.rows[1].error().mean, 0.75);  // Always neutral, of 4 expressions.
   reports::WriteEvaluation(ReportDirectory(run()), evaluation);
   const reports::MetricTable read = ExpressionSystem().read_metrics(reports::ReadMetrics(ReportDirectory(run())));
