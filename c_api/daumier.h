@@ -127,7 +127,7 @@ DAUMIER_API daumier_status daumier_model_encode(const daumier_model* model, cons
 DAUMIER_API daumier_status daumier_model_exaggerate(const daumier_model* model, const float* xyz, size_t size,
                                                     float strength, float* exaggerated, size_t exaggerated_size);
 
-/* The time of an edit grows with the handles: 9 ms with one, 0.4 s with 200. */
+/* The time of an edit grows faster than the number of its handles. */
 #define DAUMIER_MOST_HANDLES 200
 
 /* Begins an edit of a face by handles, to be moved as often as a pen moves. vertices: num_handles different ones. is_local: other parts of

@@ -35,7 +35,7 @@ function(daumier_precompiled_header name)
     if(name STREQUAL tests)
       list(APPEND headers <gtest/gtest.h>)
       target_link_libraries(daumier_pch_tests PUBLIC GTest::gtest)
-      target_compile_options(daumier_pch_tests PUBLIC -O1)  # A quarter less to compile; measured on tests of geometry/.
+      target_compile_options(daumier_pch_tests PUBLIC -O1)  # Tests are compiled more often than run.
     endif()
     target_link_libraries(daumier_pch_${name} PUBLIC base_libraries mesh_libraries)
     target_precompile_headers(daumier_pch_${name} PUBLIC ${headers})
