@@ -168,25 +168,6 @@ eval::FaceRows FitAll(const Kit& kit, KitSplit split, const ShapeModel& model, c
   });
 }
 
-BaselineResult ShapeModelFits(const Kit& kit, KitSplit split) {
-  const eval::FaceRows training = TargetsOf(kit, KitTask::kCaricatures, KitSplit::kTrain),
-                       truth = TargetsOf(kit, KitTask::kCaricatures, KitSplit::kValidation);
-  const fitting::ContourPaths contour(kit.face_template());
-  double least = std::numeric_limits<double>::infinity(), best_deviation = 0;
-  int best_size = 0;
-  for (const int size : {10, 20, 40, 80}) {
-    const ShapeModel model(kit.face_template(), training, size);
-    for (const double deviation : {0.005, 0.015, 0.05, 0.15}) {
-      const double error =
-          MeanError(kit, KitTask::kCaricatures, FitAll(kit, KitSplit::kValidation, model, contour, deviation), truth);
-      if (error < least) least = error, best_size = size, best_deviation = deviation;
-    }
-  }
-  const ShapeModel model(kit.face_template(), training, best_size);
-  return {FitAll(kit, split, model, contour, best_deviation),
-          {{"components", best_size}, {"deviation", best_deviation}, {"validation_error", least}}};
-}
-
 eval::FaceRows FitAllPlaces(const Kit& kit, KitSplit split, const ShapeModel& model, double deviation_cm) {
   const std::vector<KitItem>& items = kit.items(KitTask::kCaricatures, split);
   const auto& landmarks = kit.face_template().annotation.landmarks;
@@ -202,22 +183,41 @@ eval::FaceRows FitAllPlaces(const Kit& kit, KitSplit split, const ShapeModel& mo
   });
 }
 
-BaselineResult ShapeModelFitsInSpace(const Kit& kit, KitSplit split) {
+/// The shape model of training faces whose size and deviation of landmarks have the least error on validation. fit(model, split,
+/// deviation): its faces of a split.
+template <class Fit>
+BaselineResult BestShapeModel(const Kit& kit, KitSplit split, const std::vector<int>& sizes,
+                              const std::vector<double>& deviations, const Fit& fit) {
   const eval::FaceRows training = TargetsOf(kit, KitTask::kCaricatures, KitSplit::kTrain),
                        truth = TargetsOf(kit, KitTask::kCaricatures, KitSplit::kValidation);
   double least = std::numeric_limits<double>::infinity(), best_deviation = 0;
   int best_size = 0;
-  for (const int size : {10, 20, 40, 80, 160}) {
+  for (const int size : sizes) {
     const ShapeModel model(kit.face_template(), training, size);
-    for (const double deviation : {0.01, 0.03, 0.1, 0.3}) {
-      const double error =
-          MeanError(kit, KitTask::kCaricatures, FitAllPlaces(kit, KitSplit::kValidation, model, deviation), truth);
+    for (const double deviation : deviations) {
+      const double error = MeanError(kit, KitTask::kCaricatures, fit(model, KitSplit::kValidation, deviation), truth);
       if (error < least) least = error, best_size = size, best_deviation = deviation;
     }
   }
   const ShapeModel model(kit.face_template(), training, best_size);
-  return {FitAllPlaces(kit, split, model, best_deviation),
-          {{"components", best_size}, {"deviation_cm", best_deviation}, {"validation_error", least}}};
+  return {fit(model, split, best_deviation),
+          {{"components", best_size}, {"deviation", best_deviation}, {"validation_error", least}}};
+}
+
+/// Fitted to landmarks in the picture; deviations are shares of the distance of the outer eye corners.
+BaselineResult ShapeModelFits(const Kit& kit, KitSplit split) {
+  const fitting::ContourPaths contour(kit.face_template());
+  return BestShapeModel(kit, split, {10, 20, 40, 80}, {0.005, 0.015, 0.05, 0.15},
+                        [&](const ShapeModel& model, KitSplit of, double deviation) {
+                          return FitAll(kit, of, model, contour, deviation);
+                        });
+}
+
+/// Fitted to landmarks in space; deviations are cm.
+BaselineResult ShapeModelFitsInSpace(const Kit& kit, KitSplit split) {
+  return BestShapeModel(
+      kit, split, {10, 20, 40, 80, 160}, {0.01, 0.03, 0.1, 0.3},
+      [&](const ShapeModel& model, KitSplit of, double deviation) { return FitAllPlaces(kit, of, model, deviation); });
 }
 
 BaselineResult MeanPlacedOnTruth(const Kit& kit, KitSplit split) {
